@@ -1,0 +1,285 @@
+"""A small document tree whose elements know where they stand.
+
+It has just that part of `xml.dom.minidom`'s surface which the xacro package touches, so that xacro can work on it
+unchanged; names that are not of our style are minidom's. Siblings form a linked list: inserting and removing cost nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+from xml.dom import NotFoundErr
+
+from urdfctl.source.span import Call, Place, SourceText
+
+ELEMENT, TEXT, CDATA, INSTRUCTION, COMMENT, DOCUMENT, DOCTYPE = 1, 3, 4, 7, 8, 9, 10
+
+
+class Node:
+    """What all nodes share: a parent and siblings."""
+
+    __slots__ = ("firstChild", "lastChild", "nextSibling", "parentNode", "previousSibling")
+
+    nodeType = 0
+
+    def __init__(self) -> None:
+        self.parentNode: Node | None = None
+        self.previousSibling: Node | None = None
+        self.nextSibling: Node | None = None
+        self.firstChild: Node | None = None
+        self.lastChild: Node | None = None
+
+    def _unlink(self) -> None:
+        parent, before, after = self.parentNode, self.previousSibling, self.nextSibling
+        if parent is None:
+            return
+        if before is not None:
+            before.nextSibling = after
+        else:
+            parent.firstChild = after
+        if after is not None:
+            after.previousSibling = before
+        else:
+            parent.lastChild = before
+        self.parentNode = self.previousSibling = self.nextSibling = None
+
+    def removeChild(self, child: Node) -> Node:
+        """Take a child out; NotFoundErr where it is none."""
+        if child.parentNode is not self:
+            raise NotFoundErr
+        child._unlink()
+        return child
+
+    def appendChild(self, child: Node) -> Node:
+        """Put a node behind the last child, taking it from where it was."""
+        child._unlink()
+        last = self.lastChild
+        child.parentNode = self
+        child.previousSibling = last
+        if last is None:
+            self.firstChild = child
+        else:
+            last.nextSibling = child
+        self.lastChild = child
+        return child
+
+    def insertBefore(self, child: Node, reference: Node | None) -> Node:
+        """Put a node before one of the children; behind the last one where `reference` is None."""
+        if reference is None:
+            return self.appendChild(child)
+        if reference.parentNode is not self:
+            raise NotFoundErr
+        child._unlink()
+        before = reference.previousSibling
+        child.parentNode = self
+        child.previousSibling = before
+        child.nextSibling = reference
+        reference.previousSibling = child
+        if before is None:
+            self.firstChild = child
+        else:
+            before.nextSibling = child
+        return child
+
+    @property
+    def childNodes(self) -> list[Node]:
+        """The children, in order."""
+        return list(self.children())
+
+    def children(self) -> Iterator[Node]:
+        """The children, in order, while the tree stays as it is."""
+        child = self.firstChild
+        while child is not None:
+            yield child
+            child = child.nextSibling
+
+    def elements(self) -> Iterator[Element]:
+        """The children that are elements, in order."""
+        for child in self.children():
+            if isinstance(child, Element):
+                yield child
+
+    def cloneNode(self, deep: bool = False) -> Node:
+        """A copy, with all below it."""
+        raise NotImplementedError
+
+
+class Text(Node):
+    """Characters, a CDATA section or a comment, told apart by `nodeType`."""
+
+    __slots__ = ("data", "nodeType")
+    nodeName = "#text"
+
+    def __init__(self, data: str, node_type: int = TEXT) -> None:
+        super().__init__()
+        self.data = data
+        self.nodeType = node_type
+
+    def cloneNode(self, deep: bool = False) -> Text:
+        return Text(self.data, self.nodeType)
+
+
+class Instruction(Text):
+    """A processing instruction."""
+
+    __slots__ = ("target",)
+
+    def __init__(self, target: str, data: str) -> None:
+        super().__init__(data, INSTRUCTION)
+        self.target = target
+
+    def cloneNode(self, deep: bool = False) -> Instruction:
+        return Instruction(self.target, self.data)
+
+
+class DocumentType(Node):
+    """A DOCTYPE without declarations of its own."""
+
+    __slots__ = ("name", "public", "system")
+    nodeType = DOCTYPE
+
+    def __init__(self, name: str, public: str | None, system: str | None) -> None:
+        super().__init__()
+        self.name, self.public, self.system = name, public, system
+
+
+class _Attribute(NamedTuple):
+    value: str
+
+
+class _AttributeMap:
+    """What xacro needs of minidom's NamedNodeMap."""
+
+    __slots__ = ("_values",)
+
+    def __init__(self, values: dict[str, str]) -> None:
+        self._values = values
+
+    def items(self) -> list[tuple[str, str]]:
+        return list(self._values.items())
+
+    def keys(self) -> list[str]:
+        return list(self._values)
+
+    def __len__(self) -> int:
+        return len(self._values)
+
+
+class Document(Node):
+    """The root of the tree: what stands before, around and behind the root element."""
+
+    __slots__ = ("documentElement",)
+    nodeType = DOCUMENT
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.documentElement: Element | None = None
+
+
+class Cloning:
+    """What a copied element is to remember of who copied it; the expansion sets and reads it."""
+
+    __slots__ = ("call", "count", "insertion")
+
+    def __init__(self) -> None:
+        self.call: Call | None = None
+        self.insertion: Element | None = None
+        self.count = 0
+
+
+class Element(Node):
+    """An element: its name, its attributes, where its start tag and end tag stand, and the calls that led to it."""
+
+    __slots__ = ("attrs", "call", "cloning", "close", "moved", "nodeName", "source", "start", "tagName")
+    nodeType = ELEMENT
+
+    def __init__(
+        self,
+        tag: str,
+        attrs: dict[str, str],
+        source: SourceText,
+        start: int,
+        call: Call | None,
+        cloning: Cloning,
+    ) -> None:
+        self.parentNode = self.previousSibling = self.nextSibling = self.firstChild = self.lastChild = None
+        self.tagName = self.nodeName = tag
+        self.attrs = attrs
+        self.source = source
+        self.start = start
+        self.close: int | None = None
+        self.call = call
+        self.cloning = cloning
+        self.moved: dict[str, tuple[SourceText, int]] | None = None
+
+    @property
+    def attributes(self) -> _AttributeMap:
+        return _AttributeMap(self.attrs)
+
+    def hasAttribute(self, name: str) -> bool:
+        return name in self.attrs
+
+    def getAttribute(self, name: str) -> str:
+        return self.attrs.get(name, "")
+
+    def setAttribute(self, name: str, value: str) -> None:
+        self.attrs[name] = value
+
+    def removeAttribute(self, name: str) -> None:
+        if name not in self.attrs:
+            raise NotFoundErr
+        del self.attrs[name]
+
+    def getAttributeNode(self, name: str) -> _Attribute | None:
+        value = self.attrs.get(name)
+        return None if value is None else _Attribute(value)
+
+    def cloneNode(self, deep: bool = False) -> Element:
+        """A copy that remembers the macro call, or the insert_block, by which it came about."""
+        top = self.cloning.call
+        if self.tagName == "xacro:macro":
+            return self._copy(top, None)
+        return self._copy(None, _BlockCalls(top, self.cloning.insertion, {}))
+
+    def _copy(self, call: Call | None, block: _BlockCalls | None) -> Element:
+        if block is not None:
+            call = block.for_text_of(self.call)
+        self.cloning.count += 1
+        copy = Element(self.tagName, self.attrs.copy(), self.source, self.start, call, self.cloning)
+        copy.nodeName, copy.close, copy.moved = self.nodeName, self.close, self.moved
+        last: Node | None = None
+        child = self.firstChild
+        while child is not None:
+            twin = child._copy(call, block) if isinstance(child, Element) else child.cloneNode()
+            twin.parentNode = copy
+            twin.previousSibling = last
+            if last is None:
+                copy.firstChild = twin
+            else:
+                last.nextSibling = twin
+            last = twin
+            child = child.nextSibling
+        copy.lastChild = last
+        return copy
+
+    @property
+    def at(self) -> Place:
+        """Where the element stands."""
+        return Place(self.source, self.start, self.call, close=self.close, attributes=self.moved)
+
+
+class _BlockCalls(NamedTuple):
+    """The steps that an inserted block adds: one for each way by which the block's own texts came about."""
+
+    via: Call | None
+    site: Element | None
+    made: dict[int, Call]
+
+    def for_text_of(self, written_by: Call | None) -> Call | None:
+        if self.site is None:
+            return written_by
+        key = id(written_by)
+        if key not in self.made:
+            name = self.via.name if self.via is not None else ""
+            self.made[key] = Call("block", name, self.site.source, self.site.start, written_by)
+        return self.made[key]

@@ -1,0 +1,97 @@
+"""A private instance of the installed xacro package, whose helpers can be replaced without touching anybody else's.
+
+xacro keeps its state in module globals and looks its helpers up there at call time. So each expansion gets a module
+object of its own, which never stands in `sys.modules` under xacro's name.
+"""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import itertools
+import os
+import sys
+from functools import lru_cache
+from importlib.machinery import SourceFileLoader
+from types import CodeType, ModuleType
+
+from urdfctl.errors import UserError
+
+KNOWN_VERSIONS = "2.1.0 and 2.1.1"
+REQUIRED = (
+    "LEXER", "NameSpace", "QuickLexer", "Table", "XacroException", "YamlListWrapper", "ConstructUnits", "_empty_text_node",
+    "abs_filename_spec", "all_includes", "check_attrs", "create_global_symbols", "eval_all", "eval_extension", "eval_text",
+    "get_boolean_value", "grab_macro", "grab_property", "handle_macro_call", "init_stacks", "is_valid_name", "load_yaml",
+    "parse", "parse_macro_arg", "print_location", "process_doc", "process_include", "replace_node", "safe_eval",
+    "substitution_args_context",
+)  # fmt: skip
+_numbers = itertools.count()
+
+
+@lru_cache(1)
+def _location() -> str:
+    """The folder of the xacro package to use: one of this installation before one that PYTHONPATH puts in front,
+    because a sourced ROS environment brings an older xacro of its own."""
+    foreign = {os.path.abspath(p) for p in os.environ.get("PYTHONPATH", "").split(os.pathsep) if p}
+    entries = [entry or os.curdir for entry in sys.path[0:]]
+    ours = [entry for entry in entries if os.path.abspath(entry) not in foreign]
+    for entry in ours + entries:
+        folder = os.path.join(entry, "xacro")
+        if os.path.isfile(os.path.join(folder, "__init__.py")) and os.path.isfile(os.path.join(folder, "xmlutils.py")):
+            return folder
+    raise UserError("the package xacro is not installed: pip install 'xacro>=2.1,<3'")
+
+
+@lru_cache(1)
+def _code() -> CodeType:
+    loader = SourceFileLoader("xacro", os.path.join(_location(), "__init__.py"))
+    code = loader.get_code("xacro")
+    if code is None:  # pragma: no cover (a source file always has code)
+        raise UserError(f"the package xacro at {_location()} cannot be loaded")
+    return code
+
+
+def load() -> ModuleType:
+    """A fresh xacro module. UserError where the installed one is not of a kind that we know how to drive."""
+    name = f"_urdfctl_xacro_{next(_numbers)}"
+    _defer_yaml()
+    command_line = ModuleType(f"{name}.cli")  # never used here, and optparse is dear
+    command_line.process_args = None  # type: ignore[attr-defined]
+    sys.modules[command_line.__name__] = command_line
+    path = os.path.join(_location(), "__init__.py")
+    spec = importlib.util.spec_from_file_location(name, path, submodule_search_locations=[_location()])
+    if spec is None:  # pragma: no cover (a path that ends in .py always has a spec)
+        raise UserError(f"the package xacro at {_location()} cannot be loaded")
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[name] = module
+    exec(_code(), module.__dict__)  # noqa: S102 (the installed package's own code)
+    missing = [needed for needed in REQUIRED if not hasattr(module, needed)]
+    if missing:
+        raise UserError(
+            f"the package xacro at {_location()} is of an unknown version (no '{missing[0]}'); known are {KNOWN_VERSIONS}"
+        )
+    return module
+
+
+def substitutions(module: ModuleType) -> ModuleType:
+    """The module of a private xacro that resolves `$(...)`."""
+    return importlib.import_module(f"{module.__name__}.substitution_args")
+
+
+def release(module: ModuleType) -> None:
+    """Forget a private xacro."""
+    for name in [n for n in sys.modules if n == module.__name__ or n.startswith(module.__name__ + ".")]:
+        del sys.modules[name]
+
+
+def _defer_yaml() -> None:
+    """Let `import yaml` cost nothing until a robot really reads a YAML file: xacro imports it for every `$(find ...)`."""
+    if "yaml" in sys.modules:
+        return
+    spec = importlib.util.find_spec("yaml")
+    if spec is None or spec.loader is None:  # pragma: no cover (a dependency of ours)
+        raise UserError("the package pyyaml is not installed: pip install pyyaml")
+    spec.loader = loader = importlib.util.LazyLoader(spec.loader)
+    module = importlib.util.module_from_spec(spec)
+    sys.modules["yaml"] = module
+    loader.exec_module(module)

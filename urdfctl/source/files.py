@@ -1,0 +1,98 @@
+"""Reads files, within limits: regular files only, not larger than 16 MiB, and only where the run may read."""
+
+from __future__ import annotations
+
+import os
+import stat
+from collections.abc import Callable, Sequence
+
+from urdfctl.source.problem import Problem, ProblemKind, ReadError
+from urdfctl.source.span import Place, SourceText
+
+MAX_BYTES = 16 << 20
+
+
+class FileProblem(Exception):
+    """A file cannot be read; whoever asked for it knows the place to blame."""
+
+    def __init__(self, kind: ProblemKind, path: str, message: str, hint: str = "") -> None:
+        super().__init__(message)
+        self.kind, self.path, self.message, self.hint = kind, path, message, hint
+
+    def at(self, place: Place) -> Problem:
+        """The problem, blamed on a place."""
+        return Problem(self.kind, place, self.message, self.path, self.hint)
+
+
+class Files:
+    """Reads each file once. `resolve` maps an installed path to the source file that would be installed there."""
+
+    def __init__(self, bounds: Sequence[str] | None = None, resolve: Callable[[str], str] = lambda path: path) -> None:
+        self.bounds = None if bounds is None else [os.path.realpath(bound) for bound in bounds]
+        self._resolve = resolve
+        self._read: dict[str, SourceText] = {}
+
+    def allow(self, folder: str) -> None:
+        """Let files below a folder be read too."""
+        if self.bounds is not None:
+            real = os.path.realpath(folder)
+            if real not in self.bounds:
+                self.bounds.append(real)
+
+    def paths(self) -> list[str]:
+        """The files that have been read, in order."""
+        return list(self._read)
+
+    def sources(self) -> list[SourceText]:
+        """The texts that have been read, in order."""
+        return list(self._read.values())
+
+    def read(self, path: str) -> SourceText:
+        """The text of a file. FileProblem where there is none, it is no regular file, too large or out of bounds."""
+        if path in self._read:
+            return self._read[path]
+        found = self._resolve(path)
+        self._check_bounds(found)
+        text = SourceText(_shown(found), _bytes_of(found))
+        self._read[path] = text
+        return text
+
+    def _check_bounds(self, path: str) -> None:
+        if self.bounds is None:
+            return
+        real = os.path.realpath(path)
+        if not any(real == bound or real.startswith(bound.rstrip(os.sep) + os.sep) for bound in self.bounds):
+            message = f"'{path}' lies outside the workspace '{self.bounds[0]}' and is not read"
+            hint = "name a wider --workspace, add --package-path, or --trust the file"
+            raise FileProblem(ProblemKind.OUTSIDE_WORKSPACE, path, message, hint)
+
+
+def _shown(path: str) -> str:
+    return os.path.normpath(path)
+
+
+def _bytes_of(path: str) -> bytes:
+    try:
+        info = os.stat(path)
+        if stat.S_ISDIR(info.st_mode):
+            raise FileProblem(ProblemKind.FILE_UNREADABLE, path, f"'{path}' is a folder, not a file")
+        if not stat.S_ISREG(info.st_mode):
+            raise FileProblem(ProblemKind.FILE_UNREADABLE, path, f"'{path}' is no regular file")
+        if info.st_size > MAX_BYTES:
+            message = f"'{path}' has {info.st_size >> 20} MiB; at most {MAX_BYTES >> 20} MiB are read"
+            raise FileProblem(ProblemKind.BUDGET, path, message)
+        with open(path, "rb") as file:
+            data = file.read(MAX_BYTES + 1)
+    except FileNotFoundError:
+        broken = os.path.islink(path)
+        message = f"'{path}' is a broken link" if broken else f"no such file: '{path}'"
+        raise FileProblem(ProblemKind.FILE_NOT_FOUND, path, message) from None
+    except (OSError, ValueError) as error:
+        why = getattr(error, "strerror", None) or str(error)
+        raise FileProblem(ProblemKind.FILE_UNREADABLE, path, f"'{path}' cannot be read: {why}") from None
+    return data
+
+
+def read_error(problem: FileProblem, place: Place) -> ReadError:
+    """A file's problem, blamed on a place, to be raised."""
+    return ReadError(problem.at(place))

@@ -1,0 +1,168 @@
+"""What a source package installs where: `$(find pkg)/urdf/x` often lies in `description/urdf/x` of the source tree.
+
+Read from the `install()` rules of CMakeLists.txt and from `data_files` of setup.py, as text: neither is ever run.
+"""
+
+from __future__ import annotations
+
+import ast
+import os
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+_INSTALL = re.compile(r"\binstall\s*\(\s*(DIRECTORY|FILES|PROGRAMS)\s+([^)]*)\)", re.DOTALL | re.IGNORECASE)
+_PROJECT = re.compile(r"\bproject\s*\(\s*([\w.-]+)", re.IGNORECASE)
+_COMMENT = re.compile(r"#[^\n]*")
+_PIECE = re.compile(r'"([^"]*)"|(\S+)')
+_MAX_CHARACTERS = 1 << 20
+
+
+class Installed(NamedTuple):
+    """`source` (relative to the package) comes to stand at `target` (relative to share/<package>)."""
+
+    target: str
+    source: str
+
+
+class InstallMap:
+    """The install rules of one package."""
+
+    def __init__(self, folder: str, rules: list[Installed]) -> None:
+        self.folder = folder
+        self.rules = rules
+
+    def source_of(self, relative: str) -> str | None:
+        """The existing source file that is installed at a path relative to share/<package>; None where none is."""
+        for target, source in self.rules:
+            if target and relative != target and not relative.startswith(target + "/"):
+                continue
+            rest = relative[len(target) :].lstrip("/")
+            candidate = os.path.normpath(os.path.join(self.folder, source, rest))
+            if os.path.exists(candidate):
+                return candidate
+        return None
+
+
+def read_install_map(folder: str, package: str) -> InstallMap:
+    """The install rules of the package in a folder; none where it has no build files."""
+    cmake = _read(os.path.join(folder, "CMakeLists.txt"))
+    setup = _read(os.path.join(folder, "setup.py"))
+    return InstallMap(folder, [*_from_cmake(cmake, package), *_from_setup(setup, folder, package)])
+
+
+def _read(path: str) -> str:
+    try:
+        with open(path, encoding="utf-8", errors="replace") as file:
+            return file.read(_MAX_CHARACTERS)
+    except OSError:
+        return ""
+
+
+def _from_cmake(text: str, package: str) -> Iterator[Installed]:
+    text = _COMMENT.sub("", text)
+    project = _PROJECT.search(text)
+    name = project.group(1) if project else package
+    for kind, body in _INSTALL.findall(text):
+        words = [quoted or bare for quoted, bare in _PIECE.findall(_substituted(body, name))]
+        if "DESTINATION" not in words[:-1]:
+            continue
+        where = words.index("DESTINATION")
+        target = _below_share(words[where + 1], name)
+        if target is None:
+            continue
+        for source in words[:where]:
+            if source.isupper() and source.isalpha():
+                break
+            yield _installed(kind.upper(), target, source)
+
+
+def _substituted(body: str, project: str) -> str:
+    for variable, value in (
+        ("${PROJECT_NAME}", project),
+        ("${CMAKE_PROJECT_NAME}", project),
+        ("${CMAKE_CURRENT_SOURCE_DIR}/", ""),
+        ("${CMAKE_CURRENT_LIST_DIR}/", ""),
+        ("${PROJECT_SOURCE_DIR}/", ""),
+        ("${CMAKE_INSTALL_PREFIX}/", ""),
+        ("${CATKIN_PACKAGE_SHARE_DESTINATION}", f"share/{project}"),
+    ):
+        body = body.replace(variable, value)
+    return body
+
+
+def _below_share(destination: str, package: str) -> str | None:
+    """A destination relative to share/<package>; None where it lies elsewhere."""
+    share = f"share/{package}"
+    destination = os.path.normpath(destination)
+    if destination == share:
+        return ""
+    return destination[len(share) + 1 :] if destination.startswith(share + "/") else None
+
+
+def _installed(kind: str, target: str, source: str) -> Installed:
+    if kind == "DIRECTORY" and source.endswith("/"):
+        return Installed(target, source.rstrip("/"))
+    return Installed(os.path.normpath(os.path.join(target, os.path.basename(source))), source)
+
+
+def _from_setup(text: str, folder: str, package: str) -> Iterator[Installed]:
+    if "data_files" not in text:
+        return
+    try:
+        tree = ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError):
+        return
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Tuple) and len(node.elts) == 2:  # noqa: PLR2004 (a pair of data_files)
+            destination = _text_of(node.elts[0], package)
+            target = _below_share(destination, package) if destination else None
+            if target is not None:
+                for source in _sources_of(node.elts[1], package):
+                    yield from _matching(folder, target, source)
+
+
+def _matching(folder: str, target: str, pattern: str) -> Iterator[Installed]:
+    if "*" not in pattern and "?" not in pattern:
+        yield _installed("FILES", target, pattern)
+        return
+    from glob import escape, glob
+
+    for path in sorted(glob(os.path.join(escape(folder), pattern))):
+        relative = os.path.relpath(path, folder)
+        yield _installed("FILES", target, relative)
+
+
+def _sources_of(node: ast.expr, package: str) -> Iterator[str]:
+    """The texts in a list of files, and the patterns of `glob(...)`."""
+    if isinstance(node, ast.List):
+        for element in node.elts:
+            text = _text_of(element, package)
+            if text:
+                yield text
+    elif isinstance(node, ast.Call) and node.args:
+        text = _text_of(node.args[0], package)
+        if text:
+            yield text
+    elif isinstance(node, ast.BinOp):
+        yield from _sources_of(node.left, package)
+        yield from _sources_of(node.right, package)
+
+
+def _text_of(node: ast.expr, package: str) -> str | None:
+    """A path written as text, as `os.path.join(...)`, or with `package_name` in it; None where it is anything else."""
+    if isinstance(node, ast.Constant):
+        return node.value if isinstance(node.value, str) else None
+    if isinstance(node, ast.Name):
+        return package if node.id == "package_name" else None
+    parts: list[ast.expr] = []
+    separator = ""
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "join":
+        parts, separator = node.args, "/"
+    elif isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
+        parts = [node.left, node.right]
+    elif isinstance(node, ast.JoinedStr):
+        parts = [value.value if isinstance(value, ast.FormattedValue) else value for value in node.values]
+    texts = [_text_of(part, package) for part in parts]
+    known = [text for text in texts if text is not None]
+    return separator.join(known) if known and len(known) == len(texts) else None

@@ -1,0 +1,270 @@
+"""Expands xacro with the installed xacro package, and keeps for every element where it was written and by which calls.
+
+What comes out is, byte for byte, what `xacro` itself would write. A problem either ends the expansion (`strict`), or is
+kept and costs only the element it is in, so that one run tells all of them.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from types import FrameType, ModuleType
+from typing import Any
+
+from urdfctl.source import engine, xacro_hooks
+from urdfctl.source.budget import MAX_CALL_DEPTH, MAX_CALLS, MAX_ELEMENTS, MAX_PROBLEMS, OverBudget
+from urdfctl.source.dom import Cloning, Document, Element, Node, Text
+from urdfctl.source.files import FileProblem, Files
+from urdfctl.source.packages import Packages
+from urdfctl.source.problem import Problem, ProblemKind
+from urdfctl.source.span import Call, Place, SourceText
+from urdfctl.source.xacro_errors import Blame, blame_of, problem_of
+from urdfctl.source.xml import parse
+
+UNKNOWN = "\ue000"
+"""Stands in a text for a value that could not be worked out; no rule may claim anything of such a text."""
+
+_CONSEQUENCES = {
+    ProblemKind.UNDEFINED_NAME,
+    ProblemKind.UNKNOWN_MACRO,
+    ProblemKind.UNDEFINED_ARGUMENT,
+    ProblemKind.XACRO,
+}
+
+
+@dataclass(slots=True)
+class Expansion:
+    """What became of one file: the expanded tree, what was met on the way, and whether nothing had to be left out."""
+
+    document: Document | None
+    problems: list[Problem] = field(default_factory=list)
+
+    @property
+    def complete(self) -> bool:
+        """False where a problem cost a part of the robot."""
+        return self.document is not None and all(p.kind in _HARMLESS for p in self.problems)
+
+
+_HARMLESS = {ProblemKind.XACRO_WARNING, ProblemKind.DUPLICATE_MACRO, ProblemKind.UNUSED_ARGUMENT}
+
+
+class Expander:
+    """Expands one file once. `trust` lets its expressions and DOCTYPEs do whatever xacro lets them."""
+
+    def __init__(
+        self,
+        files: Files,
+        packages: Packages,
+        environ: Mapping[str, str],
+        *,
+        strict: bool = False,
+        trust: bool = False,
+    ) -> None:
+        self.files, self.packages, self.environ = files, packages, environ
+        self.strict, self.trust = strict, trust
+        self.problems: list[Problem] = []
+        self.cloning = Cloning()
+        self.calls: list[Call] = []
+        self.module: ModuleType = engine.load()
+        self._called = 0
+        self._seen: set[tuple[ProblemKind, str, str]] = set()
+        self._include_failed = False
+        self._originals: dict[str, Callable[..., Any]] = {}
+        self._install()
+
+    def expand(self, path: str, arguments: Mapping[str, str]) -> Expansion:
+        """The expansion of a file with `name:=value` arguments."""
+        module = self.module
+        module.init_stacks(path)
+        sys.setrecursionlimit(max(sys.getrecursionlimit(), 20 * MAX_CALL_DEPTH))
+        document: Document | None = None
+        try:
+            document = parse(self.files.read(path), self.cloning, declarations=self.trust)
+            module.process_doc(document, mappings=dict(arguments), verbosity=1)
+        except FileProblem as error:
+            self.problems.append(error.at(Place(SourceText(path, b""), 0, end=0)))
+        except Exception as error:  # noqa: BLE001 (whatever the description made xacro raise)
+            self._keep(blame_of(error), error)
+            document = None if self.strict else document
+        finally:
+            engine.release(module)
+        return Expansion(document, self.problems)
+
+    # -- the replaced helpers of xacro -------------------------------------------------------------------------------
+
+    def _install(self) -> None:
+        module = self.module
+        for name in ("process_include", "handle_macro_call", "check_attrs", "replace_node", "eval_all", "grab_macro"):
+            self._originals[name] = getattr(module, name)
+            setattr(module, name, getattr(self, f"_{name}"))
+        module._empty_text_node = Text("\n\n")  # type: ignore[attr-defined]
+        module.parse = self._parse  # type: ignore[attr-defined]
+        module.print_location = lambda: None  # type: ignore[attr-defined]
+        for level in ("warning", "error", "message"):
+            setattr(module, level, self._listener(level))
+        xacro_hooks.install(self)
+
+    def _parse(self, _input: object, filename: str) -> Document:
+        module = self.module
+        include = self.calls[-1] if self.calls else None
+        try:
+            return parse(self.files.read(filename), self.cloning, include, declarations=self.trust)
+        except FileProblem as error:
+            module.filestack.pop()
+            absent = error.kind is ProblemKind.FILE_NOT_FOUND
+            if absent:  # an optional include may be absent: xacro looks for an IOError inside
+                raise module.XacroException(exc=_AbsentFile(error)) from error
+            raise
+
+    def _process_include(self, node: Element, macros: object, symbols: object, evaluate: object) -> None:
+        self._enter(Call("include", node.attrs.get("filename", ""), node.source, node.start, node.call))
+        self._originals["process_include"](node, macros, symbols, evaluate)
+        self._leave()
+
+    def _handle_macro_call(self, node: Element, macros: object, symbols: object) -> bool:
+        name = node.tagName
+        if not name.startswith("xacro:"):
+            return False
+        if name == "xacro:call":  # comes back here under the macro's own name
+            return bool(self._originals["handle_macro_call"](node, macros, symbols))
+        self._called += 1
+        if self._called > MAX_CALLS:
+            raise OverBudget(f"more than {MAX_CALLS} macro calls")
+        if self.cloning.count > MAX_ELEMENTS:
+            raise OverBudget(f"more than {MAX_ELEMENTS} elements")
+        self._enter(Call("macro", name.removeprefix("xacro:"), node.source, node.start, node.call))
+        handled = self._originals["handle_macro_call"](node, macros, symbols)
+        self._leave()
+        return bool(handled)
+
+    def _enter(self, call: Call) -> None:
+        if len(self.calls) >= MAX_CALL_DEPTH:
+            raise OverBudget(f"macros and includes call each other more than {MAX_CALL_DEPTH} deep")
+        self.calls.append(call)
+        self.cloning.call = call
+
+    def _leave(self) -> None:
+        self.calls.pop()
+        self.cloning.call = self.calls[-1] if self.calls else None
+
+    def _check_attrs(self, node: Element, required: list[str], optional: list[str]) -> Any:
+        if node.tagName == "xacro:insert_block":
+            self.cloning.insertion = node
+        return self._originals["check_attrs"](node, required, optional)
+
+    def _replace_node(self, node: Node, by: object, content_only: bool = False) -> None:  # noqa: FBT001, FBT002 (xacro's signature)
+        if by is None and isinstance(node, Element) and node.tagName == "xacro:attribute":
+            parent = node.parentNode
+            if isinstance(parent, Element):
+                name = node.attrs.get("name", "")
+                name = next(reversed(parent.attrs), name) if "$" in name else name
+                parent.moved = {**(parent.moved or {}), name: (node.source, node.start)}
+        self._originals["replace_node"](node, by, content_only)
+
+    def _grab_macro(self, node: Element, macros: Any) -> None:
+        name = node.attrs.get("name", "").removeprefix("xacro:")
+        before = macros[name].body if name and dict.__contains__(macros, name) else None
+        self._originals["grab_macro"](node, macros)
+        if before is not None and (before.source.path, before.start) != (node.source.path, node.start):
+            position = before.source.position(before.start)
+            message = f"macro '{name}' is defined again; its definition at {before.source.path}:{position.line} is lost"
+            self._add(Problem(ProblemKind.DUPLICATE_MACRO, node.at["name"], message, name))
+
+    def _eval_all(self, node: Element, macros: object, symbols: object) -> None:
+        evaluate = self._originals["eval_all"]
+        depth = len(self.module.filestack), len(self.module.macrostack), len(self.calls)
+        while True:
+            try:
+                evaluate(node, macros, symbols)
+            except (OverBudget, RecursionError, MemoryError):
+                raise
+            except Exception as error:
+                if self.strict:
+                    raise
+                blame = blame_of(error)
+                self._keep(blame, error)
+                self._unwind(*depth)
+                if not _cut_out(blame, node):
+                    raise
+            else:
+                return
+
+    def _unwind(self, files: int, macros: int, calls: int) -> None:
+        del self.module.filestack[files:]
+        del self.module.macrostack[macros:]
+        del self.calls[calls:]
+        self.cloning.call = self.calls[-1] if self.calls else None
+
+    def _listener(self, level: str) -> Callable[..., None]:
+        def listen(*words: object, **_: object) -> None:
+            message = " ".join(str(word) for word in words)
+            if level != "message":
+                node = _node_being_evaluated()
+                at = node.at if node is not None else Place(SourceText(self.module.filestack[-1] or "", b""), 0, end=0)
+                self._add(Problem(ProblemKind.XACRO_WARNING, at, message))
+
+        listen.__name__ = level  # xacro asks for it
+        return listen
+
+    # -- problems ----------------------------------------------------------------------------------------------------
+
+    def _keep(self, blame: Blame, error: BaseException) -> None:
+        problem = problem_of(error, blame, self.module.filestack)
+        if self._include_failed and problem.kind in _CONSEQUENCES:
+            return  # most likely what the missing file would have brought
+        if blame.element is not None and blame.element.tagName == "xacro:include":
+            self._include_failed = True
+        self._add(problem)
+
+    def _add(self, problem: Problem) -> None:
+        key = (problem.kind, problem.subject, problem.message)
+        if key in self._seen:
+            return
+        self._seen.add(key)
+        self.problems.append(problem)
+        if len(self.problems) > MAX_PROBLEMS:
+            raise OverBudget(f"more than {MAX_PROBLEMS} problems")
+
+    def find_package(self, name: str) -> str:
+        """The folder of a package, which may be read from then on. PackageNotFound where there is none."""
+        folder = self.packages.find(name)
+        self.files.allow(folder)
+        return folder
+
+
+class _AbsentFile(FileProblem, OSError):
+    """A file that is not there, in the form in which xacro looks for it."""
+
+    def __init__(self, problem: FileProblem) -> None:
+        FileProblem.__init__(self, problem.kind, problem.path, problem.message, problem.hint)
+
+
+def _cut_out(blame: Blame, parent: Element) -> bool:
+    """Take what could not be evaluated out of the tree, so that the rest can go on; False where nothing can be."""
+    if blame.attribute is not None and blame.element is parent and blame.attribute in parent.attrs:
+        parent.attrs[blame.attribute] = UNKNOWN
+        return True
+    if isinstance(blame.node, Text):
+        blame.node.data = UNKNOWN
+        return True
+    node: Node | None = blame.node
+    while node is not None and node.parentNode is not parent:
+        node = node.parentNode
+    if node is None:
+        return False
+    parent.removeChild(node)
+    return True
+
+
+def _node_being_evaluated() -> Element | None:
+    frame: FrameType | None = sys._getframe(1)
+    while frame is not None:
+        if frame.f_code.co_name == "eval_all":
+            node = frame.f_locals.get("node")
+            if isinstance(node, Element):
+                return node
+            if isinstance(node, Node) and isinstance(node.parentNode, Element):
+                return node.parentNode
+        frame = frame.f_back
+    return None

@@ -1,0 +1,156 @@
+"""Turns what xacro raised into a located problem: the node it was at work on, and what the message means."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from types import TracebackType
+from typing import NamedTuple
+
+from urdfctl.source.budget import OverBudget
+from urdfctl.source.dom import Element, Node
+from urdfctl.source.expressions import ForbiddenExpression
+from urdfctl.source.files import FileProblem
+from urdfctl.source.packages import PackageNotFound
+from urdfctl.source.problem import Problem, ProblemKind, ReadError
+from urdfctl.source.span import Place, SourceText
+from urdfctl.source.xacro_hooks import MissingVariable
+from urdfctl.suggest import did_you_mean
+
+_EVALUATING = re.compile(r"\s*when evaluating expression '(.*)'", re.DOTALL)
+_QUOTED = re.compile(r"'([^']*)'")
+
+
+class Blame(NamedTuple):
+    """What xacro was at work on: a node, and the attribute of an element where that can be told."""
+
+    node: Node | None
+    attribute: str | None
+    properties: tuple[str, ...] = ()
+
+    @property
+    def element(self) -> Element | None:
+        """The element, or the one that a text stands in."""
+        node = self.node if isinstance(self.node, Element) else self.node.parentNode if self.node else None
+        return node if isinstance(node, Element) else None
+
+    def place(self, filestack: list[str]) -> Place:
+        """The attribute, the text's element, or the file where nothing nearer is known."""
+        if self.element is None:
+            return Place(SourceText(filestack[-1] if filestack else "", b""), 0, end=0)
+        return self.element.at[self.attribute] if self.attribute else self.element.at
+
+
+def blame_of(error: BaseException) -> Blame:
+    """The node that the innermost evaluating frame of a traceback holds. It costs nothing where nothing is raised."""
+    node: Node | None = None
+    attribute: str | None = None
+    properties: list[str] = []
+    trace: TracebackType | None = error.__traceback__
+    while trace is not None:
+        values = trace.tb_frame.f_locals
+        function = trace.tb_frame.f_code.co_name
+        if function in ("eval_all", "handle_macro_call") and isinstance(values.get("node"), Node):
+            node = values["node"]
+            name = values.get("name")
+            evaluates = trace.tb_next is not None and trace.tb_next.tb_frame.f_code.co_name == "eval_text"
+            attribute = name if evaluates and isinstance(node, Element) and name in node.attrs else None
+            properties.clear()
+        elif function == "_resolve_" and isinstance(values.get("key"), str):
+            properties.append(values["key"])
+        trace = trace.tb_next
+    return Blame(node, attribute, tuple(properties))
+
+
+def problem_of(error: BaseException, blame: Blame, filestack: list[str]) -> Problem:
+    """The problem behind an exception."""
+    at = blame.place(filestack)
+    causes = list(_causes(error))
+    for cause in causes:
+        if isinstance(cause, ReadError):
+            return cause.problem
+        known = _known(cause, at)
+        if known is not None:
+            return known
+    text = str(error) or repr(error)
+    in_expression = _EVALUATING.search(text)
+    expression = in_expression.group(1) if in_expression else ""
+    for cause in causes:
+        found = _by_exception(cause, at, expression, blame)
+        if found is not None:
+            return found
+    return _by_text(text, at, expression)
+
+
+def _causes(error: BaseException) -> Iterator[BaseException]:
+    """The exception and those it wraps, innermost first."""
+    chain: list[BaseException] = []
+    current: BaseException | None = error
+    while current is not None and current not in chain:
+        chain.append(current)
+        inner = getattr(current, "exc", None)
+        current = inner if isinstance(inner, BaseException) else current.__cause__
+    return reversed(chain)
+
+
+def _known(cause: BaseException, at: Place) -> Problem | None:
+    """The problem of an exception of our own."""
+    if isinstance(cause, FileProblem):
+        return cause.at(at)
+    if isinstance(cause, PackageNotFound):
+        hint = "name the folder it lies in with --package-path, or --workspace"
+        message = f"package '{cause.name}' is not found{did_you_mean(cause.name, cause.known)}"
+        return Problem(ProblemKind.PACKAGE_NOT_FOUND, at, message, cause.name, hint)
+    if isinstance(cause, ForbiddenExpression):
+        hint = "robot descriptions have no need of it; --trust lets it run"
+        return Problem(ProblemKind.FORBIDDEN_EXPRESSION, at, str(cause), hint=hint)
+    if isinstance(cause, MissingVariable):
+        message = f"the environment variable '{cause}' is not set, or not passed on"
+        return Problem(ProblemKind.UNDEFINED_ARGUMENT, at, message, str(cause), f"pass it on with --env {cause}")
+    if isinstance(cause, OverBudget | RecursionError | MemoryError):
+        said = str(cause) if isinstance(cause, OverBudget) else "macros or expressions nest too deeply"
+        return Problem(ProblemKind.BUDGET, at, f"the description is not expanded: {said}")
+    return None
+
+
+def _by_exception(cause: BaseException, at: Place, expression: str, blame: Blame) -> Problem | None:
+    said = str(cause)
+    if isinstance(cause, NameError):
+        quoted = _QUOTED.search(said)
+        name = quoted.group(1) if quoted else said
+        via = f", needed by property '{blame.properties[-1]}'" if blame.properties else ""
+        message = f"'{name}' is not defined: no <xacro:property>, parameter or argument of that name is known here{via}"
+        return Problem(ProblemKind.UNDEFINED_NAME, at, message, name)
+    if type(cause).__name__ == "ArgException":
+        hint = f'declare it with <xacro:arg name="{said}" default="..."/> before its use, or give {said}:=...'
+        return Problem(ProblemKind.UNDEFINED_ARGUMENT, at, f"argument '{said}' is not defined", said, hint)
+    if isinstance(cause, SyntaxError) and expression:
+        return Problem(ProblemKind.EXPRESSION, at, f"'{expression}' is no expression: {cause.msg}", expression)
+    if expression and not type(cause).__name__.startswith("Xacro"):
+        what = f"'{expression}' cannot be evaluated: {type(cause).__name__}: {said}"
+        return Problem(ProblemKind.EXPRESSION, at, what, expression)
+    return None
+
+
+def _by_text(text: str, at: Place, expression: str) -> Problem:
+    first = text.split("\n", maxsplit=1)[0].strip()
+    if first.startswith("unknown macro name:"):
+        name = first.split(":", 1)[1].strip().removeprefix("xacro:")
+        message = f"macro '{name}' is not defined before this call"
+        return Problem(
+            ProblemKind.UNKNOWN_MACRO, at, message, name, "include the file that defines it before this line"
+        )
+    if first.startswith("Invalid parameter"):
+        name = first.split('"')[1]
+        return Problem(ProblemKind.MACRO_CALL, at[name], f"the macro has no parameter '{name}'", name)
+    if first.startswith("Undefined parameters"):
+        names = first.partition("[")[2].partition("]")[0]
+        listed = ", ".join(f"'{name}'" for name in names.split(","))
+        return Problem(ProblemKind.MACRO_CALL, at, f"the call gives no value for {listed}", names)
+    if first.startswith(("Not enough blocks", "Unused block", "Undefined block")):
+        return Problem(ProblemKind.MACRO_CALL, at, first[0].lower() + first[1:].replace('"', "'"))
+    if first.startswith("Xacro conditional"):
+        return Problem(ProblemKind.CONDITION, at, first.replace('"', "'").replace("Xacro", "the", 1))
+    if expression:
+        return Problem(ProblemKind.EXPRESSION, at, f"'{expression}' cannot be evaluated: {first}", expression)
+    return Problem(ProblemKind.XACRO, at, first)

@@ -1,0 +1,226 @@
+"""Reads XML from bytes into the located tree, by expat."""
+
+from __future__ import annotations
+
+import sys
+from pyexpat import ExpatError, ParserCreate, XMLParserType
+
+from urdfctl.source.dom import CDATA, COMMENT, TEXT, Cloning, Document, DocumentType, Element, Instruction, Node, Text
+from urdfctl.source.problem import Problem, ProblemKind, ReadError
+from urdfctl.source.span import BOM, Call, Place, SourceText
+
+MAX_DEPTH = 200
+_BOMS_OF_UTF_16 = (b"\xff\xfe", b"\xfe\xff")
+
+
+def parse(
+    source: SourceText, cloning: Cloning | None = None, call: Call | None = None, *, declarations: bool = False
+) -> Document:
+    """The tree of one file. ReadError where it is not well-formed, nested deeper than 200, or (unless
+    `declarations`) has a DOCTYPE that declares anything: entities can make a small file endless."""
+    builder = _Builder(source, cloning or Cloning(), call, declarations=declarations)
+    try:
+        builder.parser.Parse(source.data, True)
+    except ExpatError as error:
+        raise ReadError(_syntax_problem(source, builder, error)) from None
+    if builder.document.documentElement is None:  # pragma: no cover (expat tells of it first)
+        raise ReadError(Problem(ProblemKind.XML_SYNTAX, Place(source, 0, end=0), "no element found"))
+    return builder.document
+
+
+class _Builder:
+    """Hears expat's events and links the nodes."""
+
+    def __init__(self, source: SourceText, cloning: Cloning, call: Call | None, *, declarations: bool) -> None:
+        self.document = Document()
+        self.source = source
+        self._cloning = cloning
+        self._call = call
+        self._declarations = declarations
+        self._current: Node = self.document
+        self._namespaces: list[tuple[str, str]] = []
+        self._in_cdata = self._cdata_continues = False
+        self._depth = 0
+        self._qualified: dict[str, str] = {}
+        self.parser = self._connect()
+
+    def _connect(self) -> XMLParserType:
+        # UTF-8 whatever is declared, as xacro and urdfdom's tinyxml2 read it
+        parser = ParserCreate("utf-8", " ")
+        parser.namespace_prefixes = True
+        parser.buffer_text = True
+        parser.ordered_attributes = True
+        parser.specified_attributes = True
+        parser.StartNamespaceDeclHandler = self._namespace
+        parser.StartElementHandler = self._start
+        parser.EndElementHandler = self._end
+        parser.CharacterDataHandler = self._text
+        parser.StartCdataSectionHandler = self._start_cdata
+        parser.EndCdataSectionHandler = self._end_cdata
+        parser.CommentHandler = self._comment
+        parser.ProcessingInstructionHandler = self._instruction
+        parser.StartDoctypeDeclHandler = self._doctype
+        parser.ExternalEntityRefHandler = lambda *_: 1
+        return parser
+
+    def _qualified_name(self, name: str) -> str:
+        known = self._qualified.get(name)
+        if known is None:
+            parts = name.split(" ")
+            known = parts[0] if len(parts) == 1 else parts[1] if len(parts) == 2 else f"{parts[2]}:{parts[1]}"  # noqa: PLR2004
+            known = self._qualified[name] = sys.intern(known)
+        return known
+
+    def _namespace(self, prefix: str | None, uri: str) -> None:
+        self._namespaces.append((f"xmlns:{prefix}" if prefix else "xmlns", uri))
+
+    def _start(self, name: str, attributes: list[str]) -> None:
+        self._depth += 1
+        if self._depth > MAX_DEPTH:
+            at = Place(self.source, self.parser.CurrentByteIndex, self._call)
+            raise ReadError(Problem(ProblemKind.BUDGET, at, f"elements are nested more than {MAX_DEPTH} deep"))
+        values: dict[str, str] = {}
+        if self._namespaces:
+            values.update(self._namespaces)
+            self._namespaces.clear()
+        for index in range(0, len(attributes), 2):
+            values[self._qualified_name(attributes[index])] = attributes[index + 1]
+        start = self.parser.CurrentByteIndex
+        element = Element(self._qualified_name(name), values, self.source, start, self._call, self._cloning)
+        self._current.appendChild(element)
+        if self._depth == 1:
+            self.document.documentElement = element
+        self._current = element
+
+    def _end(self, _name: str) -> None:
+        self._depth -= 1
+        element = self._current
+        if isinstance(element, Element):
+            element.close = self.parser.CurrentByteIndex
+        self._current = element.parentNode or self.document
+
+    def _text(self, data: str) -> None:
+        last = self._current.lastChild
+        kind = CDATA if self._in_cdata else TEXT
+        if isinstance(last, Text) and last.nodeType == kind and (self._cdata_continues or not self._in_cdata):
+            last.data += data
+        else:
+            self._current.appendChild(Text(data, kind))
+        self._cdata_continues = self._in_cdata
+
+    def _start_cdata(self) -> None:
+        self._in_cdata, self._cdata_continues = True, False
+
+    def _end_cdata(self) -> None:
+        self._in_cdata = False
+
+    def _comment(self, data: str) -> None:
+        self._current.appendChild(Text(data, COMMENT))
+
+    def _instruction(self, target: str, data: str) -> None:
+        self._current.appendChild(Instruction(target, data))
+
+    def _doctype(self, name: str, system: str | None, public: str | None, has_internal_subset: bool) -> None:  # noqa: FBT001 (expat's call)
+        if has_internal_subset and not self._declarations:
+            at = Place(self.source, self.parser.CurrentByteIndex, self._call, end=self.parser.CurrentByteIndex)
+            message = "a DOCTYPE with declarations is not read: entities can make a small file endless"
+            raise ReadError(
+                Problem(ProblemKind.DOCTYPE, at, message, hint="write the text out where the entity is used")
+            )
+        self.document.appendChild(DocumentType(name, public, system))
+
+
+def _syntax_problem(source: SourceText, builder: _Builder, error: ExpatError) -> Problem:
+    """The problem behind expat's error, at its very byte, in words that say what to do."""
+    offset = max(0, min(builder.parser.ErrorByteIndex, len(source.data)))
+    said = str(error).split(": line ")[0]
+    subject, message, hint = "", f"not well-formed XML: {said}", ""
+    if source.data.startswith(_BOMS_OF_UTF_16):
+        message, hint, offset = "the file is UTF-16; xacro and urdfdom read UTF-8", "save it as UTF-8", 0
+    elif not source.data.removeprefix(BOM).strip():
+        message, offset = "the file is empty", 0
+    elif said.startswith("XML or text declaration not at start"):
+        message = "the XML declaration <?xml ...?> is not at the very start of the file"
+        hint = "remove the blanks, lines or comments before it"
+        subject = "declaration"
+    elif said.startswith("junk after document element"):
+        message = "text stands after the end of the root element"
+        hint = f"move it before </{_root_name(builder)}>, or remove it"
+    elif said.startswith("unbound prefix"):
+        return _unbound_prefix(source, offset)
+    elif said.startswith("mismatched tag"):
+        return _mismatched_tag(source, builder, offset)
+    elif said.startswith(("no element found", "unclosed token")):
+        message, hint = _unfinished(builder, said)
+    elif said.startswith("undefined entity"):
+        hint = "XML knows only &amp; &lt; &gt; &quot; &apos;"
+    elif said.startswith("not well-formed"):
+        message, hint, offset = _invalid_token(source, offset)
+    return Problem(
+        ProblemKind.XML_SYNTAX, Place(source, offset, end=_token_end(source, offset)), message, subject, hint
+    )
+
+
+def _token_end(source: SourceText, offset: int) -> int:
+    end = source.data.find(b"\n", offset)
+    token = source.data[offset : end if end >= 0 else len(source.data)].split(maxsplit=1)
+    return offset + (len(token[0]) if token and source.data[offset : offset + 1].strip() else 0)
+
+
+def _root_name(builder: _Builder) -> str:
+    root = builder.document.documentElement
+    return root.tagName if root is not None else "robot"
+
+
+def _open_element(builder: _Builder) -> Element | None:
+    return builder._current if isinstance(builder._current, Element) else None
+
+
+def _unbound_prefix(source: SourceText, offset: int) -> Problem:
+    tag = source.start_tag(offset)
+    names = [tag.name, *tag.attributes] if tag else []
+    prefix = next((name.split(":")[0] for name in names if ":" in name and not name.startswith("xml")), "xacro")
+    uri = "http://www.ros.org/wiki/xacro" if prefix == "xacro" else "..."
+    return Problem(
+        ProblemKind.XML_SYNTAX,
+        Place(source, offset),
+        f"the prefix '{prefix}:' is not declared",
+        prefix,
+        f'add xmlns:{prefix}="{uri}" to the root element',
+    )
+
+
+def _mismatched_tag(source: SourceText, builder: _Builder, offset: int) -> Problem:
+    opened = _open_element(builder)
+    found = source.data[offset : offset + 200].split(b">")[0].decode("utf-8", "replace").strip("</ \t\r\n")
+    message = f"the end tag </{found}> closes nothing that is open"
+    if opened is not None:
+        line = source.position(opened.start).line
+        message = f"<{opened.tagName}> of line {line} is not closed: </{found}> stands where </{opened.tagName}> is due"
+    return Problem(ProblemKind.XML_SYNTAX, Place(source, offset, end=_token_end(source, offset)), message)
+
+
+def _unfinished(builder: _Builder, said: str) -> tuple[str, str]:
+    opened = _open_element(builder)
+    if opened is None:
+        return f"not well-formed XML: {said}", ""
+    line = builder.source.position(opened.start).line
+    return f"the file ends inside <{opened.tagName}> of line {line}", f"close it with </{opened.tagName}>"
+
+
+def _invalid_token(source: SourceText, offset: int) -> tuple[str, str, int]:
+    """The message, the way out, and the offset to blame for a byte that cannot stand where it does."""
+    byte = source.data[offset : offset + 1]
+    try:
+        source.data.decode("utf-8")
+    except UnicodeDecodeError as error:
+        return f"byte 0x{source.data[error.start]:02x} is not UTF-8", "save the file as UTF-8", error.start
+    if b"\x00" in source.data:
+        return "the file is binary, no XML", "", source.data.index(b"\x00")
+    if byte == b"&":
+        return "a bare '&' is not XML", "write &amp;", offset
+    opened = source.data.rfind(b"<", 0, offset)
+    if byte == b"<" and opened > source.data.rfind(b">", 0, offset):
+        tag = source.data[opened:offset].split()[0].decode("utf-8", "replace")
+        return f"the tag {tag} is not closed before the next '<'", "end it with '>'", opened
+    return f"not well-formed XML: unexpected {byte.decode('utf-8', 'replace')!r}", "", offset
