@@ -1,0 +1,23 @@
+"""The corpus of public robots that lies beside a checkout; tests that read it are skipped where it is absent."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+
+SHARED = Path(__file__).parents[2] / "shared"
+CORPUS = SHARED / "corpus"
+
+needs_corpus = pytest.mark.skipif(not CORPUS.is_dir(), reason="the corpus of public robots is not beside the checkout")
+
+
+def roots() -> list[dict[str, Any]]:
+    """The roots of the corpus's index; none where there is no corpus."""
+    if not CORPUS.is_dir():
+        return []
+    index = (CORPUS / "index.yaml").read_text(encoding="utf-8")
+    loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+    return list(yaml.load(index, loader)["roots"])  # noqa: S506 (a safe loader)
