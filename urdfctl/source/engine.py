@@ -22,7 +22,7 @@ REQUIRED = (
     "LEXER", "NameSpace", "QuickLexer", "Table", "XacroException", "YamlListWrapper", "ConstructUnits", "_empty_text_node",
     "abs_filename_spec", "all_includes", "check_attrs", "create_global_symbols", "eval_all", "eval_extension", "eval_text",
     "get_boolean_value", "grab_macro", "grab_property", "handle_macro_call", "init_stacks", "is_valid_name", "load_yaml",
-    "parse", "parse_macro_arg", "print_location", "process_doc", "process_include", "replace_node", "safe_eval",
+    "parse", "parse_macro_arg", "print_location", "process_doc", "process_include", "replace_node", "resolve_macro", "safe_eval",
     "substitution_args_context",
 )  # fmt: skip
 _numbers = itertools.count()

@@ -123,7 +123,7 @@ class Call:
     Steps link by who *wrote* the text: a call inside a block argument belongs to the file that holds the block.
     """
 
-    __slots__ = ("kind", "name", "offset", "parent", "source")
+    __slots__ = ("definition", "kind", "name", "offset", "parent", "source")
 
     def __init__(self, kind: str, name: str, source: SourceText, offset: int, parent: Call | None) -> None:
         self.kind = kind
@@ -131,6 +131,8 @@ class Call:
         self.source = source
         self.offset = offset
         self.parent = parent
+        self.definition: SourceSpan | None = None
+        """The start tag of the macro that is called, or nothing for other steps."""
 
     def chain(self) -> Iterator[Call]:
         """This step and those that led to it, innermost first."""

@@ -95,7 +95,15 @@ class Expander:
 
     def _install(self) -> None:
         module = self.module
-        for name in ("process_include", "handle_macro_call", "check_attrs", "replace_node", "eval_all", "grab_macro"):
+        for name in (
+            "process_include",
+            "handle_macro_call",
+            "check_attrs",
+            "replace_node",
+            "eval_all",
+            "grab_macro",
+            "resolve_macro",
+        ):
             self._originals[name] = getattr(module, name)
             setattr(module, name, getattr(self, f"_{name}"))
         module._empty_text_node = Text("\n\n")  # type: ignore[attr-defined]
@@ -137,6 +145,13 @@ class Expander:
         handled = self._originals["handle_macro_call"](node, macros, symbols)
         self._leave()
         return bool(handled)
+
+    def _resolve_macro(self, name: str, macros: object, symbols: object) -> Any:
+        found = self._originals["resolve_macro"](name, macros, symbols)
+        body = found[2].body
+        if isinstance(body, Element):
+            self.calls[-1].definition = body.at.span
+        return found
 
     def _enter(self, call: Call) -> None:
         if len(self.calls) >= MAX_CALL_DEPTH:

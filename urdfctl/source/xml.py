@@ -122,7 +122,8 @@ class _Builder:
 
     def _doctype(self, name: str, system: str | None, public: str | None, has_internal_subset: bool) -> None:  # noqa: FBT001 (expat's call)
         if has_internal_subset and not self._declarations:
-            at = Place(self.source, self.parser.CurrentByteIndex, self._call, end=self.parser.CurrentByteIndex)
+            start = self.source.data.rfind(b"<!DOCTYPE", 0, self.parser.CurrentByteIndex)
+            at = Place(self.source, start, self._call, end=start + len(b"<!DOCTYPE"))
             message = "a DOCTYPE with declarations is not read: entities can make a small file endless"
             raise ReadError(
                 Problem(ProblemKind.DOCTYPE, at, message, hint="write the text out where the entity is used")
@@ -191,6 +192,7 @@ def _unbound_prefix(source: SourceText, offset: int) -> Problem:
 
 
 def _mismatched_tag(source: SourceText, builder: _Builder, offset: int) -> Problem:
+    offset = max(source.data.rfind(b"</", 0, offset + 1), 0)
     opened = _open_element(builder)
     found = source.data[offset : offset + 200].split(b">")[0].decode("utf-8", "replace").strip("</ \t\r\n")
     message = f"the end tag </{found}> closes nothing that is open"

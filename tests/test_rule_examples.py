@@ -1,0 +1,59 @@
+"""Every rule's bad example is found where it is marked, and every good example is silent under all rules."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import pytest
+
+from urdfctl.diagnostic import Diagnostic
+from urdfctl.lint import Selection, joined
+from urdfctl.load import Loader, Target
+from urdfctl.rule import Rule
+from urdfctl.rules import CRASHED, RULES
+from urdfctl.rules.examples import unmarked
+from urdfctl.settings import Settings
+
+WITH_EXAMPLES = [rule for rule in RULES if rule is not CRASHED]
+
+
+def findings(folder: Path, rule: Rule, files: Mapping[str, str]) -> list[Diagnostic]:
+    """What linting an example's first file says, with the options that the rule states."""
+    for name, text in files.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    options = dict(option.removeprefix("--").split("=") for option in rule.options)
+    settings = Settings(workspace=str(folder), **options)
+    linted = Loader(settings, Selection()).lint(Target(str(folder / next(iter(files)))))
+    return joined([linted.outcome], Selection())
+
+
+@pytest.mark.parametrize("rule", WITH_EXAMPLES, ids=lambda rule: rule.code)
+def test_the_bad_example_is_found_where_it_is_marked(rule: Rule, tmp_path: Path) -> None:
+    files, marks = unmarked(rule.bad)
+    found = [d for d in findings(tmp_path, rule, files) if d.code == rule.code]
+    assert marks, "the bad example marks no place with « and »"
+    assert {(Path(d.at.file).relative_to(tmp_path).as_posix(), d.at.start, d.at.end) for d in found} == set(marks)
+
+
+@pytest.mark.parametrize("rule", WITH_EXAMPLES, ids=lambda rule: rule.code)
+def test_the_good_example_is_silent_under_all_rules(rule: Rule, tmp_path: Path) -> None:
+    assert rule.good
+    files, _ = unmarked(rule.good)
+    assert [f"{d.code} {d.message}" for d in findings(tmp_path, rule, files)] == []
+
+
+@pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.code)
+def test_a_rule_says_what_it_finds_why_and_by_whose_authority(rule: Rule) -> None:
+    assert rule.summary.endswith(".")
+    assert rule.why
+    assert rule.authority
+    assert rule.distros
+
+
+def test_codes_and_names_are_unique_and_in_order() -> None:
+    codes = [rule.code for rule in RULES]
+    assert codes == sorted(set(codes))
+    assert len({rule.name for rule in RULES}) == len(RULES)

@@ -1,0 +1,170 @@
+"""What a rule yields, and what a user gets."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import Enum
+
+from urdfctl.source.span import Place, SourceSpan
+
+
+class Severity(Enum):
+    """How bad a finding is."""
+
+    ERROR = "error"
+    """The robot does not load, start or move."""
+    WARNING = "warning"
+    """It loads and is wrong, or will break."""
+    INFO = "info"
+    """Worth knowing."""
+
+    @property
+    def weight(self) -> int:
+        """3 for an error, 2 for a warning, 1 for information."""
+        return {"error": 3, "warning": 2, "info": 1}[self.value]
+
+
+@dataclass(frozen=True, slots=True)
+class Edit:
+    """Bytes of one source file to be replaced."""
+
+    span: SourceSpan
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Fix:
+    """A repair: what it does, its edits (none where only a person can make them), and whether it is sure to be meant."""
+
+    title: str
+    edits: tuple[Edit, ...] = ()
+    safe: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Note:
+    """A further word on a finding, with a place where there is one."""
+
+    message: str
+    at: Place | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """What a rule yields. `severity` is given only where it differs from the rule's own."""
+
+    at: Place
+    message: str
+    notes: tuple[Note, ...] = ()
+    fix: Fix | None = None
+    severity: Severity | None = None
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Location:
+    """A span as reports show it: lines and columns from 1, offsets in bytes from 0."""
+
+    file: str
+    line: int
+    column: int
+    end_line: int
+    end_column: int
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Step:
+    """One call on the way to a finding: `what` is `macro wheel`, `include x.xacro` or `block`."""
+
+    file: str
+    line: int
+    column: int
+    what: str
+
+
+@dataclass(frozen=True, slots=True)
+class Remark:
+    """A note as reports show it."""
+
+    message: str
+    at: Location | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Replacement:
+    """An edit as reports show it: bytes `start` to `end` of a file become `text`."""
+
+    file: str
+    start: int
+    end: int
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Repair:
+    """A fix as reports show it."""
+
+    title: str
+    safe: bool
+    edits: tuple[Replacement, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Diagnostic:
+    """What a user gets: plain data, free of the trees it came from. `excerpt` is the source line it starts on."""
+
+    code: str
+    name: str
+    severity: Severity
+    message: str
+    at: Location
+    expanded_from: tuple[tuple[Step, ...], ...] = ()
+    notes: tuple[Remark, ...] = ()
+    fix: Repair | None = None
+    excerpt: str = ""
+    url: str | None = None
+
+    @property
+    def order(self) -> tuple[Location, str, str]:
+        """The key of the stable order of a report."""
+        return self.at, self.code, self.message
+
+
+def diagnosed(code: str, name: str, severity: Severity, finding: Finding, url: str | None = None) -> Diagnostic:
+    """The plain data of a finding."""
+    fix = finding.fix
+    return Diagnostic(
+        code,
+        name,
+        severity,
+        finding.message,
+        located(finding.at.span),
+        _chains(finding.at),
+        tuple(Remark(note.message, located(note.at.span) if note.at else None) for note in finding.notes),
+        Repair(fix.title, fix.safe, _replacements(fix.edits)) if fix else None,
+        finding.at.source.line(finding.at.span.source.position(finding.at.span.start).line),
+        url,
+    )
+
+
+def located(span: SourceSpan) -> Location:
+    """A span with its lines and columns worked out."""
+    start, end = span.source.position(span.start), span.source.position(span.end)
+    return Location(span.file, start.line, start.column, end.line, end.column, span.start, span.end)
+
+
+def _chains(place: Place) -> tuple[tuple[Step, ...], ...]:
+    if place.call is None:
+        return ()
+    return (
+        tuple(
+            Step(call.source.path, *call.source.position(call.offset), f"{call.kind} {call.name}".strip())
+            for call in place.call.chain()
+        ),
+    )
+
+
+def _replacements(edits: Sequence[Edit]) -> tuple[Replacement, ...]:
+    return tuple(Replacement(edit.span.file, edit.span.start, edit.span.end, edit.text) for edit in edits)

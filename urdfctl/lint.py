@@ -1,0 +1,168 @@
+"""Runs the rules over one project, and joins what several projects of a run gave."""
+
+from __future__ import annotations
+
+import traceback
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+
+from urdfctl.catalog.distros import in_words
+from urdfctl.diagnostic import Diagnostic, Finding, Location, Note, Remark, Severity, diagnosed, located
+from urdfctl.errors import UserError
+from urdfctl.model.project import Project
+from urdfctl.rule import Rule
+from urdfctl.rules import CRASHED, RULES, UNUSED_SUPPRESSION
+from urdfctl.source.span import Place, SourceText
+from urdfctl.source.suppressions import Suppressed
+
+
+@dataclass(frozen=True, slots=True)
+class Selection:
+    """Which rules are asked: by prefixes of their codes; all where `select` is empty. The longest prefix decides."""
+
+    select: tuple[str, ...] = ()
+    ignore: tuple[str, ...] = ()
+    extend: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        for prefix in (*self.select, *self.ignore, *self.extend):
+            if not any(rule.code.startswith(prefix) for rule in RULES):
+                raise UserError(f"no rule's code begins with '{prefix}'; see urdfctl rules")
+
+    def admits(self, code: str) -> bool:
+        """Whether findings of a code are wanted."""
+        wanted = max((len(p) for p in (*self.select, *self.extend) if code.startswith(p)), default=-1)
+        if not self.select:
+            wanted = max(wanted, 0)
+        unwanted = max((len(p) for p in self.ignore if code.startswith(p)), default=-1)
+        return wanted > unwanted
+
+
+@dataclass(frozen=True, slots=True)
+class SuppressionUse:
+    """One suppressing comment, and whether it silenced anything in one robot."""
+
+    at: Location
+    codes: tuple[str, ...]
+    used: bool
+    excerpt: str
+
+
+@dataclass(slots=True)
+class Outcome:
+    """What linting one project gave."""
+
+    diagnostics: list[Diagnostic] = field(default_factory=list)
+    suppressions: list[SuppressionUse] = field(default_factory=list)
+    crashed: bool = False
+
+
+def lint(
+    project: Project, sources: Sequence[SourceText], selection: Selection, rules: Iterable[Rule] = RULES
+) -> Outcome:
+    """What the rules find in a project. A rule that crashes is a finding too, and the others go on."""
+    outcome = Outcome()
+    suppressed = Suppressed(list(sources))
+    for rule in rules:
+        if not selection.admits(rule.code) or not _applies(rule, project):
+            continue
+        try:
+            for finding in rule.check(project):
+                if not suppressed.covers(rule.code, finding.at):
+                    outcome.diagnostics.append(_diagnostic(rule, project, finding))
+        except Exception as error:  # noqa: BLE001 (one broken rule must not hide what the others find)
+            outcome.crashed = True
+            outcome.diagnostics.append(_crash(rule, project, error))
+    for index, item in enumerate(suppressed.all):
+        excerpt = item.span.source.line(item.span.source.position(item.span.start).line)
+        codes = tuple(code for code in item.codes if selection.admits(code)) or item.codes
+        used = index in suppressed.used or not any(selection.admits(code) for code in item.codes)
+        outcome.suppressions.append(SuppressionUse(located(item.span), codes, used, excerpt))
+    return outcome
+
+
+def _applies(rule: Rule, project: Project) -> bool:
+    if rule.whole_robot and not project.complete:
+        return False
+    return bool(set(rule.distros) & set(project.distros))
+
+
+def _diagnostic(rule: Rule, project: Project, finding: Finding) -> Diagnostic:
+    holds = [distro for distro in project.distros if distro in rule.distros]
+    if project.distro is None and len(holds) < len(project.distros):
+        finding = replace(finding, notes=(*finding.notes, Note(f"this holds for {in_words(holds)}")))
+    return diagnosed(rule.code, rule.name, finding.severity or rule.severity, finding)
+
+
+def _crash(rule: Rule, project: Project, error: Exception) -> Diagnostic:
+    where = traceback.extract_tb(error.__traceback__)[-1]
+    place = project.robot.at if project.robot else Place(SourceText(project.path, b""), 0, end=0)
+    message = (
+        f"the rule {rule.code} {rule.name} crashed: {type(error).__name__}: {error} ({where.name}, line {where.lineno})"
+    )
+    finding = Finding(place, message, notes=(Note("this is a fault of urdfctl: please report it with this robot"),))
+    return diagnosed(CRASHED.code, CRASHED.name, CRASHED.severity, finding)
+
+
+# -- several projects ------------------------------------------------------------------------------------------------
+
+
+def joined(outcomes: Iterable[Outcome], selection: Selection) -> list[Diagnostic]:
+    """The findings of a run in their stable order: one for each fault, however many calls and robots show it."""
+    outcomes = list(outcomes)
+    found = [diagnostic for outcome in outcomes for diagnostic in outcome.diagnostics]
+    found += _unused(outcomes, selection)
+    return sorted(_merged(found), key=lambda diagnostic: diagnostic.order)
+
+
+def _merged(found: Iterable[Diagnostic]) -> Iterator[Diagnostic]:
+    groups: dict[tuple[object, ...], list[Diagnostic]] = {}
+    repeats: Counter[tuple[object, ...]] = Counter()
+    for diagnostic in found:
+        place = diagnostic.code, diagnostic.at.file, diagnostic.at.start, diagnostic.at.end
+        if not _in_macro(diagnostic):
+            groups.setdefault((*place, diagnostic.message), []).append(diagnostic)
+            continue
+        # what one call shows twice at one place are two faults; what each call shows once is one
+        way = (*place, diagnostic.at, diagnostic.expanded_from)
+        repeats[way] += 1
+        groups.setdefault((*place, repeats[way]), []).append(diagnostic)
+    for group in groups.values():
+        yield _one_of(group)
+
+
+def _in_macro(diagnostic: Diagnostic) -> bool:
+    return any(not step.what.startswith("include") for chain in diagnostic.expanded_from for step in chain)
+
+
+def _one_of(group: list[Diagnostic]) -> Diagnostic:
+    first = min(
+        group, key=lambda diagnostic: (-diagnostic.severity.weight, diagnostic.expanded_from, diagnostic.message)
+    )
+    chains = sorted({chain for diagnostic in group for chain in diagnostic.expanded_from})
+    others = sorted({diagnostic.message for diagnostic in group} - {first.message})
+    notes = first.notes
+    if others:
+        shown = "; ".join(others[:3]) + (f"; and {len(others) - 3} more" if len(others) > 3 else "")  # noqa: PLR2004
+        notes = (*notes, Remark(f"and likewise: {shown}"))
+    return replace(first, expanded_from=tuple(chains), notes=notes)
+
+
+def _unused(outcomes: Iterable[Outcome], selection: Selection) -> Iterator[Diagnostic]:
+    uses: dict[Location, SuppressionUse] = {}
+    for outcome in outcomes:
+        for use in outcome.suppressions:
+            known = uses.get(use.at)
+            uses[use.at] = replace(use, used=use.used or (known is not None and known.used))
+    rule = UNUSED_SUPPRESSION
+    for use in uses.values() if selection.admits(rule.code) else ():
+        if not use.used:
+            codes = ", ".join(use.codes) or "no code"
+            message = f"nothing to ignore here: no finding of {codes} on this line or the next"
+            yield Diagnostic(rule.code, rule.name, rule.severity, message, use.at, excerpt=use.excerpt)
+
+
+def worst(diagnostics: Iterable[Diagnostic]) -> Severity | None:
+    """The gravest severity among some findings; None where there are none."""
+    return max((d.severity for d in diagnostics), key=lambda severity: severity.weight, default=None)

@@ -1,0 +1,139 @@
+"""From a file to its diagnostics: reads, builds the model, runs the rules."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from urdfctl.evidence import judged
+from urdfctl.lint import Outcome, Selection, lint
+from urdfctl.model.build_robot import robot_of
+from urdfctl.model.project import Project
+from urdfctl.serialise import outcome_from_json, outcome_to_json
+from urdfctl.settings import Settings
+from urdfctl.source.dom import Document
+from urdfctl.source.files import FileProblem, Files
+from urdfctl.source.packages import PackageIndex, Packages
+from urdfctl.source.problem import Problem, ReadError
+from urdfctl.source.span import Place, SourceText
+from urdfctl.source.xacro import Expander, Expansion
+from urdfctl.source.xml import parse
+from urdfctl.workspace import workspace_of
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """One robot in one variant: a file and its `name:=value` arguments."""
+
+    path: str
+    arguments: tuple[tuple[str, str], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Linted:
+    """What became of one target. `links` tells how many links its robot has, None where there is no robot."""
+
+    path: str
+    ros: int | None
+    distro: str | None
+    distro_from: str | None
+    simulator: str | None
+    complete: bool
+    links: int | None
+    outcome: Outcome
+
+    def to_json(self) -> dict[str, Any]:
+        """As plain data."""
+        plain = {name: getattr(self, name) for name in self.__slots__ if name != "outcome"}
+        return {**plain, "outcome": outcome_to_json(self.outcome)}
+
+    @classmethod
+    def from_json(cls, data: dict[str, Any]) -> Linted:
+        """From plain data."""
+        return cls(**{**data, "outcome": outcome_from_json(data["outcome"])})
+
+
+class Loader:
+    """What the targets of a run share: the settings, and what was learned of the packages of a workspace."""
+
+    def __init__(self, settings: Settings, selection: Selection) -> None:
+        self.settings = settings
+        self.selection = selection
+        self._indexes: dict[str, PackageIndex] = {}
+
+    def index_for(self, path: str) -> PackageIndex:
+        """The packages of the workspace that a file belongs to."""
+        workspace = workspace_of(path, self.settings.workspace)
+        if workspace not in self._indexes:
+            self._indexes[workspace] = PackageIndex(workspace, self.settings.package_paths, self.settings.environ)
+        return self._indexes[workspace]
+
+    def reading(self, path: str) -> tuple[Files, Packages]:
+        """What may be read for a file, and the packages as it sees them."""
+        index = self.index_for(path)
+        packages = Packages(path, index)
+        bounds = None if self.settings.trust else [index.workspace, *index.extra]
+        return Files(bounds, packages.source_of), packages
+
+    def expander(self, path: str, *, strict: bool) -> Expander:
+        """An expander for one file."""
+        files, packages = self.reading(path)
+        return Expander(files, packages, self.settings.environ, strict=strict, trust=self.settings.trust)
+
+    def lint(self, target: Target) -> Linted:
+        """The findings in one robot."""
+        path = os.path.abspath(target.path)
+        expander = self.expander(path, strict=False)
+        expansion = _expansion(expander, path, dict(target.arguments))
+        project = self._project(path, expansion, expander.packages)
+        outcome = lint(project, expander.files.sources(), self.selection)
+        links = len(project.robot.links) if project.robot else None
+        return Linted(
+            path,
+            project.ros,
+            project.distro,
+            project.distro_from,
+            project.simulator,
+            project.complete,
+            links,
+            outcome,
+        )
+
+    def _project(self, path: str, expansion: Expansion, packages: Packages) -> Project:
+        root = expansion.document.documentElement if expansion.document else None
+        robot = robot_of(root) if root is not None else None
+        evidence = judged(robot, packages.own(), self.settings)
+        return Project(
+            robot,
+            path,
+            evidence.distro,
+            evidence.distros,
+            evidence.source,
+            evidence.simulator,
+            self.settings.started,
+            tuple(expansion.problems),
+            expansion.complete,
+        )
+
+
+def _expansion(expander: Expander, path: str, arguments: Mapping[str, str]) -> Expansion:
+    """The tree of a file: expanded where it is xacro; a plain URDF is read as it stands, as robots load it."""
+    try:
+        source = expander.files.read(path)
+    except FileProblem as error:
+        return Expansion(None, [error.at(Place(SourceText(path, b""), 0, end=0))])
+    if is_xacro(source):
+        return expander.expand(path, arguments)
+    try:
+        document: Document | None = parse(source, expander.cloning, declarations=expander.trust)
+        problems: list[Problem] = []
+    except ReadError as error:
+        document, problems = None, [error.problem]
+    return Expansion(document, problems)
+
+
+def is_xacro(source: SourceText) -> bool:
+    """Whether a file is meant for xacro: by its name, or because it declares xacro's namespace."""
+    return source.path.endswith(".xacro") or b"xmlns:xacro" in source.data[:4096]

@@ -1,0 +1,247 @@
+"""Builds the model of a robot from its expanded tree."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TypeVar
+
+from urdfctl.model.parts import Number, Reference, Tag, Text
+from urdfctl.model.robot import Gazebo, Geometry, Inertial, Joint, Limit, Link, Mimic, Plugin, Robot
+from urdfctl.model.ros2_control import Hardware, Interface, Parameter, Part, Ros2Control
+from urdfctl.model.transmission import Actuator, Transmission, TransmissionEnd, TransmissionJoint
+from urdfctl.source import dom
+
+_End = TypeVar("_End", bound=TransmissionEnd)
+_READ_OF_AN_END = {"role", "hardwareInterface", "mechanicalReduction", "offset"}
+_TOP_LEVEL = {"link", "joint", "transmission", "gazebo", "ros2_control"}
+_PARTS = {"joint", "sensor", "gpio"}
+
+
+def robot_of(root: dom.Element) -> Robot:
+    """The robot that a root element describes."""
+    by_name: dict[str, list[dom.Element]] = {name: [] for name in _TOP_LEVEL}
+    others = []
+    for child in root.elements():
+        if child.tagName in by_name:
+            by_name[child.tagName].append(child)
+        else:
+            others.append(_tag(child))
+    nested = list(_nested(root, {"transmission", "ros2_control"}))
+    return Robot(
+        root.attrs.get("name"),
+        root.at,
+        tuple(_link(child) for child in by_name["link"]),
+        tuple(_joint(child) for child in by_name["joint"]),
+        tuple(_transmission(child, root.tagName) for child in by_name["transmission"]),
+        tuple(_transmission(child, parent) for child, parent in nested if child.tagName == "transmission"),
+        (
+            *(_ros2_control(child, root.tagName) for child in by_name["ros2_control"]),
+            *(_ros2_control(child, parent) for child, parent in nested if child.tagName == "ros2_control"),
+        ),
+        tuple(_gazebo(child) for child in by_name["gazebo"]),
+        tuple(others),
+    )
+
+
+def _nested(root: dom.Element, names: set[str]) -> Iterator[tuple[dom.Element, str]]:
+    """The elements of some names below the children of the root, with the name of what they stand in."""
+    pending = [child for child in root.elements() if child.tagName != "ros2_control"]
+    while pending:
+        parent = pending.pop()
+        for child in parent.elements():
+            if child.tagName in names:
+                yield child, parent.tagName
+            elif child.firstChild is not None:
+                pending.append(child)
+
+
+# -- small parts -----------------------------------------------------------------------------------------------------
+
+
+def _text(element: dom.Element) -> Text:
+    first, comment = element.firstChild, False
+    while isinstance(first, dom.Text):
+        if first.nodeType == dom.COMMENT:
+            comment = True
+        elif first.data.strip():
+            value = first.data.strip()
+            return Text("", element.at, value) if comment else Text(value, element.at)
+        first = first.nextSibling
+    return Text("", element.at)
+
+
+def _tag(element: dom.Element) -> Tag:
+    children = tuple(_tag(child) for child in element.elements()) if element.firstChild is not None else ()
+    return Tag(element.tagName, element.at, element.attrs, _text(element).value if element.firstChild else "", children)
+
+
+def _first(element: dom.Element, name: str) -> dom.Element | None:
+    return next((child for child in element.elements() if child.tagName == name), None)
+
+
+def _texts(element: dom.Element, name: str) -> tuple[Text, ...]:
+    return tuple(_text(child) for child in element.elements() if child.tagName == name)
+
+
+def _number(element: dom.Element | None, attribute: str) -> Number | None:
+    if element is None or attribute not in element.attrs:
+        return None
+    return Number(element.attrs[attribute], element.at[attribute])
+
+
+# -- links and joints ------------------------------------------------------------------------------------------------
+
+
+def _link(element: dom.Element) -> Link:
+    inertials, geometries = [], []
+    for child in element.elements():
+        if child.tagName == "inertial":
+            inertials.append(_inertial(child))
+        elif child.tagName in ("visual", "collision"):
+            geometry = _first(child, "geometry")
+            shape = next(geometry.elements(), None) if geometry is not None else None
+            geometries.append(Geometry(child.tagName, child.at, _tag(shape) if shape is not None else None))
+    return Link(element.attrs.get("name"), element.at, tuple(inertials), tuple(geometries), _tag(element))
+
+
+def _inertial(element: dom.Element) -> Inertial:
+    inertia = _first(element, "inertia")
+    moments = None
+    if inertia is not None:
+        moments = {name: Number(text, inertia.at[name]) for name, text in inertia.attrs.items()}
+    return Inertial(element.at, _number(_first(element, "mass"), "value"), moments, inertia.at if inertia else None)
+
+
+def _joint(element: dom.Element) -> Joint:
+    return Joint(
+        element.attrs.get("name"),
+        element.attrs.get("type"),
+        element.at,
+        _reference(element, "parent"),
+        _reference(element, "child"),
+        _number(_first(element, "axis"), "xyz"),
+        _limit(_first(element, "limit")),
+        _mimic(_first(element, "mimic")),
+        _tag(element),
+    )
+
+
+def _reference(element: dom.Element, name: str) -> Reference | None:
+    child = _first(element, name)
+    return Reference(child.attrs.get("link"), child.at["link"]) if child is not None else None
+
+
+def _limit(element: dom.Element | None) -> Limit | None:
+    if element is None:
+        return None
+    lower, upper, effort, velocity = (_number(element, name) for name in ("lower", "upper", "effort", "velocity"))
+    return Limit(element.at, lower, upper, effort, velocity)
+
+
+def _mimic(element: dom.Element | None) -> Mimic | None:
+    if element is None:
+        return None
+    return Mimic(element.attrs.get("joint"), element.at, _number(element, "multiplier"), _number(element, "offset"))
+
+
+# -- transmissions ---------------------------------------------------------------------------------------------------
+
+
+def _transmission(element: dom.Element, parent: str) -> Transmission:
+    joints, actuators, others = [], [], []
+    kind = None
+    for child in element.elements():
+        if child.tagName == "joint":
+            joints.append(_end(child, TransmissionJoint))
+        elif child.tagName == "actuator":
+            actuators.append(_end(child, Actuator))
+        elif child.tagName == "type" and kind is None:
+            kind = _text(child)
+        else:
+            others.append(_tag(child))
+    return Transmission(
+        element.attrs.get("name"),
+        element.at,
+        kind,
+        element.attrs.get("type"),
+        tuple(joints),
+        tuple(actuators),
+        tuple(others),
+        parent,
+    )
+
+
+def _end(element: dom.Element, kind: type[_End]) -> _End:
+    role = _first(element, "role")
+    return kind(
+        element.attrs.get("name"),
+        element.at,
+        _text(role) if role is not None else None,
+        _texts(element, "hardwareInterface"),
+        _texts(element, "mechanicalReduction"),
+        _texts(element, "offset"),
+        tuple(_tag(child) for child in element.elements() if child.tagName not in _READ_OF_AN_END),
+    )
+
+
+# -- ros2_control and Gazebo -----------------------------------------------------------------------------------------
+
+
+def _ros2_control(element: dom.Element, parent: str) -> Ros2Control:
+    hardware, parts, transmissions, others = [], [], [], []
+    for child in element.elements():
+        if child.tagName == "hardware":
+            hardware.append(_hardware(child))
+        elif child.tagName in _PARTS:
+            parts.append(_part(child))
+        elif child.tagName == "transmission":
+            transmissions.append(_tag(child))
+        else:
+            others.append(_tag(child))
+    return Ros2Control(
+        element.attrs.get("name"),
+        element.attrs.get("type"),
+        element.at,
+        tuple(hardware),
+        tuple(parts),
+        tuple(transmissions),
+        tuple(others),
+        parent,
+    )
+
+
+def _parameters(element: dom.Element) -> tuple[Parameter, ...]:
+    return tuple(
+        Parameter(child.attrs.get("name"), _text(child).value, child.at)
+        for child in element.elements()
+        if child.tagName == "param"
+    )
+
+
+def _hardware(element: dom.Element) -> Hardware:
+    others = tuple(_tag(child) for child in element.elements() if child.tagName not in ("plugin", "param"))
+    return Hardware(element.at, _texts(element, "plugin"), _parameters(element), others)
+
+
+def _part(element: dom.Element) -> Part:
+    def interfaces(name: str) -> tuple[Interface, ...]:
+        return tuple(
+            Interface(child.attrs.get("name"), child.at, _parameters(child))
+            for child in element.elements()
+            if child.tagName == name
+        )
+
+    known = ("command_interface", "state_interface", "param")
+    others = tuple(_tag(child) for child in element.elements() if child.tagName not in known)
+    commands, states = interfaces("command_interface"), interfaces("state_interface")
+    name = element.attrs.get("name")
+    return Part(element.tagName, name, element.at, commands, states, _parameters(element), others)
+
+
+def _gazebo(element: dom.Element) -> Gazebo:
+    plugins = tuple(
+        Plugin(child.attrs.get("name"), child.attrs.get("filename"), child.at, _tag(child))
+        for child in element.elements()
+        if child.tagName == "plugin"
+    )
+    return Gazebo(element.attrs.get("reference"), element.at, plugins, _tag(element))

@@ -1,0 +1,51 @@
+"""What the rules look at: one robot in one variant, with what belongs to it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from urdfctl.catalog.distros import ALL
+from urdfctl.model.robot import Robot
+from urdfctl.source.problem import Problem, ProblemKind
+
+
+@dataclass(frozen=True, slots=True)
+class Project:
+    """One robot in one variant; a run has several.
+
+    `distro` is None where neither the user nor the files tell it; `distros` are those that it may be. `started` are the
+    controllers started together, None where nothing tells. `complete` is False where a part of the robot could not be
+    expanded: then nothing may be claimed to be absent.
+    """
+
+    robot: Robot | None
+    path: str = ""
+    distro: str | None = None
+    distros: tuple[str, ...] = ALL
+    distro_from: str | None = None
+    simulator: str | None = None
+    started: tuple[str, ...] | None = None
+    problems: tuple[Problem, ...] = field(default=())
+    complete: bool = True
+
+    @property
+    def ros(self) -> int | None:
+        """1 or 2, None where not known."""
+        from urdfctl.catalog.distros import generation
+
+        generations = {generation(distro) for distro in self.distros}
+        return generations.pop() if len(generations) == 1 else None
+
+    @property
+    def may_be_simulated(self) -> bool:
+        """Whether Gazebo may run it: not known to run on real hardware alone."""
+        return self.simulator != "none"
+
+    @property
+    def may_be_hardware(self) -> bool:
+        """Whether real hardware may run it: no simulator is named."""
+        return self.simulator in (None, "none")
+
+    def of_kind(self, kind: ProblemKind) -> tuple[Problem, ...]:
+        """The problems of a kind that reading met."""
+        return tuple(problem for problem in self.problems if problem.kind is kind)

@@ -1,0 +1,63 @@
+"""The `<ros2_control>` components of ROS 2."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from urdfctl.model.parts import Tag, Text
+from urdfctl.source.span import Place
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """A `<param name="...">value</param>`."""
+
+    name: str | None
+    value: str
+    at: Place
+
+
+@dataclass(frozen=True, slots=True)
+class Interface:
+    """A `<command_interface>` or `<state_interface>`."""
+
+    name: str | None
+    at: Place
+    parameters: tuple[Parameter, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A `<joint>`, `<sensor>` or `<gpio>` of a component (`kind`)."""
+
+    kind: str
+    name: str | None
+    at: Place
+    commands: tuple[Interface, ...]
+    states: tuple[Interface, ...]
+    parameters: tuple[Parameter, ...]
+    others: tuple[Tag, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Hardware:
+    """The `<hardware>` element: every `<plugin>` it names, and its parameters."""
+
+    at: Place
+    plugins: tuple[Text, ...]
+    parameters: tuple[Parameter, ...]
+    others: tuple[Tag, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Ros2Control:
+    """One `<ros2_control>` tag. `transmissions` and `others` are kept as they are; `parent` is the element it stands in."""
+
+    name: str | None
+    type: str | None
+    at: Place
+    hardware: tuple[Hardware, ...]
+    parts: tuple[Part, ...]
+    transmissions: tuple[Tag, ...]
+    others: tuple[Tag, ...]
+    parent: str

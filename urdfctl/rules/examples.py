@@ -1,0 +1,62 @@
+"""The examples of the rules: completed to whole robots, written to a folder, and the place that « and » mark in them.
+
+An example that is only a part of a robot stands in a small sound arm: links base, upper and fore, revolute joints
+shoulder and elbow. Both the tests and `urdfctl explain` lint them.
+"""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Mapping
+from typing import NamedTuple
+
+_LINK = """\
+<link name="{name}">
+  <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+</link>
+"""
+_JOINT = """\
+<joint name="{name}" type="revolute">
+  <parent link="{parent}"/><child link="{child}"/><axis xyz="0 0 1"/>
+  <limit lower="-1" upper="1" effort="10" velocity="2"/>
+</joint>
+"""
+_ARM = (
+    '<link name="base"/>\n'
+    + _LINK.format(name="upper")
+    + _LINK.format(name="fore")
+    + _JOINT.format(name="shoulder", parent="base", child="upper")
+    + _JOINT.format(name="elbow", parent="upper", child="fore")
+)
+
+
+class Mark(NamedTuple):
+    """Where an example expects its finding: the file, and byte offsets in it without the marks."""
+
+    file: str
+    start: int
+    end: int
+
+
+def completed(name: str, text: str) -> str:
+    """An example's file as a whole one: a part of a robot is put into the arm."""
+    if not name.endswith((".urdf", ".xacro")) or "<robot" in text:
+        return text
+    namespace = ' xmlns:xacro="http://www.ros.org/wiki/xacro"' if name.endswith(".xacro") else ""
+    inside = textwrap.indent(_ARM + text, "  ")
+    return f'<?xml version="1.0"?>\n<robot name="arm"{namespace}>\n{inside}</robot>\n'
+
+
+def unmarked(files: Mapping[str, str]) -> tuple[dict[str, str], list[Mark]]:
+    """The completed files without their marks, and where the marks were."""
+    plain, marks = {}, []
+    for name, text in files.items():
+        whole = completed(name, text)
+        parts = whole.replace("»", "«").split("«")
+        plain[name] = "".join(parts)
+        offset = 0
+        for index, part in enumerate(parts[:-1]):
+            offset += len(part.encode())
+            if index % 2 == 0:
+                marks.append(Mark(name, offset, offset + len(parts[index + 1].encode())))
+    return plain, marks

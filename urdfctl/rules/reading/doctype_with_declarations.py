@@ -1,0 +1,39 @@
+"""UC005."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.reading.common import findings_of
+from urdfctl.source.problem import ProblemKind
+
+
+@rule(
+    "UC005",
+    severity=Severity.ERROR,
+    authority="CWE-776: recursive entity expansion; tinyxml, which urdfdom uses, knows no entities of a document's own",
+    bad={
+        "robot.urdf": """
+            «<!DOCTYPE» robot [<!ENTITY mass "1.0">]>
+            <robot name="r">
+              <link name="base"/>
+            </robot>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <!DOCTYPE robot>
+            <robot name="r">
+              <link name="base"/>
+            </robot>
+        """,
+    },
+)
+def doctype_with_declarations(project: Project) -> Iterator[Finding]:
+    """A DOCTYPE declares entities, and is not read.
+
+    Entities that name each other make a few lines grow without end; a linter that reads strangers' files
+    refuses them. `--trust` reads them.
+    """
+    yield from findings_of(project, ProblemKind.DOCTYPE)

@@ -1,0 +1,41 @@
+"""UC016."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.reading.common import findings_of
+from urdfctl.source.problem import ProblemKind
+
+
+@rule(
+    "UC016",
+    severity=Severity.ERROR,
+    authority="xacro/__init__.py process_include() and load_yaml(): open any path they are given",
+    bad={
+        "robot.xacro": """
+            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+              «<xacro:include filename="/etc/hostname"/>»
+              <link name="base"/>
+            </robot>
+        """,
+    },
+    good={
+        "robot.xacro": """
+            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+              <xacro:include filename="wheel.xacro"/>
+            </robot>
+        """,
+        "wheel.xacro": """
+            <robot><link name="base"/></robot>
+        """,
+    },
+)
+def outside_workspace(project: Project) -> Iterator[Finding]:
+    """A description asks for a file outside the workspace.
+
+    A stranger's robot must not read what lies elsewhere on the machine. The workspace, the packages it
+    resolves and `--package-path` may be read; `--workspace` widens it, `--trust` lifts it.
+    """
+    yield from findings_of(project, ProblemKind.OUTSIDE_WORKSPACE)

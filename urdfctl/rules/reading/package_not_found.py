@@ -1,0 +1,43 @@
+"""UC003."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.reading.common import findings_of
+from urdfctl.source.problem import ProblemKind
+
+
+@rule(
+    "UC003",
+    severity=Severity.ERROR,
+    authority="xacro/substitution_args.py _eval_find(): ament_index_python raises PackageNotFoundError",
+    bad={
+        "robot.xacro": """
+            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+              «<xacro:include filename="$(find no_such_description)/urdf/wheel.xacro"/>»
+              <link name="base"/>
+            </robot>
+        """,
+    },
+    good={
+        "robot.xacro": """
+            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+              <xacro:include filename="$(find my_description)/wheel.xacro"/>
+            </robot>
+        """,
+        "my_description/package.xml": """
+            <package format="3"><name>my_description</name></package>
+        """,
+        "my_description/wheel.xacro": """
+            <robot><link name="base"/></robot>
+        """,
+    },
+)
+def package_not_found(project: Project) -> Iterator[Finding]:
+    """A package that the description asks for is not found.
+
+    `$(find pkg)` of a package that is not built or not sourced ends the expansion.
+    """
+    yield from findings_of(project, ProblemKind.PACKAGE_NOT_FOUND)

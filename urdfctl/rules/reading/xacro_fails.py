@@ -1,0 +1,38 @@
+"""UC012."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.reading.common import findings_of
+from urdfctl.source.problem import ProblemKind
+
+
+@rule(
+    "UC012",
+    severity=Severity.ERROR,
+    authority="xacro/__init__.py and xmlutils.py: check_attrs(), reqd_attrs(), grab_property(), grab_macro()",
+    bad={
+        "robot.xacro": """
+            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+              «<xacro:property name="2nd" value="1"/>»
+              <link name="base"/>
+            </robot>
+        """,
+    },
+    good={
+        "robot.xacro": """
+            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+              <xacro:property name="second" value="base"/>
+              <link name="${second}"/>
+            </robot>
+        """,
+    },
+)
+def xacro_fails(project: Project) -> Iterator[Finding]:
+    """xacro cannot work with an element.
+
+    A missing attribute, a name that is no identifier, two values for one property: xacro stops there.
+    """
+    yield from findings_of(project, ProblemKind.XACRO)

@@ -1,0 +1,37 @@
+"""UC001."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.reading.common import findings_of
+from urdfctl.source.problem import ProblemKind
+
+
+@rule(
+    "UC001",
+    severity=Severity.ERROR,
+    authority="urdfdom urdf_parser/src/model.cpp: parseURDF() returns nothing when tinyxml cannot parse; xacro/__init__.py: 'XML parsing error'",
+    bad={
+        "robot.urdf": """
+            <robot name="r">
+              <link name="base">
+            «</robot>»
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <robot name="r">
+              <link name="base"/>
+            </robot>
+        """,
+    },
+)
+def xml_not_well_formed(project: Project) -> Iterator[Finding]:
+    """A file is not well-formed XML.
+
+    No program reads anything of it: robot_state_publisher, Gazebo and the controller manager all refuse the
+    whole description.
+    """
+    yield from findings_of(project, ProblemKind.XML_SYNTAX)

@@ -1,0 +1,72 @@
+"""`urdfctl: ignore[UC201] why` in a comment: which findings the user has decided to live with."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from urdfctl.source.span import Call, Place, SourceSpan, SourceText
+
+_COMMENT = re.compile(rb"urdfctl:\s*ignore\[([A-Za-z0-9_, \t-]*)\]")
+
+
+@dataclass(frozen=True, slots=True)
+class Suppression:
+    """One comment: the codes (or prefixes of codes) that it silences on its own line and on the next."""
+
+    span: SourceSpan
+    codes: tuple[str, ...]
+    line: int
+    """The line on which the comment ends."""
+
+    def silences(self, code: str, line: int) -> bool:
+        """Whether it speaks of a code on a line."""
+        return line in (self.line, self.line + 1) and any(code.startswith(known) for known in self.codes)
+
+
+def suppressions(source: SourceText) -> list[Suppression]:
+    """The suppressing comments of one file."""
+    found = []
+    for match in _COMMENT.finditer(source.data):
+        codes = tuple(code.strip().upper() for code in match.group(1).decode("ascii").split(",") if code.strip())
+        close = source.data.find(b"-->", match.end())
+        end = close if close >= 0 and _is_xml_comment(source.data, match.start()) else match.end()
+        found.append(Suppression(SourceSpan(source, match.start(), match.end()), codes, source.position(end).line))
+    return found
+
+
+def _is_xml_comment(data: bytes, offset: int) -> bool:
+    return data.rfind(b"<!--", 0, offset) > data.rfind(b"-->", 0, offset)
+
+
+class Suppressed:
+    """Asks the comments of all files of a robot, and remembers which of them had anything to silence."""
+
+    def __init__(self, sources: list[SourceText]) -> None:
+        self.all = [item for source in sources for item in suppressions(source)]
+        self.used: set[int] = set()
+        self._by_file: dict[str, list[int]] = {}
+        for index, item in enumerate(self.all):
+            self._by_file.setdefault(item.span.file, []).append(index)
+
+    def covers(self, code: str, place: Place) -> bool:
+        """Whether a finding is silenced where it stands, at a macro's definition or at a call that led to it."""
+        if not self.all:
+            return False
+        spans = [place.span]
+        for call in place.call.chain() if place.call else ():
+            spans += _spans_of(call)
+        covering = {index for span in spans for index in self._covering(code, span)}
+        self.used |= covering
+        return bool(covering)
+
+    def _covering(self, code: str, span: SourceSpan) -> list[int]:
+        indices = self._by_file.get(span.file)
+        if not indices:
+            return []
+        line = span.source.position(span.start).line
+        return [index for index in indices if self.all[index].silences(code, line)]
+
+
+def _spans_of(call: Call) -> list[SourceSpan]:
+    return [call.span, *([call.definition] if call.definition else [])]
