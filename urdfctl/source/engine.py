@@ -19,12 +19,12 @@ from urdfctl.errors import UserError
 
 KNOWN_VERSIONS = "2.1.0 and 2.1.1"
 REQUIRED = (
-    "LEXER", "NameSpace", "QuickLexer", "Table", "XacroException", "YamlListWrapper", "ConstructUnits", "_empty_text_node",
-    "abs_filename_spec", "all_includes", "check_attrs", "create_global_symbols", "eval_all", "eval_extension", "eval_text",
-    "get_boolean_value", "grab_macro", "grab_property", "handle_macro_call", "init_stacks", "is_valid_name", "load_yaml",
-    "parse", "parse_macro_arg", "print_location", "process_doc", "process_include", "replace_node", "resolve_macro", "safe_eval",
-    "substitution_args_context",
-)  # fmt: skip
+    "LEXER NameSpace QuickLexer Table XacroException YamlListWrapper ConstructUnits _empty_text_node "
+    "abs_filename_spec all_includes check_attrs create_global_symbols eval_all eval_extension eval_text "
+    "get_boolean_value grab_macro grab_property handle_macro_call init_stacks is_valid_name load_yaml "
+    "parse parse_macro_arg print_location process_doc process_include replace_node resolve_macro "
+    "safe_eval substitution_args_context"
+).split()
 _numbers = itertools.count()
 
 
@@ -67,9 +67,8 @@ def load() -> ModuleType:
     exec(_code(), module.__dict__)  # noqa: S102 (the installed package's own code)
     missing = [needed for needed in REQUIRED if not hasattr(module, needed)]
     if missing:
-        raise UserError(
-            f"the package xacro at {_location()} is of an unknown version (no '{missing[0]}'); known are {KNOWN_VERSIONS}"
-        )
+        where = f"the package xacro at {_location()}"
+        raise UserError(f"{where} is of an unknown version (no '{missing[0]}'); known are {KNOWN_VERSIONS}")
     return module
 
 
@@ -85,7 +84,7 @@ def release(module: ModuleType) -> None:
 
 
 def _defer_yaml() -> None:
-    """Let `import yaml` cost nothing until a robot really reads a YAML file: xacro imports it for every `$(find ...)`."""
+    """Let `import yaml` cost nothing until a YAML file is really read: xacro imports it for every `$(find ...)`."""
     if "yaml" in sys.modules:
         return
     spec = importlib.util.find_spec("yaml")

@@ -18,36 +18,11 @@ _ALLOWED: tuple[type[ast.AST], ...] = (
     ast.JoinedStr, ast.FormattedValue, ast.expr_context, ast.boolop, ast.operator, ast.unaryop, ast.cmpop,
 )  # fmt: skip
 _FORBIDDEN_ATTRIBUTES = frozenset(
-    [
-        "gi_frame",
-        "gi_code",
-        "gi_yieldfrom",
-        "cr_frame",
-        "cr_code",
-        "cr_await",
-        "cr_origin",
-        "ag_frame",
-        "ag_code",
-        "ag_await",
-        "f_back",
-        "f_globals",
-        "f_locals",
-        "f_builtins",
-        "f_code",
-        "f_trace",
-        "tb_frame",
-        "tb_next",
-        "tb_lasti",
-        "func_globals",
-        "func_code",
-        "co_code",
-        "co_consts",
-        "co_names",
-        "mro",
-        "format_map",
-        "vars",
-        "with_traceback",
-    ]
+    (
+        "gi_frame gi_code gi_yieldfrom cr_frame cr_code cr_await cr_origin ag_frame ag_code ag_await f_back "
+        "f_globals f_locals f_builtins f_code f_trace tb_frame tb_next tb_lasti func_globals func_code "
+        "co_code co_consts co_names mro format_map vars with_traceback"
+    ).split()
 )
 _DOTTED_FIELD = re.compile(r"\{[^}]*[.\[]")
 _LONGEST = 10_000

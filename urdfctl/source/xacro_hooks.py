@@ -1,4 +1,4 @@
-"""The helpers of xacro that are replaced for speed, for safety, and for packages without ROS; what they give is the same."""
+"""Replaces helpers of xacro for speed, for safety, and for packages without ROS; what they give is the same."""
 
 from __future__ import annotations
 
@@ -16,42 +16,10 @@ from urdfctl.source.expressions import compile_checked
 if TYPE_CHECKING:
     from urdfctl.source.xacro import Expander
 
-_PURE = tuple(
-    [
-        "abs",
-        "all",
-        "any",
-        "bool",
-        "complex",
-        "dict",
-        "divmod",
-        "enumerate",
-        "filter",
-        "float",
-        "frozenset",
-        "hash",
-        "int",
-        "isinstance",
-        "issubclass",
-        "len",
-        "list",
-        "map",
-        "max",
-        "min",
-        "ord",
-        "range",
-        "repr",
-        "reversed",
-        "round",
-        "set",
-        "slice",
-        "sorted",
-        "str",
-        "sum",
-        "tuple",
-        "zip",
-    ]
-)
+_PURE = (
+    "abs all any bool complex dict divmod enumerate filter float frozenset hash int isinstance issubclass "
+    "len list map max min ord range repr reversed round set slice sorted str sum tuple zip"
+).split()
 
 
 class MissingVariable(Exception):
@@ -169,7 +137,7 @@ def _load_yaml(expander: Expander, filename: str) -> Any:
 
 
 def _extension(expander: Expander, original: Callable[[str], str]) -> Callable[[str], str]:
-    """`$(find)`, `$(env)` and `$(eval)`, with packages found without ROS; xacro's module for them is loaded when needed."""
+    """`$(find)`, `$(env)` and `$(eval)`, with packages found without ROS; xacro's module for them is loaded late."""
     connected = False
 
     def extension(text: str) -> str:
