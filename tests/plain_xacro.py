@@ -28,7 +28,7 @@ def expand(path: str, packages: Packages, arguments: Mapping[str, str]) -> str:
         with contextlib.redirect_stderr(io.StringIO()):
             document = xacro.process_file(path, mappings=dict(arguments))
         return str(document.toprettyxml(indent="  "))
-    except Exception as error:
+    except Exception as error:  # noqa: BLE001 (whatever xacro raises)
         return f"error: {re.sub('0x[0-9a-f]+', '0x', str(error))}"
     finally:
         del xacro.__dict__["open"]

@@ -1,7 +1,8 @@
 """A small document tree whose elements know where they stand.
 
 It has just that part of `xml.dom.minidom`'s surface which the xacro package touches, so that xacro can work on it
-unchanged; names that are not of our style are minidom's. Siblings form a linked list: inserting and removing cost nothing.
+unchanged; names that are not of our style are minidom's. Siblings form a linked list: inserting and removing cost
+nothing.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Finds ROS packages without ROS: `$(find pkg)` and `package://pkg`.
 
-The order: `--package-path`, the prefixes of a sourced environment, the file's own package and its siblings on the way up,
-and then, on the first miss only, one walk through the enclosing workspace. The nearest package of a name wins.
+The order: `--package-path`, the prefixes of a sourced environment, the file's own package and its siblings on the way
+up, and then, on the first miss only, one walk through the enclosing workspace. The nearest package of a name wins.
 """
 
 from __future__ import annotations
@@ -189,10 +189,10 @@ class Packages:
         return None
 
     def _distance(self, folder: str) -> tuple[int, str]:
-        """How far a folder lies: the steps up to what both share, then the steps down."""
-        ours, theirs = self._folder.split(os.sep), folder.split(os.sep)
-        shared = next((i for i, (a, b) in enumerate(zip(ours, theirs)) if a != b), min(len(ours), len(theirs)))
-        return (len(ours) - shared) * 1000 + len(theirs) - shared, folder
+        """How far a folder lies: the steps up to what both share count most, then the steps down."""
+        steps = os.path.relpath(folder, self._folder).split(os.sep)
+        up = steps.count(os.pardir)
+        return up * 1000 + len(steps) - up, folder
 
     def _ancestors(self) -> Iterator[str]:
         """The file's folder and those above it, up to the workspace; it alone where it lies outside."""

@@ -135,7 +135,7 @@ class Call:
         """The start tag of the macro that is called, or nothing for other steps."""
 
     def chain(self) -> Iterator[Call]:
-        """This step and those that led to it, innermost first."""
+        """The step itself and those that led to it, innermost first."""
         step: Call | None = self
         while step is not None:
             yield step
@@ -196,7 +196,7 @@ class Place:
 
     @property
     def content(self) -> Place:
-        """What stands between the start tag and the end tag, without the blanks around it; the tag itself where nothing does."""
+        """What stands between the two tags, without the blanks around it; the start tag itself where nothing does."""
         tag = self.source.start_tag(self.start)
         if tag is None or tag.self_closed or self._close is None or self._close <= tag.end:
             return self

@@ -20,7 +20,7 @@ def parse(
     `declarations`) has a DOCTYPE that declares anything: entities can make a small file endless."""
     builder = _Builder(source, cloning or Cloning(), call, declarations=declarations)
     try:
-        builder.parser.Parse(source.data, True)
+        builder.parser.Parse(source.data, True)  # noqa: FBT003 (expat's call)
     except ExpatError as error:
         raise ReadError(_syntax_problem(source, builder, error)) from None
     if builder.document.documentElement is None:  # pragma: no cover (expat tells of it first)
