@@ -145,7 +145,7 @@ def _one_of(group: list[Diagnostic]) -> Diagnostic:
     notes = first.notes
     if others:
         shown = "; ".join(others[:3]) + (f"; and {len(others) - 3} more" if len(others) > 3 else "")  # noqa: PLR2004
-        notes = (*notes, Remark(f"and likewise: {shown}"))
+        notes = (Remark(f"likewise: {shown}"), *notes)
     return replace(first, expanded_from=tuple(chains), notes=notes)
 
 

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import asdict, dataclass
+from functools import partial
 from typing import Any
 
+from urdfctl.diagnostic import Finding, diagnosed
 from urdfctl.evidence import judged
 from urdfctl.lint import Outcome, Selection, lint
 from urdfctl.model.build_robot import robot_of
 from urdfctl.model.project import Project
+from urdfctl.rules import CRASHED, OVER_BUDGET
 from urdfctl.serialise import outcome_from_json, outcome_to_json
 from urdfctl.settings import Settings
 from urdfctl.source.dom import Document
@@ -20,6 +23,7 @@ from urdfctl.source.problem import Problem, ReadError
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.xacro import Expander, Expansion
 from urdfctl.source.xml import parse
+from urdfctl.worker import Died, Limits, run
 from urdfctl.workspace import workspace_of
 
 
@@ -63,9 +67,17 @@ class Loader:
         self.selection = selection
         self._indexes: dict[str, PackageIndex] = {}
 
+    def survey(self, targets: Sequence[Target]) -> None:
+        """Learn once, before workers part, what each of many targets would else learn for itself."""
+        for path in {workspace_of(os.path.abspath(target.path), self.settings.workspace) for target in targets}:
+            for crawl in self._index(path).crawls:
+                crawl.packages()
+
     def index_for(self, path: str) -> PackageIndex:
         """The packages of the workspace that a file belongs to."""
-        workspace = workspace_of(path, self.settings.workspace)
+        return self._index(workspace_of(path, self.settings.workspace))
+
+    def _index(self, workspace: str) -> PackageIndex:
         if workspace not in self._indexes:
             self._indexes[workspace] = PackageIndex(workspace, self.settings.package_paths, self.settings.environ)
         return self._indexes[workspace]
@@ -137,3 +149,51 @@ def _expansion(expander: Expander, path: str, arguments: Mapping[str, str]) -> E
 def is_xacro(source: SourceText) -> bool:
     """Whether a file is meant for xacro: by its name, or because it declares xacro's namespace."""
     return source.path.endswith(".xacro") or b"xmlns:xacro" in source.data[:4096]
+
+
+_SURVEYED_FROM = 4
+
+
+def lint_all(
+    targets: Sequence[Target], settings: Settings, selection: Selection, parallel: int | None = None
+) -> Iterator[Linted]:
+    """The findings of each target, in their order, each from a limited worker."""
+    loader = Loader(settings, selection)
+    if len(targets) >= _SURVEYED_FROM:
+        loader.survey(targets)
+    jobs = [_job(target, settings, selection) for target in targets]
+    limits = Limits(settings.timeout, settings.memory, settings.environ)
+    results = run(jobs, partial(_perform_with, loader), limits, parallel or os.cpu_count() or 1)
+    for target, result in zip(targets, results, strict=True):
+        yield Linted.from_json(result) if isinstance(result, dict) else dead(target, settings, result)
+
+
+def _job(target: Target, settings: Settings, selection: Selection) -> dict[str, Any]:
+    return {"target": asdict(target), "settings": asdict(settings), "selection": asdict(selection)}
+
+
+def _perform_with(loader: Loader, job: dict[str, Any]) -> dict[str, Any]:
+    return loader.lint(_target_of(job)).to_json()
+
+
+def _target_of(job: dict[str, Any]) -> Target:
+    arguments = tuple((str(name), str(value)) for name, value in job["target"]["arguments"])
+    return Target(job["target"]["path"], arguments)
+
+
+def perform(job: dict[str, Any]) -> dict[str, Any]:
+    """Lint the target of a job that came as JSON."""
+    plain: dict[str, Any] = {name: tuple(value) if isinstance(value, list) else value for name, value in job["settings"].items()}
+    selection = Selection(**{name: tuple(value) for name, value in job["selection"].items()})
+    return _perform_with(Loader(Settings(**plain), selection), job)
+
+
+def dead(target: Target, settings: Settings, death: Died) -> Linted:
+    """A worker's death as the one finding of its robot."""
+    path = os.path.abspath(target.path)
+    place = Place(SourceText(path, b""), 0, end=0)
+    rule = CRASHED if death.ours else OVER_BUDGET
+    message = f"urdfctl crashed: {death.why}" if death.ours else f"the description is not linted: {death.why}"
+    finding = diagnosed(rule.code, rule.name, rule.severity, Finding(place, message))
+    outcome = Outcome([finding], [], crashed=death.ours)
+    return Linted(path, None, settings.distro, None, settings.simulator, complete=False, links=None, outcome=outcome)

@@ -25,6 +25,7 @@ from urdfctl.rules.reading.xml_not_well_formed import xml_not_well_formed
 from urdfctl.rules.transmissions.transmission_joint_without_interface import transmission_joint_without_interface
 
 CRASHED = rule_crashed
+OVER_BUDGET = over_budget
 UNUSED_SUPPRESSION = suppression_unused
 
 RULES: tuple[Rule, ...] = (

@@ -1,0 +1,166 @@
+"""The command line: what is asked is handed on; nothing is decided here but the exit status."""
+
+from __future__ import annotations
+
+import os
+import sys
+from typing import Annotated
+
+import typer
+
+from urdfctl.cli.options import (
+    Arguments,
+    Distro,
+    Environment,
+    Memory,
+    PackagePath,
+    Simulator,
+    Start,
+    Timeout,
+    Trust,
+    Workspace,
+)
+
+app = typer.Typer(
+    name="urdfctl",
+    no_args_is_help=True,
+    add_completion=False,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+    help="Lint, expand and explain the control configuration of robots in URDF and xacro, without ROS.",
+)
+
+
+def _version(wanted: bool) -> None:  # noqa: FBT001 (typer's callback)
+    if wanted:
+        from urdfctl import __version__
+
+        typer.echo(f"urdfctl {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def main(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version and leave.")
+    ] = False,
+) -> None:
+    """Lint, expand and explain the control configuration of robots in URDF and xacro, without ROS."""
+
+
+@app.command()
+def lint(
+    paths: Arguments = None,
+    distro: Distro = None,
+    simulator: Simulator = None,
+    start: Start = None,
+    workspace: Workspace = None,
+    package_path: PackagePath = None,
+    env: Environment = None,
+    trust: Trust = False,
+    timeout: Timeout = 20.0,
+    memory: Memory = 2048,
+    select: Annotated[list[str] | None, typer.Option(help="Only rules whose code begins so: UC2,UC401.")] = None,
+    ignore: Annotated[list[str] | None, typer.Option(help="Not the rules whose code begins so.")] = None,
+    extend_select: Annotated[list[str] | None, typer.Option(help="These rules too.")] = None,
+    formats: Annotated[
+        list[str] | None, typer.Option("--format", help="text, concise or json; =FILE writes it there. Repeatable.")
+    ] = None,
+    fail_on: Annotated[str, typer.Option(help="Exit with 1 from this severity on: error, warning or info.")] = "error",
+    exit_zero: Annotated[bool, typer.Option("--exit-zero", help="Exit with 0 whatever is found.")] = False,
+    jobs: Annotated[int, typer.Option(help="How many robots at once; 0: as many as there are processors.")] = 0,
+) -> None:
+    """Find what keeps a robot from loading, starting and moving.
+
+    Example: urdfctl lint urdf/robot.xacro prefix:=left_ --distro noetic
+    """
+    from urdfctl.cli.lint_command import Wanted, run_lint
+    from urdfctl.cli.options import settings_from
+
+    settings = settings_from(distro, simulator, start, workspace, package_path, env, trust, timeout, memory)
+    wanted = Wanted(
+        tuple(paths or ()),
+        _codes(select),
+        _codes(ignore),
+        _codes(extend_select),
+        tuple(formats or ("text",)),
+        fail_on,
+        exit_zero,
+        jobs,
+    )
+    raise typer.Exit(run_lint(wanted, settings))
+
+
+def _codes(given: list[str] | None) -> tuple[str, ...]:
+    return tuple(code.strip().upper() for item in given or () for code in item.split(",") if code.strip())
+
+
+@app.command()
+def expand(
+    file: Annotated[str, typer.Argument(help="The xacro file.", show_default=False)],
+    arguments: Annotated[list[str] | None, typer.Argument(help="name:=value", show_default=False)] = None,
+    output: Annotated[str | None, typer.Option("-o", "--output", help="Write to this file.")] = None,
+    force: Annotated[bool, typer.Option("--force", help="Overwrite the output file.")] = False,
+    workspace: Workspace = None,
+    package_path: PackagePath = None,
+    env: Environment = None,
+    trust: Trust = False,
+    timeout: Timeout = 20.0,
+    memory: Memory = 2048,
+) -> None:
+    """Expand xacro without ROS, byte for byte as xacro writes it.
+
+    Example: urdfctl expand urdf/robot.xacro prefix:=left_ -o robot.urdf
+    """
+    from urdfctl.cli.expand_command import run_expand
+    from urdfctl.cli.options import settings_from
+
+    settings = settings_from(None, None, None, workspace, package_path, env, trust, timeout, memory)
+    raise typer.Exit(run_expand(file, arguments or [], settings, output, force=force))
+
+
+@app.command()
+def rules(
+    output_format: Annotated[str, typer.Option("--format", help="text or json.")] = "text",
+    select: Annotated[list[str] | None, typer.Option(help="Only rules whose code begins so.")] = None,
+) -> None:
+    """List the rules.
+
+    Example: urdfctl rules --select UC2
+    """
+    from urdfctl.cli.rules_command import run_rules
+
+    raise typer.Exit(run_rules(output_format, _codes(select)))
+
+
+@app.command()
+def explain(
+    what: Annotated[str, typer.Argument(help="A rule's code or name.", show_default=False)],
+) -> None:
+    """Tell what a rule finds, why it matters, by whose authority, and how it looks wrong and right.
+
+    Example: urdfctl explain UC201
+    """
+    from urdfctl.cli.rules_command import run_explain
+
+    raise typer.Exit(run_explain(what))
+
+
+def run() -> None:
+    """Run a command, and turn what it raises into its exit status: 2 for the user's errors, 3 for ours."""
+    from urdfctl.errors import UserError
+
+    try:
+        app()
+    except UserError as error:
+        sys.stderr.write(f"urdfctl: {error}\n")
+        sys.exit(2)
+    except BrokenPipeError:  # `urdfctl lint | head`
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        sys.exit(1)
+    except Exception:  # noqa: BLE001 (the last place where it can be told)
+        from urdfctl.cli.crash import report_crash
+
+        sys.stderr.write(report_crash())
+        sys.exit(3)

@@ -1,0 +1,117 @@
+"""Finds the robots that the paths of a command line mean."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator, Sequence
+
+from urdfctl.errors import UserError
+from urdfctl.suggest import did_you_mean
+
+_DESCRIPTIONS = (".urdf", ".xacro")
+_CONTROLLERS = (".yaml", ".yml")
+_LAUNCHES = (".launch", ".launch.xml", ".launch.py", ".launch.yaml")
+_PRUNED = frozenset({"build", "install", "log", "devel", "node_modules", "__pycache__"})
+_IGNORE_FILES = frozenset({"COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE"})
+_INCLUDE = re.compile(rb"<(?:xacro:)?include\s[^>]*?filename\s*=\s*[\"']([^\"']+)[\"']", re.DOTALL)
+_COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
+_ROBOT = re.compile(rb"<robot[\s>/]")
+_MAX_BYTES = 16 << 20
+
+
+class Found:
+    """What the paths of a command mean: robots named one by one, and files in folders that may be robots."""
+
+    def __init__(self) -> None:
+        self.robots: list[str] = []
+        self.candidates: list[str] = []
+        self.controllers: list[str] = []
+        self.launches: list[str] = []
+
+    def descriptions(self) -> list[tuple[str, bool]]:
+        """Each description once, and whether it was named by the user."""
+        named = {os.path.abspath(path): True for path in self.robots}
+        found = {os.path.abspath(path): False for path in self.candidates}
+        return list({**found, **named}.items())
+
+
+def find(paths: Sequence[str]) -> Found:
+    """What the paths mean; with none, what the package (else the folder) holds that encloses the current folder."""
+    found = Found()
+    for path in paths or (_enclosing_package(),):
+        if not os.path.lexists(path):
+            raise UserError(f"no such file or folder: '{path}'{_nearest(path)}")
+        if os.path.isdir(path):
+            found.candidates += roots(path)
+        elif path.endswith(_CONTROLLERS):
+            found.controllers.append(path)
+        elif path.endswith(_LAUNCHES):
+            found.launches.append(path)
+        else:
+            found.robots.append(path)
+    return found
+
+
+def _enclosing_package() -> str:
+    folder = os.getcwd()
+    while not os.path.exists(os.path.join(folder, "package.xml")):
+        above = os.path.dirname(folder)
+        if above == folder:
+            return os.curdir
+        folder = above
+    return os.path.relpath(folder)
+
+
+def _nearest(path: str) -> str:
+    folder = os.path.dirname(path) or os.curdir
+    try:
+        return did_you_mean(os.path.basename(path), os.listdir(folder))
+    except OSError:
+        return ""
+
+
+def roots(folder: str) -> list[str]:
+    """The descriptions below a folder that no other one includes, in order. Whether one is a robot shows when it is read:
+    it has two links or more."""
+    texts = {path: _text(path) for path in sorted(_descriptions(folder))}
+    candidates = [path for path, text in texts.items() if _ROBOT.search(text)]
+    included = {tail for path, text in texts.items() for tail in _included(path, text)}
+    return [path for path in candidates if not any(_is(path, tail) for tail in included)]
+
+
+def _descriptions(folder: str) -> Iterator[str]:
+    for current, folders, files in os.walk(folder):
+        if _IGNORE_FILES & set(files):
+            folders.clear()
+            continue
+        folders[:] = sorted(name for name in folders if not name.startswith(".") and name not in _PRUNED)
+        for name in files:
+            if name.endswith(_DESCRIPTIONS):
+                yield os.path.join(current, name)
+
+
+def _text(path: str) -> bytes:
+    try:
+        if os.path.getsize(path) > _MAX_BYTES:
+            return b"<robot "  # reading it tells what is wrong with it
+        with open(path, "rb") as file:
+            return file.read()
+    except OSError:
+        return b"<robot "
+
+
+def _included(path: str, text: bytes) -> Iterator[str]:
+    """The files that a description includes: a path where it is relative, else the end of one."""
+    for match in _INCLUDE.finditer(_COMMENT.sub(b"", text)):
+        name = match.group(1).decode("utf-8", "replace")
+        if "$" not in name and not os.path.isabs(name):
+            yield os.path.normpath(os.path.join(os.path.dirname(path), name))
+        else:
+            yield "*" + re.sub(r"^.*[})]", "", name)
+
+
+def _is(path: str, included: str) -> bool:
+    if included.startswith("*"):
+        return bool(included[1:].strip("/")) and path.endswith("/" + included[1:].lstrip("/"))
+    return os.path.normpath(path) == included

@@ -1,0 +1,50 @@
+"""Expands one file as the command `expand` does: in a limited worker, up to the first problem."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+from urdfctl.diagnostic import Diagnostic
+from urdfctl.lint import Selection, lint
+from urdfctl.load import Loader, Target, dead
+from urdfctl.model.project import Project
+from urdfctl.serialise import outcome_from_json, outcome_to_json
+from urdfctl.settings import Settings
+from urdfctl.source.xml_writer import write
+from urdfctl.worker import Limits, run
+
+
+@dataclass(frozen=True, slots=True)
+class Expanded:
+    """The text that xacro would write, or None and the problem that ends it; xacro's warnings in both cases."""
+
+    text: str | None
+    problems: tuple[Diagnostic, ...]
+    crashed: bool = False
+
+
+def expand_one(path: str, arguments: Mapping[str, str], settings: Settings) -> Expanded:
+    """The expansion of one file."""
+    target = Target(path, tuple(arguments.items()))
+    limits = Limits(settings.timeout, settings.memory, settings.environ)
+    job = {"path": path, "arguments": dict(arguments)}
+    result = next(iter(run([job], partial(_perform, settings), limits, 1)))
+    if not isinstance(result, dict):
+        outcome = dead(target, settings, result).outcome
+        return Expanded(None, tuple(outcome.diagnostics), outcome.crashed)
+    outcome = outcome_from_json(result["outcome"])
+    return Expanded(result["text"], tuple(outcome.diagnostics), outcome.crashed)
+
+
+def _perform(settings: Settings, job: dict[str, Any]) -> dict[str, Any]:
+    path = os.path.abspath(job["path"])
+    expander = Loader(settings, Selection()).expander(path, strict=True)
+    expansion = expander.expand(path, job["arguments"])
+    project = Project(None, path, problems=tuple(expansion.problems), complete=False)
+    outcome = lint(project, [], Selection(select=("UC0",)))
+    text = write(expansion.document, job["path"]) if expansion.document is not None else None
+    return {"text": text, "outcome": outcome_to_json(outcome)}

@@ -1,0 +1,118 @@
+"""The report for people: the source line with a caret, the calls that led there, the way out, and a summary."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from urdfctl.diagnostic import Diagnostic, Severity, Step
+from urdfctl.report.common import Report, relative, shown
+from urdfctl.report.concise import line
+
+MOST_CHAINS = 4
+_WIDEST = 160
+_COLOURS = {Severity.ERROR: "bold red", Severity.WARNING: "bold yellow", Severity.INFO: "bold cyan"}
+
+
+class Piece(NamedTuple):
+    """A part of the text and its style, in rich's words."""
+
+    text: str
+    style: str = ""
+
+
+def render(report: Report) -> str:
+    """The report without colours."""
+    return "".join(piece.text for piece in pieces(report))
+
+
+def print_coloured(report: Report) -> None:
+    """Print the report on a terminal."""
+    from rich.console import Console
+    from rich.text import Text
+
+    text = Text()
+    for piece in pieces(report):
+        text.append(piece.text, piece.style)
+    Console(highlight=False, soft_wrap=True).print(text, end="")
+
+
+def pieces(report: Report) -> Iterator[Piece]:
+    """The whole report, part by part."""
+    for diagnostic in report.findings:
+        yield from _finding(relative(diagnostic))
+    yield from _summary(report)
+
+
+def _finding(diagnostic: Diagnostic) -> Iterator[Piece]:
+    at = diagnostic.at
+    place, _, rest = line(diagnostic).partition(f": {diagnostic.severity.value} ")
+    yield Piece(f"{place}: ", "bold")
+    yield Piece(f"{diagnostic.severity.value} {diagnostic.code}", _COLOURS[diagnostic.severity])
+    yield Piece(f" {rest.removeprefix(diagnostic.code).lstrip()}\n")
+    if diagnostic.excerpt.strip():
+        yield from _excerpt(diagnostic)
+    for chain in diagnostic.expanded_from[:MOST_CHAINS]:
+        yield Piece(f"  note: {_way(chain)}\n")
+    if len(diagnostic.expanded_from) > MOST_CHAINS:
+        yield Piece(f"  note: and in {len(diagnostic.expanded_from) - MOST_CHAINS} more calls\n")
+    for note in diagnostic.notes:
+        where = f" ({_where(note.at.file, note.at.line, note.at.column, at.file)})" if note.at else ""
+        yield Piece(f"  note: {note.message}{where}\n")
+    if diagnostic.fix:
+        yield Piece("  fix: ", "green")
+        yield Piece(f"{diagnostic.fix.title}\n")
+
+
+def _where(file: str, line_number: int, column: int, current: str) -> str:
+    return f"line {line_number}" if file == current else f"{file}:{line_number}:{column}"
+
+
+def _excerpt(diagnostic: Diagnostic) -> Iterator[Piece]:
+    at = diagnostic.at
+    text, start = diagnostic.excerpt.replace("\t", " "), at.column - 1
+    cut = max(0, start - _WIDEST // 2) if len(text) > _WIDEST else 0
+    text, start = text[cut : cut + _WIDEST], start - cut
+    end = at.end_column - 1 - cut if at.end_line == at.line else len(text.rstrip())
+    number = str(at.line)
+    margin = " " * len(number)
+    yield Piece(f"  {number} | ", "dim")
+    yield Piece(f"{text}\n")
+    yield Piece(f"  {margin} | ", "dim")
+    yield Piece(f"{' ' * start}{'^' * max(min(end, len(text)) - start, 1)}\n", _COLOURS[diagnostic.severity])
+
+
+def _way(chain: tuple[Step, ...]) -> str:
+    return ", ".join(_step(step) for step in chain)
+
+
+def _step(step: Step) -> str:
+    kind, _, name = step.what.partition(" ")
+    place = f"{step.file}:{step.line}:{step.column}"
+    if kind == "macro":
+        return f"in the call of macro '{name}' at {place}"
+    if kind == "block":
+        return f"inserted as a block at {place}"
+    return f"included at {place}"
+
+
+def _summary(report: Report) -> Iterator[Piece]:
+    counts = [
+        f"{number} {severity.value if severity is Severity.INFO or number == 1 else severity.value + 's'}"
+        for severity in Severity
+        if (number := report.count(severity))
+    ]
+    robots = len(report.targets)
+    what = shown(report.targets[0].path) if robots == 1 else f"{robots} robots"
+    yield Piece(f"{', '.join(counts) or 'no findings'} in {what}{_about(report)}\n", "bold")
+
+
+def _about(report: Report) -> str:
+    """For a single robot, which distro it was judged for and what tells so."""
+    if len(report.targets) != 1:
+        return ""
+    target = report.targets[0]
+    distro = target.distro or (f"ROS {target.ros}" if target.ros else "")
+    source = f", from {target.distro_from}" if target.distro_from and not target.distro_from.startswith("--") else ""
+    partly = "; not all of it could be expanded" if not target.complete else ""
+    return f" ({distro}{source}{partly})" if distro else f" ({partly[2:]})" if partly else ""
