@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import NamedTuple
 
 BOM = b"\xef\xbb\xbf"
@@ -62,8 +61,9 @@ class SourceText:
         starts = self.line_starts()
         if not 0 < number <= len(starts):
             return ""
+        start = len(BOM) if number == 1 and self.data.startswith(BOM) else starts[number - 1]
         end = starts[number] if number < len(starts) else len(self.data)
-        return self.data[starts[number - 1] : end].decode("utf-8", "replace").lstrip("\ufeff").rstrip("\r\n")
+        return self.data[start:end].decode("utf-8", "replace").rstrip("\r\n")
 
     def start_tag(self, offset: int) -> StartTag | None:
         """The start tag at an offset, or None where none stands there (text that an entity brought in)."""
@@ -98,8 +98,7 @@ def _read_start_tag(data: bytes, offset: int) -> StartTag | None:
     )
 
 
-@dataclass(frozen=True, slots=True)
-class SourceSpan:
+class SourceSpan(NamedTuple):
     """A half-open range of byte offsets in one file."""
 
     source: SourceText
