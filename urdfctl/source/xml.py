@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from pyexpat import ExpatError, ParserCreate, XMLParserType
 
@@ -10,6 +11,8 @@ from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import BOM, Call, Place, SourceText
 
 MAX_DEPTH = 200
+_LONGEST_NAME = 40
+_OPEN_REFERENCE = re.compile(rb"&#?\w*[^\w;]?\Z")
 _BOMS_OF_UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 
 
@@ -18,6 +21,9 @@ def parse(
 ) -> Document:
     """The tree of one file. ReadError where it is not well-formed, nested deeper than 200, or (unless
     `declarations`) has a DOCTYPE that declares anything: entities can make a small file endless."""
+    if source.data.startswith(_BOMS_OF_UTF_16):
+        message, hint = "the file is UTF-16; xacro and urdfdom read UTF-8", "save it as UTF-8"
+        raise ReadError(Problem(ProblemKind.XML_SYNTAX, Place(source, 0, end=0), message, hint=hint))
     builder = _Builder(source, cloning or Cloning(), call, declarations=declarations)
     try:
         builder.parser.Parse(source.data, True)  # noqa: FBT003 (expat's call)
@@ -136,9 +142,7 @@ def _syntax_problem(source: SourceText, builder: _Builder, error: ExpatError) ->
     offset = max(0, min(builder.parser.ErrorByteIndex, len(source.data)))
     said = str(error).split(": line ")[0]
     subject, message, hint = "", f"not well-formed XML: {said}", ""
-    if source.data.startswith(_BOMS_OF_UTF_16):
-        message, hint, offset = "the file is UTF-16; xacro and urdfdom read UTF-8", "save it as UTF-8", 0
-    elif not source.data.removeprefix(BOM).strip():
+    if not source.data.removeprefix(BOM).strip():
         message, offset = "the file is empty", 0
     elif said.startswith("XML or text declaration not at start"):
         message = "the XML declaration <?xml ...?> is not at the very start of the file"
@@ -153,6 +157,8 @@ def _syntax_problem(source: SourceText, builder: _Builder, error: ExpatError) ->
         return _mismatched_tag(source, builder, offset)
     elif said.startswith(("no element found", "unclosed token")):
         message, hint = _unfinished(builder, said)
+    elif said.startswith("syntax error"):
+        message = "not XML: a file of XML begins with a tag"
     elif said.startswith("undefined entity"):
         hint = "XML knows only &amp; &lt; &gt; &quot; &apos;"
     elif said.startswith("not well-formed"):
@@ -194,12 +200,16 @@ def _unbound_prefix(source: SourceText, offset: int) -> Problem:
 def _mismatched_tag(source: SourceText, builder: _Builder, offset: int) -> Problem:
     offset = max(source.data.rfind(b"</", 0, offset + 1), 0)
     opened = _open_element(builder)
-    found = source.data[offset : offset + 200].split(b">")[0].decode("utf-8", "replace").strip("</ \t\r\n")
+    found = _tag_name(source, offset + 2)
     message = f"the end tag </{found}> closes nothing that is open"
     if opened is not None:
         line = source.position(opened.start).line
         message = f"<{opened.tagName}> of line {line} is not closed: </{found}> stands where </{opened.tagName}> is due"
     return Problem(ProblemKind.XML_SYNTAX, Place(source, offset, end=_token_end(source, offset)), message)
+
+
+def _tag_name(source: SourceText, offset: int) -> str:
+    return re.split(rb"[\s>]", source.data[offset : offset + 200], maxsplit=1)[0].decode("utf-8", "replace")
 
 
 def _unfinished(builder: _Builder, said: str) -> tuple[str, str]:
@@ -212,17 +222,19 @@ def _unfinished(builder: _Builder, said: str) -> tuple[str, str]:
 
 def _invalid_token(source: SourceText, offset: int) -> tuple[str, str, int]:
     """The message, the way out, and the offset to blame for a byte that cannot stand where it does."""
-    byte = source.data[offset : offset + 1]
     try:
         source.data.decode("utf-8")
     except UnicodeDecodeError as error:
         return f"byte 0x{source.data[error.start]:02x} is not UTF-8", "save the file as UTF-8", error.start
     if b"\x00" in source.data:
         return "the file is binary, no XML", "", source.data.index(b"\x00")
-    if byte == b"&":
-        return "a bare '&' is not XML", "write &amp;", offset
+    reference = _OPEN_REFERENCE.search(source.data, max(0, offset - _LONGEST_NAME), offset + 1)
+    if reference:
+        return "a bare '&' is not XML", "write &amp;", reference.start()
+    if source.data[offset - 1 : offset + 1] == b"</":
+        return f"the end tag </{_tag_name(source, offset + 1)}> closes nothing that is open", "", offset - 1
+    byte = source.data[offset : offset + 1]
     opened = source.data.rfind(b"<", 0, offset)
     if byte == b"<" and opened > source.data.rfind(b">", 0, offset):
-        tag = source.data[opened:offset].split()[0].decode("utf-8", "replace")
-        return f"the tag {tag} is not closed before the next '<'", "end it with '>'", opened
+        return f"the tag <{_tag_name(source, opened + 1)} is not closed before the next '<'", "end it with '>'", opened
     return f"not well-formed XML: unexpected {byte.decode('utf-8', 'replace')!r}", "", offset
