@@ -2,12 +2,48 @@
 
 from __future__ import annotations
 
+import os
+import sys
+
 
 def main() -> None:
-    """Run the command line."""
-    from urdfctl.cli.app import run
+    """Run a command, and turn what it raises into its exit status: 2 for the user's errors, 3 for ours."""
+    from urdfctl.errors import UserError
 
-    run()
+    try:
+        status = _run(sys.argv[1:])
+    except UserError as error:
+        sys.stderr.write(f"urdfctl: {error}\n")
+        status = 2
+    except BrokenPipeError:  # `urdfctl lint | head`
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        status = 1
+    except KeyboardInterrupt:
+        status = 130
+    except Exception:  # noqa: BLE001 (the last place where it can be told)
+        from urdfctl.cli.crash import report_crash
+
+        sys.stderr.write(report_crash())
+        status = 3
+    sys.exit(status)
+
+
+def _run(words: list[str]) -> int:
+    if words[:1] == ["lint"]:
+        from urdfctl.cli.lint_words import plain_options
+
+        options = plain_options(words[1:])
+        if options is not None:
+            from urdfctl.cli.lint_command import lint_words
+
+            return lint_words(**options)
+    from urdfctl.cli.app import app
+
+    try:
+        app()
+    except SystemExit as leaving:
+        return leaving.code if isinstance(leaving.code, int) else 0
+    return 0
 
 
 if __name__ == "__main__":

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from enum import Enum
+from typing import NamedTuple
 
 from urdfctl.source.span import Place, SourceSpan
 
@@ -25,16 +25,14 @@ class Severity(Enum):
         return {"error": 3, "warning": 2, "info": 1}[self.value]
 
 
-@dataclass(frozen=True, slots=True)
-class Edit:
+class Edit(NamedTuple):
     """Bytes of one source file to be replaced."""
 
     span: SourceSpan
     text: str
 
 
-@dataclass(frozen=True, slots=True)
-class Fix:
+class Fix(NamedTuple):
     """A repair: what it does, its edits (none where only a person can make them), and whether it is sure to be meant."""
 
     title: str
@@ -42,16 +40,14 @@ class Fix:
     safe: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class Note:
+class Note(NamedTuple):
     """A further word on a finding, with a place where there is one."""
 
     message: str
     at: Place | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Finding:
+class Finding(NamedTuple):
     """What a rule yields. `severity` is given only where it differs from the rule's own."""
 
     at: Place
@@ -61,8 +57,7 @@ class Finding:
     severity: Severity | None = None
 
 
-@dataclass(frozen=True, slots=True, order=True)
-class Location:
+class Location(NamedTuple):
     """A span as reports show it: lines and columns from 1, offsets in bytes from 0."""
 
     file: str
@@ -74,8 +69,7 @@ class Location:
     end: int
 
 
-@dataclass(frozen=True, slots=True, order=True)
-class Step:
+class Step(NamedTuple):
     """One call on the way to a finding: `what` is `macro wheel`, `include x.xacro` or `block`."""
 
     file: str
@@ -84,16 +78,14 @@ class Step:
     what: str
 
 
-@dataclass(frozen=True, slots=True)
-class Remark:
+class Remark(NamedTuple):
     """A note as reports show it."""
 
     message: str
     at: Location | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Replacement:
+class Replacement(NamedTuple):
     """An edit as reports show it: bytes `start` to `end` of a file become `text`."""
 
     file: str
@@ -102,8 +94,7 @@ class Replacement:
     text: str
 
 
-@dataclass(frozen=True, slots=True)
-class Repair:
+class Repair(NamedTuple):
     """A fix as reports show it."""
 
     title: str
@@ -111,8 +102,7 @@ class Repair:
     edits: tuple[Replacement, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Diagnostic:
+class Diagnostic(NamedTuple):
     """What a user gets: plain data, free of the trees it came from. `excerpt` is the source line it starts on."""
 
     code: str

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from urdfctl.catalog.distros import ALL, ROS1, ROS2
 from urdfctl.model.robot import Robot
@@ -15,8 +15,7 @@ _ROS1_PLUGINS = ("libgazebo_ros_control.so",)
 _ROS2_PLUGINS = ("libgazebo_ros2_control.so", "gz_ros2_control", "ign_ros2_control")
 
 
-@dataclass(frozen=True, slots=True)
-class Evidence:
+class Evidence(NamedTuple):
     """The distro if it is known, those it may be, and from what."""
 
     distro: str | None

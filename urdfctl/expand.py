@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.lint import Selection, lint
@@ -18,8 +17,7 @@ from urdfctl.source.xml_writer import write
 from urdfctl.worker import Limits, run
 
 
-@dataclass(frozen=True, slots=True)
-class Expanded:
+class Expanded(NamedTuple):
     """The text that xacro would write, or None and the problem that ends it; xacro's warnings in both cases."""
 
     text: str | None

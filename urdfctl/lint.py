@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import traceback
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from typing import NamedTuple
 
 from urdfctl.catalog.distros import in_words
 from urdfctl.diagnostic import Diagnostic, Finding, Location, Note, Remark, Severity, diagnosed, located
@@ -17,18 +16,12 @@ from urdfctl.source.span import Place, SourceText
 from urdfctl.source.suppressions import Suppressed
 
 
-@dataclass(frozen=True, slots=True)
-class Selection:
+class Selection(NamedTuple):
     """Which rules are asked: by prefixes of their codes; all where `select` is empty. The longest prefix decides."""
 
     select: tuple[str, ...] = ()
     ignore: tuple[str, ...] = ()
     extend: tuple[str, ...] = ()
-
-    def __post_init__(self) -> None:
-        for prefix in (*self.select, *self.ignore, *self.extend):
-            if not any(rule.code.startswith(prefix) for rule in RULES):
-                raise UserError(f"no rule's code begins with '{prefix}'; see urdfctl rules")
 
     def admits(self, code: str) -> bool:
         """Whether findings of a code are wanted."""
@@ -39,8 +32,16 @@ class Selection:
         return wanted > unwanted
 
 
-@dataclass(frozen=True, slots=True)
-class SuppressionUse:
+def selection(select: Iterable[str] = (), ignore: Iterable[str] = (), extend: Iterable[str] = ()) -> Selection:
+    """A selection whose prefixes all mean something. UserError where one does not."""
+    made = Selection(tuple(select), tuple(ignore), tuple(extend))
+    for prefix in (*made.select, *made.ignore, *made.extend):
+        if not any(rule.code.startswith(prefix) for rule in RULES):
+            raise UserError(f"no rule's code begins with '{prefix}'; see urdfctl rules")
+    return made
+
+
+class SuppressionUse(NamedTuple):
     """One suppressing comment, and whether it silenced anything in one robot."""
 
     at: Location
@@ -49,12 +50,11 @@ class SuppressionUse:
     excerpt: str
 
 
-@dataclass(slots=True)
-class Outcome:
-    """What linting one project gave."""
+class Outcome(NamedTuple):
+    """What linting one project gave; `crashed` where urdfctl itself was at fault."""
 
-    diagnostics: list[Diagnostic] = field(default_factory=list)
-    suppressions: list[SuppressionUse] = field(default_factory=list)
+    diagnostics: list[Diagnostic]
+    suppressions: list[SuppressionUse]
     crashed: bool = False
 
 
@@ -62,7 +62,8 @@ def lint(
     project: Project, sources: Sequence[SourceText], selection: Selection, rules: Iterable[Rule] = RULES
 ) -> Outcome:
     """What the rules find in a project. A rule that crashes is a finding too, and the others go on."""
-    outcome = Outcome()
+    found: list[Diagnostic] = []
+    crashed = False
     suppressed = Suppressed(list(sources))
     for rule in rules:
         if not selection.admits(rule.code) or not _applies(rule, project):
@@ -70,16 +71,19 @@ def lint(
         try:
             for finding in rule.check(project):
                 if not suppressed.covers(rule.code, finding.at):
-                    outcome.diagnostics.append(_diagnostic(rule, project, finding))
+                    found.append(_diagnostic(rule, project, finding))
         except Exception as error:  # noqa: BLE001 (one broken rule must not hide what the others find)
-            outcome.crashed = True
-            outcome.diagnostics.append(_crash(rule, project, error))
+            crashed = True
+            found.append(_crash(rule, project, error))
+    return Outcome(found, list(_uses(suppressed, selection)), crashed)
+
+
+def _uses(suppressed: Suppressed, selection: Selection) -> Iterator[SuppressionUse]:
     for index, item in enumerate(suppressed.all):
         excerpt = item.span.source.line(item.span.source.position(item.span.start).line)
-        codes = tuple(code for code in item.codes if selection.admits(code)) or item.codes
-        used = index in suppressed.used or not any(selection.admits(code) for code in item.codes)
-        outcome.suppressions.append(SuppressionUse(located(item.span), codes, used, excerpt))
-    return outcome
+        asked = [code for code in item.codes if selection.admits(code)]
+        used = index in suppressed.used or not asked
+        yield SuppressionUse(located(item.span), tuple(asked) or item.codes, used, excerpt)
 
 
 def _applies(rule: Rule, project: Project) -> bool:
@@ -91,11 +95,13 @@ def _applies(rule: Rule, project: Project) -> bool:
 def _diagnostic(rule: Rule, project: Project, finding: Finding) -> Diagnostic:
     holds = [distro for distro in project.distros if distro in rule.distros]
     if project.distro is None and len(holds) < len(project.distros):
-        finding = replace(finding, notes=(*finding.notes, Note(f"this holds for {in_words(holds)}")))
+        finding = finding._replace(notes=(*finding.notes, Note(f"this holds for {in_words(holds)}")))
     return diagnosed(rule.code, rule.name, finding.severity or rule.severity, finding)
 
 
 def _crash(rule: Rule, project: Project, error: Exception) -> Diagnostic:
+    import traceback
+
     where = traceback.extract_tb(error.__traceback__)[-1]
     place = project.robot.at if project.robot else Place(SourceText(project.path, b""), 0, end=0)
     message = (
@@ -146,7 +152,7 @@ def _one_of(group: list[Diagnostic]) -> Diagnostic:
     if others:
         shown = "; ".join(others[:3]) + (f"; and {len(others) - 3} more" if len(others) > 3 else "")  # noqa: PLR2004
         notes = (Remark(f"likewise: {shown}"), *notes)
-    return replace(first, expanded_from=tuple(chains), notes=notes)
+    return first._replace(expanded_from=tuple(chains), notes=notes)
 
 
 def _unused(outcomes: Iterable[Outcome], selection: Selection) -> Iterator[Diagnostic]:
@@ -154,7 +160,7 @@ def _unused(outcomes: Iterable[Outcome], selection: Selection) -> Iterator[Diagn
     for outcome in outcomes:
         for use in outcome.suppressions:
             known = uses.get(use.at)
-            uses[use.at] = replace(use, used=use.used or (known is not None and known.used))
+            uses[use.at] = use._replace(used=use.used or (known is not None and known.used))
     rule = UNUSED_SUPPRESSION
     for use in uses.values() if selection.admits(rule.code) else ():
         if not use.used:

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 from urdfctl.diagnostic import Finding, diagnosed
 from urdfctl.evidence import judged
@@ -27,16 +26,14 @@ from urdfctl.worker import Died, Limits, run
 from urdfctl.workspace import workspace_of
 
 
-@dataclass(frozen=True, slots=True)
-class Target:
+class Target(NamedTuple):
     """One robot in one variant: a file and its `name:=value` arguments."""
 
     path: str
     arguments: tuple[tuple[str, str], ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Linted:
+class Linted(NamedTuple):
     """What became of one target. `links` tells how many links its robot has, None where there is no robot."""
 
     path: str
@@ -50,8 +47,7 @@ class Linted:
 
     def to_json(self) -> dict[str, Any]:
         """As plain data."""
-        plain = {name: getattr(self, name) for name in self.__slots__ if name != "outcome"}
-        return {**plain, "outcome": outcome_to_json(self.outcome)}
+        return {**self._asdict(), "outcome": outcome_to_json(self.outcome)}
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Linted:
@@ -169,7 +165,8 @@ def lint_all(
 
 
 def _job(target: Target, settings: Settings, selection: Selection) -> dict[str, Any]:
-    return {"target": asdict(target), "settings": asdict(settings), "selection": asdict(selection)}
+    plain = settings._asdict() | {"environ": dict(settings.environ)}
+    return {"target": target._asdict(), "settings": plain, "selection": selection._asdict()}
 
 
 def _perform_with(loader: Loader, job: dict[str, Any]) -> dict[str, Any]:
@@ -183,7 +180,9 @@ def _target_of(job: dict[str, Any]) -> Target:
 
 def perform(job: dict[str, Any]) -> dict[str, Any]:
     """Lint the target of a job that came as JSON."""
-    plain: dict[str, Any] = {name: tuple(value) if isinstance(value, list) else value for name, value in job["settings"].items()}
+    plain: dict[str, Any] = {
+        name: tuple(value) if isinstance(value, list) else value for name, value in job["settings"].items()
+    }
     selection = Selection(**{name: tuple(value) for name, value in job["selection"].items()})
     return _perform_with(Loader(Settings(**plain), selection), job)
 

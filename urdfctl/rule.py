@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import inspect
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from urdfctl.catalog.distros import ALL
 from urdfctl.diagnostic import Edit, Finding, Fix, Note, Severity
@@ -15,8 +14,7 @@ Check = Callable[[Project], Iterator[Finding]]
 Example = Mapping[str, str]
 
 
-@dataclass(frozen=True, slots=True)
-class Rule:
+class Rule(NamedTuple):
     """A rule as the engine, `urdfctl rules` and `urdfctl explain` see it.
 
     In the texts of `bad_as_written` the place of the expected finding stands between « and ». `options` are those of the
@@ -66,7 +64,7 @@ class Rule:
 
     @property
     def _paragraphs(self) -> list[str]:
-        return [_one_line(part) for part in inspect.cleandoc(self.check.__doc__ or "").split("\n\n")]
+        return [_one_line(part) for part in cleandoc(self.check.__doc__ or "").split("\n\n")]
 
 
 def rule(  # noqa: PLR0913 (each is a thing to be known of a rule)
@@ -93,7 +91,14 @@ def _one_line(text: str) -> str:
 
 
 def _file(content: str) -> str:
-    return inspect.cleandoc(content) + "\n"
+    return cleandoc(content) + "\n"
+
+
+def cleandoc(text: str) -> str:
+    """inspect.cleandoc, imported when somebody reads: lint never does."""
+    import inspect
+
+    return inspect.cleandoc(text)
 
 
 __all__ = ["Edit", "Finding", "Fix", "Note", "Project", "Rule", "Severity", "rule"]

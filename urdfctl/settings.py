@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import NamedTuple
 
 from urdfctl.catalog.distros import ALL, SIMULATORS
 from urdfctl.errors import UserError
@@ -14,8 +15,7 @@ PASSED_ON = ("ROS_", "AMENT_", "COLCON_", "CMAKE_PREFIX_PATH")
 PASSED_ON_NAMES = ("HOME", "LANG")
 
 
-@dataclass(frozen=True, slots=True)
-class Settings:
+class Settings(NamedTuple):
     """The options of every command that reads a robot; times in seconds, memory in bytes."""
 
     distro: str | None = None
@@ -23,20 +23,23 @@ class Settings:
     started: tuple[str, ...] | None = None
     workspace: str | None = None
     package_paths: tuple[str, ...] = ()
-    environ: Mapping[str, str] = field(default_factory=dict)
+    environ: Mapping[str, str] = MappingProxyType({})
     trust: bool = False
     timeout: float = 20.0
     memory: int = 2 << 30
 
-    def __post_init__(self) -> None:
-        if self.distro is not None and self.distro not in ALL:
-            raise UserError(f"unknown distro '{self.distro}'{did_you_mean(self.distro, ALL)}")
-        if self.simulator is not None and self.simulator not in SIMULATORS:
-            known = ", ".join(SIMULATORS)
-            raise UserError(f"unknown simulator '{self.simulator}': one of {known}")
-        for folder in (*self.package_paths, *([self.workspace] if self.workspace else [])):
-            if not os.path.isdir(folder):
-                raise UserError(f"no such folder: '{folder}'")
+
+def checked(settings: Settings) -> Settings:
+    """The settings, if they mean something. UserError where they do not."""
+    if settings.distro is not None and settings.distro not in ALL:
+        raise UserError(f"unknown distro '{settings.distro}'{did_you_mean(settings.distro, ALL)}")
+    if settings.simulator is not None and settings.simulator not in SIMULATORS:
+        known = ", ".join(SIMULATORS)
+        raise UserError(f"unknown simulator '{settings.simulator}': one of {known}")
+    for folder in (*settings.package_paths, *([settings.workspace] if settings.workspace else [])):
+        if not os.path.isdir(folder):
+            raise UserError(f"no such folder: '{folder}'")
+    return settings
 
 
 def passed_on(environ: Mapping[str, str], named: tuple[str, ...] = ()) -> dict[str, str]:

@@ -13,9 +13,8 @@ import signal
 import sys
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from types import FrameType
-from typing import Any
+from typing import Any, NamedTuple
 
 from urdfctl.source.budget import OverBudget
 
@@ -25,8 +24,7 @@ MAX_RESULT = 64 << 20
 CAN_FORK = hasattr(os, "fork") and sys.platform != "win32"
 
 
-@dataclass(frozen=True, slots=True)
-class Limits:
+class Limits(NamedTuple):
     """Seconds and bytes for one job, and the environment it sees."""
 
     seconds: float
@@ -34,8 +32,7 @@ class Limits:
     environ: Mapping[str, str]
 
 
-@dataclass(frozen=True, slots=True)
-class Died:
+class Died(NamedTuple):
     """A worker that gave no result: `why`, in words."""
 
     why: str
@@ -69,9 +66,8 @@ def run(jobs: Sequence[Json], perform: Callable[[Json], Json], limits: Limits, p
             worker.kill()
 
 
-@dataclass(slots=True)
-class _Worker:
-    index: int
+class _Worker(NamedTuple):
+    job: int
     pid: int
     pipe: int
     deadline: float
@@ -161,17 +157,17 @@ def _wait(active: dict[int, _Worker], results: dict[int, Result]) -> None:
     for pipe in readable:
         worker = active[pipe]
         piece = os.read(pipe, 1 << 16)
-        worker.text += piece
+        worker.text.extend(piece)
         if not piece:
             del active[pipe]
-            results[worker.index] = _result(worker)
+            results[worker.job] = _result(worker)
     for worker in list(active.values()):
         too_late = time.monotonic() >= worker.deadline
         if too_late or len(worker.text) > MAX_RESULT:
             del active[worker.pipe]
             worker.kill()
             why = f"it takes longer than {worker.seconds:g} s" if too_late else "its findings are too many to hold"
-            results[worker.index] = Died(why)
+            results[worker.job] = Died(why)
 
 
 def _result(worker: _Worker) -> Result:

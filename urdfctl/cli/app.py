@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import sys
 from typing import Annotated
 
 import typer
@@ -75,25 +73,10 @@ def lint(
 
     Example: urdfctl lint urdf/robot.xacro prefix:=left_ --distro noetic
     """
-    from urdfctl.cli.lint_command import Wanted, run_lint
-    from urdfctl.cli.options import settings_from
+    from urdfctl.cli.lint_command import lint_words
 
-    settings = settings_from(distro, simulator, start, workspace, package_path, env, trust, timeout, memory)
-    wanted = Wanted(
-        tuple(paths or ()),
-        _codes(select),
-        _codes(ignore),
-        _codes(extend_select),
-        tuple(formats or ("text",)),
-        fail_on,
-        exit_zero,
-        jobs,
-    )
-    raise typer.Exit(run_lint(wanted, settings))
-
-
-def _codes(given: list[str] | None) -> tuple[str, ...]:
-    return tuple(code.strip().upper() for item in given or () for code in item.split(",") if code.strip())
+    given = {name: value for name, value in locals().items() if name != "lint_words"}
+    raise typer.Exit(lint_words(**given))
 
 
 @app.command()
@@ -114,7 +97,7 @@ def expand(
     Example: urdfctl expand urdf/robot.xacro prefix:=left_ -o robot.urdf
     """
     from urdfctl.cli.expand_command import run_expand
-    from urdfctl.cli.options import settings_from
+    from urdfctl.cli.words import settings_from
 
     settings = settings_from(None, None, None, workspace, package_path, env, trust, timeout, memory)
     raise typer.Exit(run_expand(file, arguments or [], settings, output, force=force))
@@ -130,8 +113,9 @@ def rules(
     Example: urdfctl rules --select UC2
     """
     from urdfctl.cli.rules_command import run_rules
+    from urdfctl.cli.words import codes
 
-    raise typer.Exit(run_rules(output_format, _codes(select)))
+    raise typer.Exit(run_rules(output_format, codes(select)))
 
 
 @app.command()
@@ -145,22 +129,3 @@ def explain(
     from urdfctl.cli.rules_command import run_explain
 
     raise typer.Exit(run_explain(what))
-
-
-def run() -> None:
-    """Run a command, and turn what it raises into its exit status: 2 for the user's errors, 3 for ours."""
-    from urdfctl.errors import UserError
-
-    try:
-        app()
-    except UserError as error:
-        sys.stderr.write(f"urdfctl: {error}\n")
-        sys.exit(2)
-    except BrokenPipeError:  # `urdfctl lint | head`
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        sys.exit(1)
-    except Exception:  # noqa: BLE001 (the last place where it can be told)
-        from urdfctl.cli.crash import report_crash
-
-        sys.stderr.write(report_crash())
-        sys.exit(3)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 
-from urdfctl.cli.options import split_arguments
+from urdfctl.cli.words import split_arguments
 from urdfctl.cli.writing import write_file
 from urdfctl.errors import UserError
 from urdfctl.expand import expand_one

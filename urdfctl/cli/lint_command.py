@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import os
 import sys
-from dataclasses import dataclass
+from typing import NamedTuple
 
-from urdfctl.cli.options import split_arguments
+from urdfctl.cli.words import codes, settings_from, split_arguments
 from urdfctl.cli.writing import write_file
 from urdfctl.diagnostic import Severity
 from urdfctl.discover import find
 from urdfctl.errors import UserError
 from urdfctl.lint import Selection, joined, worst
+from urdfctl.lint import selection as checked_selection
 from urdfctl.load import Linted, Target, lint_all
 from urdfctl.report import FORMATS
 from urdfctl.report.common import Report
@@ -20,41 +21,67 @@ from urdfctl.settings import Settings
 from urdfctl.suggest import did_you_mean
 
 
-@dataclass(frozen=True, slots=True)
-class Wanted:
-    """What a lint command was asked for."""
+def lint_words(  # noqa: PLR0913, PLR0917 (one for each option)
+    paths: list[str] | None = None,
+    distro: str | None = None,
+    simulator: str | None = None,
+    start: str | None = None,
+    workspace: str | None = None,
+    package_path: list[str] | None = None,
+    env: list[str] | None = None,
+    trust: bool = False,  # noqa: FBT001, FBT002
+    timeout: float = 20.0,
+    memory: int = 2048,
+    select: list[str] | None = None,
+    ignore: list[str] | None = None,
+    extend_select: list[str] | None = None,
+    formats: list[str] | None = None,
+    fail_on: str = "error",
+    exit_zero: bool = False,  # noqa: FBT001, FBT002
+    jobs: int = 0,
+) -> int:
+    """Lint with the options of the command line, report it, and give the exit status."""
+    settings = settings_from(distro, simulator, start, workspace, package_path, env, trust, timeout, memory)
+    wanted = Wanted(
+        tuple(paths or ()),
+        checked_selection(codes(select), codes(ignore), codes(extend_select)),
+        tuple(_output(text) for text in formats or ("text",)),
+        _severity(fail_on),
+        exit_zero,
+        jobs,
+    )
+    return run_lint(wanted, settings)
+
+
+class Wanted(NamedTuple):
+    """What a lint command was asked for; `outputs` are formats with the file they go to, None for standard output."""
 
     words: tuple[str, ...]
-    select: tuple[str, ...]
-    ignore: tuple[str, ...]
-    extend: tuple[str, ...]
-    formats: tuple[str, ...]
-    fail_on: str
+    selection: Selection
+    outputs: tuple[tuple[str, str | None], ...]
+    fail_on: Severity
     exit_zero: bool
     jobs: int
 
 
 def run_lint(wanted: Wanted, settings: Settings) -> int:
     """Lint what the words mean, report it, and give the exit status."""
-    selection = Selection(wanted.select, wanted.ignore, wanted.extend)
-    threshold = _severity(wanted.fail_on)
-    outputs = [_output(text) for text in wanted.formats]
     paths, arguments = split_arguments(wanted.words)
     found = find(paths)
     descriptions = found.descriptions()
     if not descriptions and not found.controllers and not found.launches:
         sys.stderr.write(f"urdfctl: no robot found in {', '.join(paths) or 'this folder'}\n")
     targets = [Target(path, tuple(arguments.items())) for path, _ in descriptions]
-    linted = lint_all(targets, settings, selection, wanted.jobs or None)
+    linted = lint_all(targets, settings, wanted.selection, wanted.jobs or None)
     kept = [one for one, (_, named) in zip(linted, descriptions, strict=True) if named or _is_robot(one)]
     outcomes = [one.outcome for one in kept]
-    report = Report(tuple(kept), tuple(joined(outcomes, selection)))
-    for name, file in outputs:
+    report = Report(tuple(kept), tuple(joined(outcomes, wanted.selection)))
+    for name, file in wanted.outputs:
         _tell(report, name, file)
     if any(outcome.crashed for outcome in outcomes):
         return 3
     gravest = worst(report.findings)
-    return int(gravest is not None and gravest.weight >= threshold.weight and not wanted.exit_zero)
+    return int(gravest is not None and gravest.weight >= wanted.fail_on.weight and not wanted.exit_zero)
 
 
 def _is_robot(linted: Linted) -> bool:

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import os
 from typing import Annotated
 
 import typer
-
-from urdfctl.settings import Settings, passed_on
 
 Arguments = Annotated[
     list[str] | None,
@@ -26,41 +23,3 @@ Environment = Annotated[list[str] | None, typer.Option(help="Let $(env NAME) see
 Trust = Annotated[bool, typer.Option("--trust", help="Read and evaluate whatever the description asks for.")]
 Timeout = Annotated[float, typer.Option(help="Seconds for one robot.")]
 Memory = Annotated[int, typer.Option(help="MiB for one robot.")]
-
-
-def settings_from(  # noqa: PLR0913, PLR0917 (one for each option)
-    distro: str | None,
-    simulator: str | None,
-    start: str | None,
-    workspace: str | None,
-    package_path: list[str] | None,
-    env: list[str] | None,
-    trust: bool,  # noqa: FBT001
-    timeout: float,
-    memory: int,
-) -> Settings:
-    """The settings of a run, from its options and the environment."""
-    started = None if start is None else tuple(name.strip() for name in start.split(",") if name.strip())
-    return Settings(
-        distro,
-        simulator,
-        started,
-        workspace,
-        tuple(package_path or ()),
-        passed_on(os.environ, tuple(env or ())),
-        trust,
-        timeout,
-        memory << 20,
-    )
-
-
-def split_arguments(words: list[str] | tuple[str, ...]) -> tuple[list[str], dict[str, str]]:
-    """Paths and `name:=value` arguments, told apart as xacro does; one without a value is left out, as xacro does."""
-    paths, arguments = [], {}
-    for word in words:
-        name, mark, value = word.partition(":=")
-        if not mark:
-            paths.append(word)
-        elif name.strip() and value.strip():
-            arguments[name.strip()] = value.strip()
-    return paths, arguments

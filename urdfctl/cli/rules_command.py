@@ -11,6 +11,7 @@ import textwrap
 from urdfctl.catalog.distros import in_words
 from urdfctl.errors import UserError
 from urdfctl.lint import Selection, joined
+from urdfctl.lint import selection as checked_selection
 from urdfctl.load import Loader, Target
 from urdfctl.report.common import Report
 from urdfctl.report.text import render
@@ -23,7 +24,7 @@ from urdfctl.suggest import did_you_mean
 
 def run_rules(output_format: str, prefixes: tuple[str, ...]) -> int:
     """List the rules as a table or as JSON."""
-    selection = Selection(select=prefixes)
+    selection = checked_selection(prefixes)
     wanted = [rule for rule in RULES if selection.admits(rule.code)]
     if output_format == "json":
         sys.stdout.write(json.dumps([_plain(rule) for rule in wanted], indent=1) + "\n")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import tempfile
 
 from urdfctl.errors import UserError
 
@@ -26,6 +25,8 @@ def write_file(path: str, text: str, *, force: bool) -> None:
 
 
 def _write_beside(path: str, data: bytes) -> None:
+    import tempfile
+
     handle, temporary = tempfile.mkstemp(prefix=f".{os.path.basename(path)}.", dir=os.path.dirname(path))
     try:
         with os.fdopen(handle, "wb") as file:

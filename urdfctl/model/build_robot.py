@@ -2,22 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TypeVar
+from collections.abc import Callable, Iterator
 
-from urdfctl.model.parts import Number, Reference, Tag, Text
-from urdfctl.model.robot import Gazebo, Geometry, Inertial, Joint, Limit, Link, Mimic, Plugin, Robot
+from urdfctl.model.parts import Number, Reference, Tag, Text, text_of
+from urdfctl.model.robot import (
+    Gazebo,
+    Geometry,
+    Inertial,
+    Joint,
+    Limit,
+    Link,
+    Mesh,
+    MeshFile,
+    Mimic,
+    Plugin,
+    Robot,
+)
 from urdfctl.model.ros2_control import Hardware, Interface, Parameter, Part, Ros2Control
-from urdfctl.model.transmission import Actuator, Transmission, TransmissionEnd, TransmissionJoint
+from urdfctl.model.transmission import Transmission, TransmissionEnd
 from urdfctl.source import dom
 
-_End = TypeVar("_End", bound=TransmissionEnd)
 _READ_OF_AN_END = {"role", "hardwareInterface", "mechanicalReduction", "offset"}
 _TOP_LEVEL = {"link", "joint", "transmission", "gazebo", "ros2_control"}
 _PARTS = {"joint", "sensor", "gpio"}
 
+MeshFinder = Callable[[str], MeshFile | None]
+"""Tells of a mesh's file by the address that the description gives; None where nothing can be told."""
 
-def robot_of(root: dom.Element) -> Robot:
+
+def robot_of(root: dom.Element, find_mesh: MeshFinder | None = None) -> Robot:
     """The robot that a root element describes."""
     by_name: dict[str, list[dom.Element]] = {name: [] for name in _TOP_LEVEL}
     others = []
@@ -25,12 +38,13 @@ def robot_of(root: dom.Element) -> Robot:
         if child.tagName in by_name:
             by_name[child.tagName].append(child)
         else:
-            others.append(_tag(child))
+            others.append(Tag(child))
     nested = list(_nested(root, {"transmission", "ros2_control"}))
+    links = tuple(_link(child) for child in by_name["link"])
     return Robot(
         root.attrs.get("name"),
         root.at,
-        tuple(_link(child) for child in by_name["link"]),
+        links,
         tuple(_joint(child) for child in by_name["joint"]),
         tuple(_transmission(child, root.tagName) for child in by_name["transmission"]),
         tuple(_transmission(child, parent) for child, parent in nested if child.tagName == "transmission"),
@@ -40,6 +54,8 @@ def robot_of(root: dom.Element) -> Robot:
         ),
         tuple(_gazebo(child) for child in by_name["gazebo"]),
         tuple(others),
+        root.tagName,
+        tuple(_meshes(links, find_mesh)),
     )
 
 
@@ -58,35 +74,18 @@ def _nested(root: dom.Element, names: set[str]) -> Iterator[tuple[dom.Element, s
 # -- small parts -----------------------------------------------------------------------------------------------------
 
 
-def _text(element: dom.Element) -> Text:
-    first, comment = element.firstChild, False
-    while isinstance(first, dom.Text):
-        if first.nodeType == dom.COMMENT:
-            comment = True
-        elif first.data.strip():
-            value = first.data.strip()
-            return Text("", element.at, value) if comment else Text(value, element.at)
-        first = first.nextSibling
-    return Text("", element.at)
-
-
-def _tag(element: dom.Element) -> Tag:
-    children = tuple(_tag(child) for child in element.elements()) if element.firstChild is not None else ()
-    return Tag(element.tagName, element.at, element.attrs, _text(element).value if element.firstChild else "", children)
-
-
 def _first(element: dom.Element, name: str) -> dom.Element | None:
     return next((child for child in element.elements() if child.tagName == name), None)
 
 
 def _texts(element: dom.Element, name: str) -> tuple[Text, ...]:
-    return tuple(_text(child) for child in element.elements() if child.tagName == name)
+    return tuple(text_of(child) for child in element.elements() if child.tagName == name)
 
 
 def _number(element: dom.Element | None, attribute: str) -> Number | None:
     if element is None or attribute not in element.attrs:
         return None
-    return Number(element.attrs[attribute], element.at[attribute])
+    return Number(element.attrs[attribute], element.at, attribute)
 
 
 # -- links and joints ------------------------------------------------------------------------------------------------
@@ -100,15 +99,27 @@ def _link(element: dom.Element) -> Link:
         elif child.tagName in ("visual", "collision"):
             geometry = _first(child, "geometry")
             shape = next(geometry.elements(), None) if geometry is not None else None
-            geometries.append(Geometry(child.tagName, child.at, _tag(shape) if shape is not None else None))
-    return Link(element.attrs.get("name"), element.at, tuple(inertials), tuple(geometries), _tag(element))
+            geometries.append(Geometry(child.tagName, child.at, Tag(shape) if shape is not None else None))
+    return Link(element.attrs.get("name"), element.at, tuple(inertials), tuple(geometries), Tag(element))
+
+
+def _meshes(links: tuple[Link, ...], find: MeshFinder | None) -> Iterator[Mesh]:
+    files: dict[str, MeshFile | None] = {}
+    for link in links:
+        for geometry in link.geometries:
+            filename = geometry.shape.attributes.get("filename") if geometry.shape else None
+            if geometry.shape is None or geometry.shape.name != "mesh" or filename is None:
+                continue
+            if filename not in files:
+                files[filename] = find(filename) if find else None
+            yield Mesh(filename, geometry.shape.at["filename"], link.name, files[filename])
 
 
 def _inertial(element: dom.Element) -> Inertial:
     inertia = _first(element, "inertia")
     moments = None
     if inertia is not None:
-        moments = {name: Number(text, inertia.at[name]) for name, text in inertia.attrs.items()}
+        moments = {name: Number(text, inertia.at, name) for name, text in inertia.attrs.items()}
     return Inertial(element.at, _number(_first(element, "mass"), "value"), moments, inertia.at if inertia else None)
 
 
@@ -122,13 +133,13 @@ def _joint(element: dom.Element) -> Joint:
         _number(_first(element, "axis"), "xyz"),
         _limit(_first(element, "limit")),
         _mimic(_first(element, "mimic")),
-        _tag(element),
+        Tag(element),
     )
 
 
 def _reference(element: dom.Element, name: str) -> Reference | None:
     child = _first(element, name)
-    return Reference(child.attrs.get("link"), child.at["link"]) if child is not None else None
+    return Reference(child.attrs.get("link"), child.at, "link") if child is not None else None
 
 
 def _limit(element: dom.Element | None) -> Limit | None:
@@ -152,13 +163,13 @@ def _transmission(element: dom.Element, parent: str) -> Transmission:
     kind = None
     for child in element.elements():
         if child.tagName == "joint":
-            joints.append(_end(child, TransmissionJoint))
+            joints.append(_end(child))
         elif child.tagName == "actuator":
-            actuators.append(_end(child, Actuator))
+            actuators.append(_end(child))
         elif child.tagName == "type" and kind is None:
-            kind = _text(child)
+            kind = text_of(child)
         else:
-            others.append(_tag(child))
+            others.append(Tag(child))
     return Transmission(
         element.attrs.get("name"),
         element.at,
@@ -171,16 +182,16 @@ def _transmission(element: dom.Element, parent: str) -> Transmission:
     )
 
 
-def _end(element: dom.Element, kind: type[_End]) -> _End:
+def _end(element: dom.Element) -> TransmissionEnd:
     role = _first(element, "role")
-    return kind(
+    return TransmissionEnd(
         element.attrs.get("name"),
         element.at,
-        _text(role) if role is not None else None,
+        text_of(role) if role is not None else None,
         _texts(element, "hardwareInterface"),
         _texts(element, "mechanicalReduction"),
         _texts(element, "offset"),
-        tuple(_tag(child) for child in element.elements() if child.tagName not in _READ_OF_AN_END),
+        tuple(Tag(child) for child in element.elements() if child.tagName not in _READ_OF_AN_END),
     )
 
 
@@ -195,9 +206,9 @@ def _ros2_control(element: dom.Element, parent: str) -> Ros2Control:
         elif child.tagName in _PARTS:
             parts.append(_part(child))
         elif child.tagName == "transmission":
-            transmissions.append(_tag(child))
+            transmissions.append(Tag(child))
         else:
-            others.append(_tag(child))
+            others.append(Tag(child))
     return Ros2Control(
         element.attrs.get("name"),
         element.attrs.get("type"),
@@ -212,14 +223,14 @@ def _ros2_control(element: dom.Element, parent: str) -> Ros2Control:
 
 def _parameters(element: dom.Element) -> tuple[Parameter, ...]:
     return tuple(
-        Parameter(child.attrs.get("name"), _text(child).value, child.at)
+        Parameter(child.attrs.get("name"), text_of(child).value, child.at)
         for child in element.elements()
         if child.tagName == "param"
     )
 
 
 def _hardware(element: dom.Element) -> Hardware:
-    others = tuple(_tag(child) for child in element.elements() if child.tagName not in ("plugin", "param"))
+    others = tuple(Tag(child) for child in element.elements() if child.tagName not in ("plugin", "param"))
     return Hardware(element.at, _texts(element, "plugin"), _parameters(element), others)
 
 
@@ -232,7 +243,7 @@ def _part(element: dom.Element) -> Part:
         )
 
     known = ("command_interface", "state_interface", "param")
-    others = tuple(_tag(child) for child in element.elements() if child.tagName not in known)
+    others = tuple(Tag(child) for child in element.elements() if child.tagName not in known)
     commands, states = interfaces("command_interface"), interfaces("state_interface")
     name = element.attrs.get("name")
     return Part(element.tagName, name, element.at, commands, states, _parameters(element), others)
@@ -240,8 +251,8 @@ def _part(element: dom.Element) -> Part:
 
 def _gazebo(element: dom.Element) -> Gazebo:
     plugins = tuple(
-        Plugin(child.attrs.get("name"), child.attrs.get("filename"), child.at, _tag(child))
+        Plugin(child.attrs.get("name"), child.attrs.get("filename"), child.at, Tag(child))
         for child in element.elements()
         if child.tagName == "plugin"
     )
-    return Gazebo(element.attrs.get("reference"), element.at, plugins, _tag(element))
+    return Gazebo(element.attrs.get("reference"), element.at, plugins, Tag(element))

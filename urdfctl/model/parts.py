@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from typing import NamedTuple
 
+from urdfctl.source.dom import COMMENT, Element
+from urdfctl.source.dom import Text as Characters
 from urdfctl.source.span import Place
 
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 _LEADING_NUMBER = re.compile(r"\s*[+-]?((\d+\.?\d*|\.\d+)([eE][+-]?\d+)?|inf(inity)?|nan)", re.IGNORECASE)
 
 
-@dataclass(frozen=True, slots=True)
-class Text:
+class Text(NamedTuple):
     """An element that is read for its text.
 
     `value` is the text as ROS's XML readers give it: blanks around it are cut, and there is none where a comment stands
@@ -25,20 +26,30 @@ class Text:
     hidden: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Reference:
+class Reference(NamedTuple):
     """The name of another part, as an element gives it in an attribute; None where the attribute is missing."""
 
     name: str | None
-    at: Place
+    element: Place
+    attribute: str
+
+    @property
+    def at(self) -> Place:
+        """Where the name stands; the element where it is missing."""
+        return self.element[self.attribute]
 
 
-@dataclass(frozen=True, slots=True)
-class Number:
-    """A number as it is written."""
+class Number(NamedTuple):
+    """A number, or several, as an attribute gives them."""
 
     text: str
-    at: Place
+    element: Place
+    attribute: str
+
+    @property
+    def at(self) -> Place:
+        """Where the attribute's value stands."""
+        return self.element[self.attribute]
 
     @property
     def value(self) -> float | None:
@@ -52,16 +63,52 @@ def leading_number(text: str) -> float | None:
     return float(found.group(0)) if found else None
 
 
-@dataclass(frozen=True, slots=True)
 class Tag:
-    """An element that the model has no type of its own for."""
+    """An element that the model has no type of its own for: a view of the tree, which is never changed through it."""
 
-    name: str
-    at: Place
-    attributes: Mapping[str, str]
-    text: str
-    children: tuple[Tag, ...] = ()
+    __slots__ = ("_element",)
+
+    def __init__(self, element: Element) -> None:
+        self._element = element
+
+    @property
+    def name(self) -> str:
+        """The element's name."""
+        return self._element.tagName
+
+    @property
+    def at(self) -> Place:
+        """Where the element stands."""
+        return self._element.at
+
+    @property
+    def attributes(self) -> Mapping[str, str]:
+        """The attributes by name."""
+        return self._element.attrs
+
+    @property
+    def text(self) -> str:
+        """The text, as `Text.value` has it."""
+        return text_of(self._element).value
+
+    @property
+    def children(self) -> tuple[Tag, ...]:
+        """The elements in it, in order."""
+        return tuple(Tag(child) for child in self._element.elements())
 
     def named(self, name: str) -> Iterator[Tag]:
         """The children of a name."""
-        return (child for child in self.children if child.name == name)
+        return (Tag(child) for child in self._element.elements() if child.tagName == name)
+
+
+def text_of(element: Element) -> Text:
+    """The text of an element, as ROS's XML readers give it."""
+    first, comment = element.firstChild, False
+    while isinstance(first, Characters):
+        if first.nodeType == COMMENT:
+            comment = True
+        elif first.data.strip():
+            value = first.data.strip()
+            return Text("", element.at, value) if comment else Text(value, element.at)
+        first = first.nextSibling
+    return Text("", element.at)

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from urdfctl.catalog.distros import ALL
 from urdfctl.model.robot import Robot
 from urdfctl.source.problem import Problem, ProblemKind
 
 
-@dataclass(frozen=True, slots=True)
-class Project:
+class Project(NamedTuple):
     """One robot in one variant; a run has several.
 
     `distro` is None where neither the user nor the files tell it; `distros` are those that it may be. `started` are the
@@ -25,7 +24,7 @@ class Project:
     distro_from: str | None = None
     simulator: str | None = None
     started: tuple[str, ...] | None = None
-    problems: tuple[Problem, ...] = field(default=())
+    problems: tuple[Problem, ...] = ()
     complete: bool = True
 
     @property

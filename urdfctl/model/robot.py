@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from urdfctl.model.parts import Number, Reference, Tag
 from urdfctl.model.ros2_control import Ros2Control
@@ -13,8 +13,7 @@ from urdfctl.source.span import Place
 MOVING_TYPES = frozenset({"revolute", "continuous", "prismatic", "floating", "planar"})
 
 
-@dataclass(frozen=True, slots=True)
-class Inertial:
+class Inertial(NamedTuple):
     """An `<inertial>`: mass in kg, the six moments (`ixx` to `izz`) in kg m²; None where not written."""
 
     at: Place
@@ -23,8 +22,7 @@ class Inertial:
     inertia_at: Place | None
 
 
-@dataclass(frozen=True, slots=True)
-class Geometry:
+class Geometry(NamedTuple):
     """The shape of a `<visual>` or `<collision>` (`role`): its element, None where it has none."""
 
     role: str
@@ -32,8 +30,7 @@ class Geometry:
     shape: Tag | None
 
 
-@dataclass(frozen=True, slots=True)
-class Link:
+class Link(NamedTuple):
     """A `<link>`; a second `<inertial>` is never read."""
 
     name: str | None
@@ -43,8 +40,7 @@ class Link:
     tag: Tag
 
 
-@dataclass(frozen=True, slots=True)
-class Limit:
+class Limit(NamedTuple):
     """A `<limit>`: rad or m, N m or N, rad/s or m/s; None where not written."""
 
     at: Place
@@ -54,8 +50,7 @@ class Limit:
     velocity: Number | None
 
 
-@dataclass(frozen=True, slots=True)
-class Mimic:
+class Mimic(NamedTuple):
     """A `<mimic>`."""
 
     joint: str | None
@@ -64,8 +59,7 @@ class Mimic:
     offset: Number | None
 
 
-@dataclass(frozen=True, slots=True)
-class Joint:
+class Joint(NamedTuple):
     """A `<joint>` of the robot."""
 
     name: str | None
@@ -84,8 +78,7 @@ class Joint:
         return self.type in MOVING_TYPES
 
 
-@dataclass(frozen=True, slots=True)
-class Plugin:
+class Plugin(NamedTuple):
     """A `<plugin>` of a `<gazebo>` element, with the settings in it."""
 
     name: str | None
@@ -98,8 +91,7 @@ class Plugin:
         return next(self.tag.named(name), None)
 
 
-@dataclass(frozen=True, slots=True)
-class Gazebo:
+class Gazebo(NamedTuple):
     """A `<gazebo>` element; `reference` names a link or joint, None where it speaks of the whole robot."""
 
     reference: str | None
@@ -108,11 +100,33 @@ class Gazebo:
     tag: Tag
 
 
-@dataclass(frozen=True, slots=True)
-class Robot:
+class MeshFile(NamedTuple):
+    """What was learned of the file that a mesh names.
+
+    `package` is the one that its address names, None where it names none; `nearest` the known package or file that is
+    most like the one that was not found.
+    """
+
+    exists: bool
+    package: str | None = None
+    package_found: bool = True
+    nearest: str | None = None
+
+
+class Mesh(NamedTuple):
+    """A `<mesh>` of a visual or collision; `file` is None where nobody looked for it."""
+
+    filename: str
+    at: Place
+    link: str | None
+    file: MeshFile | None
+
+
+class Robot(NamedTuple):
     """A whole description, each part in the order in which it is written.
 
     `transmissions` are those that stand directly in the root, `nested_transmissions` those elsewhere but in `<ros2_control>`.
+    `element` is the root element's name: nothing but `robot` makes a robot of it.
     """
 
     name: str | None
@@ -124,6 +138,8 @@ class Robot:
     ros2_controls: tuple[Ros2Control, ...]
     gazebos: tuple[Gazebo, ...]
     others: tuple[Tag, ...]
+    element: str = "robot"
+    meshes: tuple[Mesh, ...] = ()
 
     def joint(self, name: str) -> Joint | None:
         """The first joint of a name."""

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from urdfctl.model.parts import Tag, Text
 from urdfctl.source.span import Place
 
 
-@dataclass(frozen=True, slots=True)
-class Parameter:
+class Parameter(NamedTuple):
     """A `<param name="...">value</param>`."""
 
     name: str | None
@@ -17,8 +16,7 @@ class Parameter:
     at: Place
 
 
-@dataclass(frozen=True, slots=True)
-class Interface:
+class Interface(NamedTuple):
     """A `<command_interface>` or `<state_interface>`."""
 
     name: str | None
@@ -26,8 +24,7 @@ class Interface:
     parameters: tuple[Parameter, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Part:
+class Part(NamedTuple):
     """A `<joint>`, `<sensor>` or `<gpio>` of a component (`kind`)."""
 
     kind: str
@@ -39,8 +36,7 @@ class Part:
     others: tuple[Tag, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Hardware:
+class Hardware(NamedTuple):
     """The `<hardware>` element: every `<plugin>` it names, and its parameters."""
 
     at: Place
@@ -49,8 +45,7 @@ class Hardware:
     others: tuple[Tag, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Ros2Control:
+class Ros2Control(NamedTuple):
     """One `<ros2_control>` tag. `transmissions` and `others` are kept as they are; `parent` is the element it stands in."""
 
     name: str | None

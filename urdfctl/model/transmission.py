@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from urdfctl.model.parts import Tag, Text
 from urdfctl.source.span import Place
 
 
-@dataclass(frozen=True, slots=True)
-class TransmissionEnd:
+class TransmissionEnd(NamedTuple):
     """What a transmission's joint and its actuator have in common.
 
     `interfaces`, `reductions` and `offsets` hold every such child, empty ones too; `others` the children that no reader
@@ -30,18 +29,11 @@ class TransmissionEnd:
         return tuple(interface for interface in self.interfaces if interface.value)
 
 
-@dataclass(frozen=True, slots=True)
-class TransmissionJoint(TransmissionEnd):
-    """The joint side."""
+TransmissionJoint = TransmissionEnd
+Actuator = TransmissionEnd
 
 
-@dataclass(frozen=True, slots=True)
-class Actuator(TransmissionEnd):
-    """The motor side."""
-
-
-@dataclass(frozen=True, slots=True)
-class Transmission:
+class Transmission(NamedTuple):
     """One `<transmission>`. `type` is its first `<type>` child; `type_attribute` belongs to the PR2's form.
 
     `parent` is the name of the element it stands in: ros_control reads children of the root element only.

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from urdfctl.diagnostic import Diagnostic, Location, Severity
 from urdfctl.load import Linted
 
 
-@dataclass(frozen=True, slots=True)
-class Report:
+class Report(NamedTuple):
     """What a run found: the robots it looked at, and the findings in their stable order."""
 
     targets: tuple[Linted, ...]
@@ -31,16 +29,16 @@ def shown(path: str) -> str:
 def relative(diagnostic: Diagnostic) -> Diagnostic:
     """A diagnostic whose paths are as reports show them."""
     fix = diagnostic.fix
-    return replace(
-        diagnostic,
+    if fix:
+        fix = fix._replace(edits=tuple(edit._replace(file=shown(edit.file)) for edit in fix.edits))
+    chains = diagnostic.expanded_from
+    return diagnostic._replace(
         at=_located(diagnostic.at),
-        expanded_from=tuple(
-            tuple(replace(step, file=shown(step.file)) for step in chain) for chain in diagnostic.expanded_from
-        ),
-        notes=tuple(replace(note, at=_located(note.at) if note.at else None) for note in diagnostic.notes),
-        fix=replace(fix, edits=tuple(replace(edit, file=shown(edit.file)) for edit in fix.edits)) if fix else None,
+        expanded_from=tuple(tuple(step._replace(file=shown(step.file)) for step in chain) for chain in chains),
+        notes=tuple(note._replace(at=_located(note.at) if note.at else None) for note in diagnostic.notes),
+        fix=fix,
     )
 
 
 def _located(at: Location) -> Location:
-    return replace(at, file=shown(at.file))
+    return at._replace(file=shown(at.file))

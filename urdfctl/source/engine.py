@@ -6,6 +6,7 @@ object of its own, which never stands in `sys.modules` under xacro's name.
 
 from __future__ import annotations
 
+import builtins
 import importlib
 import importlib.util
 import itertools
@@ -14,6 +15,7 @@ import sys
 from functools import lru_cache
 from importlib.machinery import SourceFileLoader
 from types import CodeType, ModuleType
+from typing import Any
 
 from urdfctl.errors import UserError
 
@@ -42,10 +44,10 @@ def _location() -> str:
     raise UserError("the package xacro is not installed: pip install 'xacro>=2.1,<3'")
 
 
-@lru_cache(1)
-def _code() -> CodeType:
-    loader = SourceFileLoader("xacro", os.path.join(_location(), "__init__.py"))
-    code = loader.get_code("xacro")
+@lru_cache(2)
+def _code(part: str) -> CodeType:
+    loader = SourceFileLoader(f"xacro.{part}", os.path.join(_location(), f"{part}.py"))
+    code = loader.get_code(f"xacro.{part}")
     if code is None:  # pragma: no cover (a source file always has code)
         raise UserError(f"the package xacro at {_location()} cannot be loaded")
     return code
@@ -54,7 +56,6 @@ def _code() -> CodeType:
 def load() -> ModuleType:
     """A fresh xacro module. UserError where the installed one is not of a kind that we know how to drive."""
     name = f"_urdfctl_xacro_{next(_numbers)}"
-    _defer_yaml()
     command_line = ModuleType(f"{name}.cli")  # never used here, and optparse is dear
     command_line.process_args = None  # type: ignore[attr-defined]
     sys.modules[command_line.__name__] = command_line
@@ -64,7 +65,7 @@ def load() -> ModuleType:
         raise UserError(f"the package xacro at {_location()} cannot be loaded")
     module = importlib.util.module_from_spec(spec)
     sys.modules[name] = module
-    exec(_code(), module.__dict__)  # noqa: S102 (the installed package's own code)
+    exec(_code("__init__"), module.__dict__)  # noqa: S102 (the installed package's own code)
     missing = [needed for needed in REQUIRED if not hasattr(module, needed)]
     if missing:
         where = f"the package xacro at {_location()}"
@@ -73,24 +74,30 @@ def load() -> ModuleType:
 
 
 def substitutions(module: ModuleType) -> ModuleType:
-    """The module of a private xacro that resolves `$(...)`."""
-    return importlib.import_module(f"{module.__name__}.substitution_args")
+    """The module of a private xacro that resolves `$(...)`. It imports yaml, and hardly ever needs it: so it gets a
+    stand-in that becomes yaml when it is asked for anything."""
+    name = f"{module.__name__}.substitution_args"
+    path = os.path.join(_location(), "substitution_args.py")
+    spec = importlib.util.spec_from_file_location(name, path)
+    if spec is None:  # pragma: no cover (a path that ends in .py always has a spec)
+        raise UserError(f"the package xacro at {_location()} cannot be loaded")
+    made = importlib.util.module_from_spec(spec)
+    made.__dict__["__builtins__"] = {**vars(builtins), "__import__": _import_but_yaml}
+    sys.modules[name] = made
+    exec(_code("substitution_args"), made.__dict__)  # noqa: S102 (the installed package's own code)
+    return made
+
+
+def _import_but_yaml(name: str, *rest: Any) -> Any:
+    return _Yaml("yaml") if name == "yaml" and name not in sys.modules else __import__(name, *rest)
+
+
+class _Yaml(ModuleType):
+    def __getattr__(self, name: str) -> Any:
+        return getattr(importlib.import_module("yaml"), name)
 
 
 def release(module: ModuleType) -> None:
     """Forget a private xacro."""
     for name in [n for n in sys.modules if n == module.__name__ or n.startswith(module.__name__ + ".")]:
         del sys.modules[name]
-
-
-def _defer_yaml() -> None:
-    """Let `import yaml` cost nothing until a YAML file is really read: xacro imports it for every `$(find ...)`."""
-    if "yaml" in sys.modules:
-        return
-    spec = importlib.util.find_spec("yaml")
-    if spec is None or spec.loader is None:  # pragma: no cover (a dependency of ours)
-        raise UserError("the package pyyaml is not installed: pip install pyyaml")
-    spec.loader = loader = importlib.util.LazyLoader(spec.loader)
-    module = importlib.util.module_from_spec(spec)
-    sys.modules["yaml"] = module
-    loader.exec_module(module)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum, auto
+from typing import NamedTuple
 
 from urdfctl.source.span import Place
 
@@ -32,8 +32,7 @@ class ProblemKind(Enum):
     UNUSED_ARGUMENT = auto()
 
 
-@dataclass(frozen=True, slots=True)
-class Problem:
+class Problem(NamedTuple):
     """One thing that reading met. `subject` is the name it is about, `hint` the way out where there is one."""
 
     kind: ProblemKind

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from urdfctl.source.span import Call, Place, SourceSpan, SourceText
 
 _COMMENT = re.compile(rb"urdfctl:\s*ignore\[([A-Za-z0-9_, \t-]*)\]")
 
 
-@dataclass(frozen=True, slots=True)
-class Suppression:
+class Suppression(NamedTuple):
     """One comment: the codes (or prefixes of codes) that it silences on its own line and on the next."""
 
     span: SourceSpan

@@ -8,9 +8,8 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from types import FrameType, ModuleType
-from typing import Any
+from typing import Any, NamedTuple
 
 from urdfctl.source import engine, xacro_hooks
 from urdfctl.source.budget import MAX_CALL_DEPTH, MAX_CALLS, MAX_ELEMENTS, MAX_PROBLEMS, OverBudget
@@ -33,12 +32,11 @@ _CONSEQUENCES = {
 }
 
 
-@dataclass(slots=True)
-class Expansion:
+class Expansion(NamedTuple):
     """What became of one file: the expanded tree, what was met on the way, and whether nothing had to be left out."""
 
     document: Document | None
-    problems: list[Problem] = field(default_factory=list)
+    problems: list[Problem]
 
     @property
     def complete(self) -> bool:

@@ -1,0 +1,52 @@
+"""What the words of a command line mean, once they are told apart."""
+
+from __future__ import annotations
+
+import os
+
+from urdfctl.settings import Settings, checked, passed_on
+
+
+def codes(given: list[str] | None) -> tuple[str, ...]:
+    """The codes, or beginnings of codes, that a repeatable option lists."""
+    return tuple(code.strip().upper() for item in given or () for code in item.split(",") if code.strip())
+
+
+def settings_from(  # noqa: PLR0913, PLR0917 (one for each option)
+    distro: str | None,
+    simulator: str | None,
+    start: str | None,
+    workspace: str | None,
+    package_path: list[str] | None,
+    env: list[str] | None,
+    trust: bool,  # noqa: FBT001
+    timeout: float,
+    memory: int,
+) -> Settings:
+    """The settings of a run, from its options and the environment."""
+    started = None if start is None else tuple(name.strip() for name in start.split(",") if name.strip())
+    return checked(
+        Settings(
+            distro,
+            simulator,
+            started,
+            workspace,
+            tuple(package_path or ()),
+            passed_on(os.environ, tuple(env or ())),
+            trust,
+            timeout,
+            memory << 20,
+        )
+    )
+
+
+def split_arguments(words: list[str] | tuple[str, ...]) -> tuple[list[str], dict[str, str]]:
+    """Paths and `name:=value` arguments, told apart as xacro does; one without a value is left out, as xacro does."""
+    paths, arguments = [], {}
+    for word in words:
+        name, mark, value = word.partition(":=")
+        if not mark:
+            paths.append(word)
+        elif name.strip() and value.strip():
+            arguments[name.strip()] = value.strip()
+    return paths, arguments
