@@ -2,11 +2,23 @@
 
 from __future__ import annotations
 
-from urdfctl.catalog.distros import since
-from urdfctl.model.project import Project
-from urdfctl.model.transmission import Transmission
+from collections.abc import Iterable, Iterator
 
-PREFIX = "hardware_interface/"
+from urdfctl.catalog.distros import since
+from urdfctl.diagnostic import Edit, Severity
+from urdfctl.model.parts import Tag, Text
+from urdfctl.model.project import Project
+from urdfctl.model.robot import Joint, Plugin
+from urdfctl.model.transmission import Transmission, TransmissionEnd
+from urdfctl.rules.transmissions.facts import NO_PLUGIN_TYPES, PREFIX
+from urdfctl.source.span import Place
+from urdfctl.source.xacro import UNKNOWN
+
+_CONTROL_PLUGIN = "libgazebo_ros_control.so"
+_DEFAULT_SIMULATION = ("", "gazebo_ros_control/DefaultRobotHWSim")
+
+
+# -- what is read ----------------------------------------------------------------------------------------------------
 
 
 def read_transmissions(project: Project) -> tuple[Transmission, ...]:
@@ -16,8 +28,88 @@ def read_transmissions(project: Project) -> tuple[Transmission, ...]:
     return tuple(transmission for transmission in project.robot.transmissions if not transmission.is_pr2)
 
 
+def named_joints(project: Project) -> Iterator[tuple[Transmission, TransmissionEnd, str]]:
+    """The joints of the transmissions that are read, each with its transmission and its name, where that is known."""
+    for transmission in read_transmissions(project):
+        for joint in transmission.joints:
+            if joint.name and is_known(joint.name):
+                yield transmission, joint, joint.name
+
+
+def joints_by_name(project: Project) -> dict[str, Joint]:
+    """The robot's joints; of those with one name the first."""
+    joints: dict[str, Joint] = {}
+    for joint in project.robot.joints if project.robot else ():
+        joints.setdefault(joint.name or "", joint)
+    return joints
+
+
+def is_known(*texts: str | None) -> bool:
+    """Whether all of some texts could be worked out: of others nothing may be claimed."""
+    return not any(text and UNKNOWN in text for text in texts)
+
+
+def is_whole(project: Project, at: Place) -> bool:
+    """Whether what an element lacks is truly absent: nothing was cut out of it when expansion failed somewhere."""
+    return project.complete or at.closing is None or b"<xacro:" not in at.source.data[at.start : at.closing]
+
+
+def takes_empty_names(project: Project) -> bool:
+    """Whether the parser takes an empty name: hydro's does."""
+    return project.distro == "hydro"
+
+
+def is_of_another_package(transmission: Transmission) -> bool:
+    """Whether its type may be a plugin of another package, which reads what it likes."""
+    kind = transmission.type.value if transmission.type else ""
+    return "/" in kind and not kind.startswith(NO_PLUGIN_TYPES)
+
+
+def misspelt(tags: Iterable[Tag], name: str) -> Tag | None:
+    """The first of some elements that is spelt like a name but for case, underscores and hyphens."""
+    return next((tag for tag in tags if tag.name != name and _folded(tag.name) == _folded(name)), None)
+
+
+def _folded(name: str) -> str:
+    return name.lower().replace("_", "").replace("-", "")
+
+
+# -- how bad it is ---------------------------------------------------------------------------------------------------
+
+
+def control_plugins(project: Project) -> tuple[Plugin, ...]:
+    """The gazebo_ros_control plugins that the robot loads."""
+    plugins = project.robot.plugins if project.robot else ()
+    return tuple(p for p in plugins if (p.filename or "").strip().rsplit("/")[-1] == _CONTROL_PLUGIN)
+
+
+def in_gazebo(project: Project) -> Severity | None:
+    """How bad it is what Gazebo's default hardware simulation refuses; None where that does not run the robot.
+
+    An error where it is known to run it: the user says so, or the robot loads its plugin and no hardware is named.
+    """
+    plugins = control_plugins(project)
+    default = [plugin for plugin in plugins if _simulation(plugin) in _DEFAULT_SIMULATION]
+    if project.simulator not in (None, "gazebo-classic") or (plugins and not default):
+        return None
+    return Severity.ERROR if default or project.simulator else Severity.WARNING
+
+
+def _simulation(plugin: Plugin) -> str:
+    setting = plugin.setting("robotSimType")
+    return setting.text.strip() if setting else ""
+
+
+def on_hardware(project: Project) -> Severity:
+    """How bad it is what only real hardware's loader refuses: an error where nothing but hardware runs it."""
+    return Severity.ERROR if project.simulator == "none" else Severity.WARNING
+
+
+# -- what would be right ---------------------------------------------------------------------------------------------
+
+
 def takes_prefix(project: Project) -> bool:
-    """Whether Gazebo's hardware simulation takes `hardware_interface/...`: from kinetic on (default_robot_hw_sim.cpp)."""
+    """Whether Gazebo's hardware simulation takes `hardware_interface/...`: from kinetic on."""
     return bool(set(project.distros) & set(since("kinetic")))
 
 
@@ -25,3 +117,21 @@ def with_prefix(interface: str, project: Project) -> str:
     """An interface's name in the form that the project's distro takes."""
     bare = interface.removeprefix(PREFIX)
     return PREFIX + bare if takes_prefix(project) else bare
+
+
+def in_place_of(text: Text, right: str) -> tuple[Edit, ...]:
+    """The edit that replaces an element's text; none where the source does not write it literally."""
+    span = text.at.content.span
+    return (Edit(span, right),) if span.text == text.value else ()
+
+
+def in_place_of_name(at: Place, name: str, right: str) -> tuple[Edit, ...]:
+    """The edit that replaces an element's name; none where the source does not write it literally."""
+    span = at["name"].span
+    return (Edit(span, right),) if span.text == name else ()
+
+
+def listed(words: Iterable[str]) -> str:
+    """`'a', 'b' and 'c'`."""
+    *most, last = [f"'{word}'" for word in words]
+    return f"{', '.join(most)} and {last}" if most else last

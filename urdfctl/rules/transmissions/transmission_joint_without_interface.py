@@ -5,17 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
-from urdfctl.model.transmission import Transmission, TransmissionJoint
+from urdfctl.model.transmission import Transmission, TransmissionEnd
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
-from urdfctl.rules.transmissions.common import PREFIX, read_transmissions, with_prefix
+from urdfctl.rules.transmissions.common import is_whole, misspelt, read_transmissions, with_prefix
+from urdfctl.rules.transmissions.facts import PREFIX
 
 
 @rule(
     "UC201",
     severity=Severity.ERROR,
     distros=since("indigo"),
-    authority="ros_control transmission_interface/src/transmission_parser.cpp: "
-    "'No valid hardware interface element found in joint'",
+    authority="ros_control transmission_interface/src/transmission_parser.cpp: 'No valid hardware interface element "
+    "found in joint'",
     bad={
         "robot.urdf": """
             <transmission name="elbow_trans">
@@ -50,11 +51,11 @@ def transmission_joint_without_interface(project: Project) -> Iterator[Finding]:
     """
     for transmission in read_transmissions(project):
         for joint in transmission.joints:
-            if joint.name and not joint.named_interfaces:
+            if joint.name and not joint.named_interfaces and is_whole(project, joint.at):
                 yield _finding(transmission, joint, project)
 
 
-def _finding(transmission: Transmission, joint: TransmissionJoint, project: Project) -> Finding:
+def _finding(transmission: Transmission, joint: TransmissionEnd, project: Project) -> Finding:
     notes = list(_why(transmission, joint))
     known = _intended(transmission, joint)
     example = with_prefix(known or "EffortJointInterface", project)
@@ -67,22 +68,18 @@ def _finding(transmission: Transmission, joint: TransmissionJoint, project: Proj
     return Finding(joint.at, message, tuple(notes), Fix(title))
 
 
-def _intended(transmission: Transmission, joint: TransmissionJoint) -> str | None:
+def _intended(transmission: Transmission, joint: TransmissionEnd) -> str | None:
     """The interface that was meant: misspelt in the joint, hidden by a comment, or in the actuator."""
-    written = [other.text for other in joint.others if _is_misspelt(other.name) and other.text]
+    written = misspelt(joint.others, "hardwareInterface")
     hidden = [interface.hidden for interface in joint.interfaces if interface.hidden]
     by_actuators = [i.value for actuator in transmission.actuators for i in actuator.named_interfaces]
-    return next(iter([*written, *hidden, *by_actuators]), None)
+    return next(iter([written.text] if written and written.text else [*hidden, *by_actuators]), None)
 
 
-def _is_misspelt(name: str) -> bool:
-    return name != "hardwareInterface" and name.lower().replace("_", "").replace("-", "") == "hardwareinterface"
-
-
-def _why(transmission: Transmission, joint: TransmissionJoint) -> Iterator[Note]:
-    for other in joint.others:
-        if _is_misspelt(other.name):
-            yield Note(f"<{other.name}> is not read: the element is spelt <hardwareInterface>", other.at)
+def _why(transmission: Transmission, joint: TransmissionEnd) -> Iterator[Note]:
+    written = misspelt(joint.others, "hardwareInterface")
+    if written:
+        yield Note(f"<{written.name}> is not read: the element is spelt <hardwareInterface>", written.at)
     for interface in joint.interfaces:
         if interface.hidden:
             yield Note("a comment stands before the text, and ROS 1's XML reader gives nothing then", interface.at)
