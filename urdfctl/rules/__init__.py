@@ -22,6 +22,9 @@ from urdfctl.rules.reading.unknown_macro import unknown_macro
 from urdfctl.rules.reading.xacro_fails import xacro_fails
 from urdfctl.rules.reading.xacro_warns import xacro_warns
 from urdfctl.rules.reading.xml_not_well_formed import xml_not_well_formed
+from urdfctl.rules.transmissions.hardware_interface_prefix_too_early import hardware_interface_prefix_too_early
+from urdfctl.rules.transmissions.hardware_interface_unknown import hardware_interface_unknown
+from urdfctl.rules.transmissions.hardware_interface_without_prefix import hardware_interface_without_prefix
 from urdfctl.rules.transmissions.transmission_joint_without_interface import transmission_joint_without_interface
 
 CRASHED = rule_crashed
@@ -49,4 +52,7 @@ RULES: tuple[Rule, ...] = (
     macro_defined_twice,
     suppression_unused,
     transmission_joint_without_interface,
+    hardware_interface_without_prefix,
+    hardware_interface_unknown,
+    hardware_interface_prefix_too_early,
 )

@@ -1,0 +1,103 @@
+"""UC203."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import since
+from urdfctl.model.parts import Text
+from urdfctl.rule import Finding, Fix, Project, Severity, rule
+from urdfctl.rules.transmissions.common import in_gazebo, in_place_of, is_known, listed, named_joints, with_prefix
+from urdfctl.rules.transmissions.facts import (
+    GAZEBO_INTERFACES,
+    HARDWARE_INTERFACES,
+    PACKAGE,
+    PREFIX,
+    ROS2_WORDS,
+)
+from urdfctl.suggest import nearest
+
+
+@rule(
+    "UC203",
+    severity=Severity.ERROR,
+    distros=since("indigo"),
+    authority="gazebo_ros_pkgs gazebo_ros_control/src/default_robot_hw_sim.cpp: 'No matching hardware interface "
+    "found for'; ros_control transmission_interface/src/transmission_interface_loader.cpp: 'Failed to "
+    "process the '",
+    bad={
+        "robot.urdf": """
+            <transmission name="elbow_trans">
+              <type>transmission_interface/SimpleTransmission</type>
+              <joint name="elbow">
+                <hardwareInterface>«hardware_interface/effortJointInterface»</hardwareInterface>
+              </joint>
+              <actuator name="elbow_motor">
+                <mechanicalReduction>1</mechanicalReduction>
+              </actuator>
+            </transmission>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <transmission name="elbow_trans">
+              <type>transmission_interface/SimpleTransmission</type>
+              <joint name="elbow">
+                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+              </joint>
+              <actuator name="elbow_motor">
+                <mechanicalReduction>1</mechanicalReduction>
+              </actuator>
+            </transmission>
+        """,
+    },
+)
+def hardware_interface_unknown(project: Project) -> Iterator[Finding]:
+    """A transmission's joint names a hardware interface that is not known.
+
+    Gazebo's hardware simulation knows three; at another it stops, and there is no controller manager at all. The
+    loader of real hardware skips the interface. Those of other packages are for the hardware of these packages.
+    """
+    for transmission, joint, name in named_joints(project):
+        for index, interface in enumerate(joint.named_interfaces):
+            meant = _meant(interface.value)
+            severity = _severity(project, interface, meant, first=index == 0)
+            if severity is None or not is_known(interface.value):
+                continue
+            known = listed(with_prefix(short, project) for short in GAZEBO_INTERFACES)
+            right = with_prefix(meant, project) if meant else None
+            reason = f"did you mean '{right}'?" if right else f"Gazebo's hardware simulation knows {known}"
+            message = f"unknown interface '{interface.value}' for joint '{name}' of {transmission.label}; {reason}"
+            fix = Fix(f"write '{right}'", in_place_of(interface, right)) if right else None
+            yield Finding(interface.at.content, message, fix=fix, severity=severity)
+
+
+def _severity(project: Project, interface: Text, meant: str | None, *, first: bool) -> Severity | None:
+    """None where the interface is known, or nobody can tell. Gazebo looks at a joint's first interface only."""
+    short = interface.value.removeprefix(PREFIX)
+    simulated = in_gazebo(project) if first else None
+    if short in GAZEBO_INTERFACES:
+        return None
+    if short in HARDWARE_INTERFACES:
+        return simulated if simulated is Severity.ERROR else None
+    if meant is None and "/" in interface.value and not interface.value.startswith((PREFIX, PACKAGE)):
+        return _of_another_package(project) if simulated is Severity.ERROR else None
+    if simulated is Severity.ERROR or (project.simulator == "none" and first):
+        return Severity.ERROR
+    if project.simulator == "gazebo-classic":
+        return None
+    return Severity.ERROR if meant and first and project.simulator is None else Severity.WARNING
+
+
+def _of_another_package(project: Project) -> Severity:
+    return Severity.ERROR if project.simulator == "gazebo-classic" else Severity.INFO
+
+
+def _meant(text: str) -> str | None:
+    """The interface that a text misspells: in case or letters, with `::`, from a wrong package, or as ROS 2 has it."""
+    package, slash, short = text.replace("::", "/").rpartition("/")
+    own = (PREFIX.rstrip("/"), PACKAGE.rstrip("/"))
+    if slash and package not in own and nearest(package, own) is None:
+        return None
+    known = (*GAZEBO_INTERFACES, *HARDWARE_INTERFACES)
+    return ROS2_WORDS.get(short.lower()) or (short if short in known else nearest(short, known))
