@@ -26,6 +26,8 @@ from urdfctl.rules.transmissions.hardware_interface_prefix_too_early import hard
 from urdfctl.rules.transmissions.hardware_interface_unknown import hardware_interface_unknown
 from urdfctl.rules.transmissions.hardware_interface_without_prefix import hardware_interface_without_prefix
 from urdfctl.rules.transmissions.transmission_joint_without_interface import transmission_joint_without_interface
+from urdfctl.rules.transmissions.transmission_type_unknown import transmission_type_unknown
+from urdfctl.rules.transmissions.transmission_without_type import transmission_without_type
 
 CRASHED = rule_crashed
 OVER_BUDGET = over_budget
@@ -54,5 +56,7 @@ RULES: tuple[Rule, ...] = (
     transmission_joint_without_interface,
     hardware_interface_without_prefix,
     hardware_interface_unknown,
+    transmission_without_type,
+    transmission_type_unknown,
     hardware_interface_prefix_too_early,
 )
