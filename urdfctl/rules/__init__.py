@@ -25,6 +25,10 @@ from urdfctl.rules.reading.xml_not_well_formed import xml_not_well_formed
 from urdfctl.rules.transmissions.hardware_interface_prefix_too_early import hardware_interface_prefix_too_early
 from urdfctl.rules.transmissions.hardware_interface_unknown import hardware_interface_unknown
 from urdfctl.rules.transmissions.hardware_interface_without_prefix import hardware_interface_without_prefix
+from urdfctl.rules.transmissions.joint_in_two_transmissions import joint_in_two_transmissions
+from urdfctl.rules.transmissions.mimic_joint_in_transmission import mimic_joint_in_transmission
+from urdfctl.rules.transmissions.transmission_joint_cannot_be_driven import transmission_joint_cannot_be_driven
+from urdfctl.rules.transmissions.transmission_joint_unknown import transmission_joint_unknown
 from urdfctl.rules.transmissions.transmission_joint_without_interface import transmission_joint_without_interface
 from urdfctl.rules.transmissions.transmission_type_unknown import transmission_type_unknown
 from urdfctl.rules.transmissions.transmission_without_type import transmission_without_type
@@ -58,5 +62,9 @@ RULES: tuple[Rule, ...] = (
     hardware_interface_unknown,
     transmission_without_type,
     transmission_type_unknown,
+    transmission_joint_unknown,
+    transmission_joint_cannot_be_driven,
+    joint_in_two_transmissions,
+    mimic_joint_in_transmission,
     hardware_interface_prefix_too_early,
 )

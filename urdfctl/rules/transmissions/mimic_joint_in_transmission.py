@@ -1,0 +1,79 @@
+"""UC224."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS1
+from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rules.transmissions.common import joints_by_name, named_joints
+
+
+@rule(
+    "UC224",
+    severity=Severity.WARNING,
+    distros=ROS1,
+    authority="gazebo_ros_pkgs gazebo_ros_control/src/default_robot_hw_sim.cpp registers each joint of a "
+    "transmission by itself; neither it nor ros_control reads <mimic>",
+    bad={
+        "robot.urdf": """
+            <link name="finger">
+              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+            </link>
+            <joint name="finger_joint" type="revolute">
+              <parent link="fore"/><child link="finger"/><axis xyz="0 0 1"/>
+              <limit lower="-1" upper="1" effort="10" velocity="2"/>
+              <mimic joint="elbow"/>
+            </joint>
+            <transmission name="finger_trans">
+              <type>transmission_interface/SimpleTransmission</type>
+              <joint name="«finger_joint»">
+                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+              </joint>
+              <actuator name="finger_motor">
+                <mechanicalReduction>1</mechanicalReduction>
+              </actuator>
+            </transmission>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <link name="finger">
+              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+            </link>
+            <joint name="finger_joint" type="revolute">
+              <parent link="fore"/><child link="finger"/><axis xyz="0 0 1"/>
+              <limit lower="-1" upper="1" effort="10" velocity="2"/>
+              <mimic joint="elbow"/>
+            </joint>
+            <transmission name="elbow_trans">
+              <type>transmission_interface/SimpleTransmission</type>
+              <joint name="elbow">
+                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+              </joint>
+              <actuator name="elbow_motor">
+                <mechanicalReduction>1</mechanicalReduction>
+              </actuator>
+            </transmission>
+        """,
+    },
+)
+def mimic_joint_in_transmission(project: Project) -> Iterator[Finding]:
+    """A transmission drives a joint that is to mimic another one.
+
+    ros_control does not read <mimic>: the joint is a plain one that waits for commands of its own and does not
+    follow.
+    """
+    joints = joints_by_name(project)
+    for transmission, joint, name in named_joints(project):
+        driven = joints.get(name)
+        if driven is not None and driven.mimic is not None:
+            message = (
+                f"{transmission.label} drives joint '{name}', which is to mimic '{driven.mimic.joint}': "
+                f"ros_control does not read <mimic>"
+            )
+            note = Note(
+                "let controllers command both joints, or a plugin that mimics drive this one without a transmission",
+                driven.mimic.at,
+            )
+            yield Finding(joint.at["name"], message, (note,))

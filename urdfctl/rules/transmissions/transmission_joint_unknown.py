@@ -1,0 +1,76 @@
+"""UC206."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS1
+from urdfctl.model.robot import Robot
+from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
+from urdfctl.rules.transmissions.common import in_gazebo, in_place_of_name, joints_by_name, named_joints
+from urdfctl.suggest import nearest
+
+
+@rule(
+    "UC206",
+    severity=Severity.ERROR,
+    distros=ROS1,
+    authority="gazebo_ros_pkgs gazebo_ros_control/src/default_robot_hw_sim.cpp: 'This robot has a joint named "
+    '"<joint>" which is not in the gazebo model.\'',
+    whole_robot=True,
+    bad={
+        "robot.urdf": """
+            <transmission name="elbow_trans">
+              <type>transmission_interface/SimpleTransmission</type>
+              <joint name="«elbw»">
+                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+              </joint>
+              <actuator name="elbow_motor">
+                <mechanicalReduction>1</mechanicalReduction>
+              </actuator>
+            </transmission>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <transmission name="elbow_trans">
+              <type>transmission_interface/SimpleTransmission</type>
+              <joint name="elbow">
+                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+              </joint>
+              <actuator name="elbow_motor">
+                <mechanicalReduction>1</mechanicalReduction>
+              </actuator>
+            </transmission>
+        """,
+    },
+)
+def transmission_joint_unknown(project: Project) -> Iterator[Finding]:
+    """A transmission names a joint that the robot does not have.
+
+    Gazebo's hardware simulation stops there, and there is no controller manager at all. Real hardware offers a
+    joint that is in no joint state and no controller's list, and lacks the one that was meant.
+    """
+    robot = project.robot
+    if robot is None or not robot.joints:
+        return
+    severity = Severity.ERROR if in_gazebo(project) else Severity.WARNING
+    known = joints_by_name(project)
+    for transmission, joint, name in named_joints(project):
+        if name in known:
+            continue
+        right = nearest(name, known)
+        reason = f"; did you mean '{right}'?" if right else ", and none of the robot's is like it"
+        message = f"unknown joint '{name}' in {transmission.label}{reason}"
+        fix = Fix(f"write '{right}'", in_place_of_name(joint.at, name, right)) if right else None
+        yield Finding(joint.at["name"], message, tuple(_links(robot, name)), fix, severity)
+
+
+def _links(robot: Robot, name: str) -> Iterator[Note]:
+    link = next((link for link in robot.links if link.name == name), None)
+    if link is None:
+        return
+    yield Note(f"'{name}' is a link; a transmission drives a joint", link.at)
+    for joint in robot.joints:
+        if joint.child is not None and joint.child.name == name:
+            yield Note(f"the joint that moves this link is '{joint.name}'", joint.at)
