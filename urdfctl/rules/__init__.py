@@ -22,6 +22,7 @@ from urdfctl.rules.reading.unknown_macro import unknown_macro
 from urdfctl.rules.reading.xacro_fails import xacro_fails
 from urdfctl.rules.reading.xacro_warns import xacro_warns
 from urdfctl.rules.reading.xml_not_well_formed import xml_not_well_formed
+from urdfctl.rules.transmissions.actuator_name_twice import actuator_name_twice
 from urdfctl.rules.transmissions.hardware_interface_prefix_too_early import hardware_interface_prefix_too_early
 from urdfctl.rules.transmissions.hardware_interface_unknown import hardware_interface_unknown
 from urdfctl.rules.transmissions.hardware_interface_without_prefix import hardware_interface_without_prefix
@@ -30,7 +31,9 @@ from urdfctl.rules.transmissions.mimic_joint_in_transmission import mimic_joint_
 from urdfctl.rules.transmissions.transmission_joint_cannot_be_driven import transmission_joint_cannot_be_driven
 from urdfctl.rules.transmissions.transmission_joint_unknown import transmission_joint_unknown
 from urdfctl.rules.transmissions.transmission_joint_without_interface import transmission_joint_without_interface
+from urdfctl.rules.transmissions.transmission_name_twice import transmission_name_twice
 from urdfctl.rules.transmissions.transmission_type_unknown import transmission_type_unknown
+from urdfctl.rules.transmissions.transmission_without_name import transmission_without_name
 from urdfctl.rules.transmissions.transmission_without_type import transmission_without_type
 
 CRASHED = rule_crashed
@@ -65,6 +68,9 @@ RULES: tuple[Rule, ...] = (
     transmission_joint_unknown,
     transmission_joint_cannot_be_driven,
     joint_in_two_transmissions,
+    transmission_name_twice,
+    actuator_name_twice,
+    transmission_without_name,
     mimic_joint_in_transmission,
     hardware_interface_prefix_too_early,
 )
