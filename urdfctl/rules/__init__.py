@@ -32,7 +32,10 @@ from urdfctl.rules.transmissions.transmission_joint_cannot_be_driven import tran
 from urdfctl.rules.transmissions.transmission_joint_unknown import transmission_joint_unknown
 from urdfctl.rules.transmissions.transmission_joint_without_interface import transmission_joint_without_interface
 from urdfctl.rules.transmissions.transmission_name_twice import transmission_name_twice
+from urdfctl.rules.transmissions.transmission_not_in_root import transmission_not_in_root
 from urdfctl.rules.transmissions.transmission_type_unknown import transmission_type_unknown
+from urdfctl.rules.transmissions.transmission_without_actuator import transmission_without_actuator
+from urdfctl.rules.transmissions.transmission_without_joint import transmission_without_joint
 from urdfctl.rules.transmissions.transmission_without_name import transmission_without_name
 from urdfctl.rules.transmissions.transmission_without_type import transmission_without_type
 
@@ -70,7 +73,10 @@ RULES: tuple[Rule, ...] = (
     joint_in_two_transmissions,
     transmission_name_twice,
     actuator_name_twice,
+    transmission_without_actuator,
+    transmission_without_joint,
     transmission_without_name,
+    transmission_not_in_root,
     mimic_joint_in_transmission,
     hardware_interface_prefix_too_early,
 )

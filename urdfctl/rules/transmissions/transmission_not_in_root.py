@@ -1,0 +1,68 @@
+"""UC221."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS1
+from urdfctl.rule import Finding, Fix, Project, Severity, rule
+
+
+@rule(
+    "UC221",
+    severity=Severity.ERROR,
+    distros=ROS1,
+    authority="ros_control transmission_interface/src/transmission_parser.cpp reads "
+    'root->FirstChildElement("transmission") and its siblings only',
+    bad={
+        "robot.urdf": """
+            <gazebo>
+              «<transmission name="elbow_trans">»
+                <type>transmission_interface/SimpleTransmission</type>
+                <joint name="elbow">
+                  <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+                </joint>
+                <actuator name="elbow_motor">
+                  <mechanicalReduction>1</mechanicalReduction>
+                </actuator>
+              </transmission>
+            </gazebo>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <transmission name="elbow_trans">
+              <type>transmission_interface/SimpleTransmission</type>
+              <joint name="elbow">
+                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+              </joint>
+              <actuator name="elbow_motor">
+                <mechanicalReduction>1</mechanicalReduction>
+              </actuator>
+            </transmission>
+        """,
+    },
+)
+def transmission_not_in_root(project: Project) -> Iterator[Finding]:
+    """A transmission stands inside another element than `<robot>`.
+
+    ros_control reads those directly under the root element: the joint of this one does not exist for controllers.
+    """
+    robot = project.robot
+    if robot is None:
+        return
+    for transmission in robot.nested_transmissions:
+        if transmission.parent == "plugin" or ":" in transmission.parent or transmission.is_pr2:
+            continue
+        if transmission.joints or transmission.type:
+            where = transmission.parent
+            message = f"{transmission.label} stands inside <{where}>: ros_control reads it directly under <robot> only"
+            yield Finding(transmission.at, message, fix=Fix("move it out, to stand directly under <robot>"))
+    for control in robot.ros2_controls if project.ros == 1 else ():
+        for tag in control.transmissions:
+            if any(tag.named("type")):
+                message = (
+                    f"transmission '{tag.attributes.get('name', '')}' stands inside <ros2_control>, "
+                    f"which ROS 1 does not read: it belongs directly under <robot>"
+                )
+                yield Finding(tag.at, message, fix=Fix("move it out, to stand directly under <robot>"))

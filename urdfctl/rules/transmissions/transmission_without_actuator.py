@@ -1,0 +1,67 @@
+"""UC211."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS1
+from urdfctl.model.transmission import Transmission
+from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
+from urdfctl.rules.transmissions.common import is_whole, misspelt, read_transmissions, takes_empty_names
+
+
+@rule(
+    "UC211",
+    severity=Severity.ERROR,
+    distros=ROS1,
+    authority="ros_control transmission_interface/src/transmission_parser.cpp: 'Failed to load actuators for "
+    "transmission', 'No name attribute specified for actuator.', 'Empty name attribute specified for "
+    "actuator.'",
+    bad={
+        "robot.urdf": """
+            «<transmission name="elbow_trans">»
+              <type>transmission_interface/SimpleTransmission</type>
+              <joint name="elbow">
+                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+              </joint>
+            </transmission>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <transmission name="elbow_trans">
+              <type>transmission_interface/SimpleTransmission</type>
+              <joint name="elbow">
+                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+              </joint>
+              <actuator name="elbow_motor">
+                <mechanicalReduction>1</mechanicalReduction>
+              </actuator>
+            </transmission>
+        """,
+    },
+)
+def transmission_without_actuator(project: Project) -> Iterator[Finding]:
+    """A transmission has no actuator, or one without a name.
+
+    ros_control skips the transmission, so that no controller can claim its joint; in Gazebo too, which has no use
+    for actuators. An actuator with an empty name is skipped alone.
+    """
+    for transmission in read_transmissions(project):
+        if not transmission.actuators and is_whole(project, transmission.at):
+            fix = Fix('add <actuator name="..."><mechanicalReduction>1</mechanicalReduction></actuator>')
+            yield Finding(transmission.at, f"{transmission.label} has no <actuator>", tuple(_why(transmission)), fix)
+        for actuator in transmission.actuators:
+            if actuator.name is None:
+                yield Finding(actuator.at, f"an actuator of {transmission.label} has no name")
+            elif not actuator.name and not takes_empty_names(project):
+                others = any(other.name for other in transmission.actuators)
+                severity = Severity.WARNING if others else Severity.ERROR
+                message = f"the name of an actuator of {transmission.label} is empty"
+                yield Finding(actuator.at, message, severity=severity)
+
+
+def _why(transmission: Transmission) -> Iterator[Note]:
+    written = misspelt(transmission.others, "actuator")
+    if written:
+        yield Note(f"<{written.name}> is not read: the element is spelt <actuator>", written.at)

@@ -1,0 +1,68 @@
+"""UC219."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS1
+from urdfctl.model.transmission import Transmission
+from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rules.transmissions.common import is_whole, misspelt, read_transmissions, takes_empty_names
+
+
+@rule(
+    "UC219",
+    severity=Severity.ERROR,
+    distros=ROS1,
+    authority="ros_control transmission_interface/src/transmission_parser.cpp: 'Failed to load joints for "
+    "transmission', 'No name attribute specified for joint.', 'Empty name attribute specified for joint.'",
+    bad={
+        "robot.urdf": """
+            <transmission name="elbow_trans">
+              <type>transmission_interface/SimpleTransmission</type>
+              «<joint>»
+                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+              </joint>
+              <actuator name="elbow_motor">
+                <mechanicalReduction>1</mechanicalReduction>
+              </actuator>
+            </transmission>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <transmission name="elbow_trans">
+              <type>transmission_interface/SimpleTransmission</type>
+              <joint name="elbow">
+                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+              </joint>
+              <actuator name="elbow_motor">
+                <mechanicalReduction>1</mechanicalReduction>
+              </actuator>
+            </transmission>
+        """,
+    },
+)
+def transmission_without_joint(project: Project) -> Iterator[Finding]:
+    """A transmission has no joint, or one without a name.
+
+    ros_control skips the transmission, so that no controller can claim what it drives. A joint with an empty name
+    is skipped alone.
+    """
+    for transmission in read_transmissions(project):
+        if not transmission.joints and is_whole(project, transmission.at):
+            yield Finding(transmission.at, f"{transmission.label} has no <joint>", tuple(_why(transmission)))
+        for joint in transmission.joints:
+            if joint.name is None:
+                yield Finding(
+                    joint.at, f"a joint of {transmission.label} has no name: give it the name of a joint of the robot"
+                )
+            elif not joint.name and not takes_empty_names(project):
+                severity = Severity.WARNING if transmission.kept_joints else Severity.ERROR
+                yield Finding(joint.at, f"the name of a joint of {transmission.label} is empty", severity=severity)
+
+
+def _why(transmission: Transmission) -> Iterator[Note]:
+    written = misspelt(transmission.others, "joint")
+    if written:
+        yield Note(f"<{written.name}> is not read: the element is spelt <joint>", written.at)
