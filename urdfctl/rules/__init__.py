@@ -23,16 +23,19 @@ from urdfctl.rules.reading.xacro_fails import xacro_fails
 from urdfctl.rules.reading.xacro_warns import xacro_warns
 from urdfctl.rules.reading.xml_not_well_formed import xml_not_well_formed
 from urdfctl.rules.transmissions.actuator_name_twice import actuator_name_twice
+from urdfctl.rules.transmissions.actuator_without_mechanical_reduction import actuator_without_mechanical_reduction
 from urdfctl.rules.transmissions.hardware_interface_prefix_too_early import hardware_interface_prefix_too_early
 from urdfctl.rules.transmissions.hardware_interface_unknown import hardware_interface_unknown
 from urdfctl.rules.transmissions.hardware_interface_without_prefix import hardware_interface_without_prefix
 from urdfctl.rules.transmissions.joint_in_two_transmissions import joint_in_two_transmissions
+from urdfctl.rules.transmissions.mechanical_reduction_unusable import mechanical_reduction_unusable
 from urdfctl.rules.transmissions.mimic_joint_in_transmission import mimic_joint_in_transmission
 from urdfctl.rules.transmissions.transmission_joint_cannot_be_driven import transmission_joint_cannot_be_driven
 from urdfctl.rules.transmissions.transmission_joint_unknown import transmission_joint_unknown
 from urdfctl.rules.transmissions.transmission_joint_without_interface import transmission_joint_without_interface
 from urdfctl.rules.transmissions.transmission_name_twice import transmission_name_twice
 from urdfctl.rules.transmissions.transmission_not_in_root import transmission_not_in_root
+from urdfctl.rules.transmissions.transmission_offset_unusable import transmission_offset_unusable
 from urdfctl.rules.transmissions.transmission_type_unknown import transmission_type_unknown
 from urdfctl.rules.transmissions.transmission_without_actuator import transmission_without_actuator
 from urdfctl.rules.transmissions.transmission_without_joint import transmission_without_joint
@@ -74,9 +77,12 @@ RULES: tuple[Rule, ...] = (
     transmission_name_twice,
     actuator_name_twice,
     transmission_without_actuator,
+    actuator_without_mechanical_reduction,
+    transmission_offset_unusable,
     transmission_without_joint,
     transmission_without_name,
     transmission_not_in_root,
     mimic_joint_in_transmission,
+    mechanical_reduction_unusable,
     hardware_interface_prefix_too_early,
 )

@@ -1,0 +1,88 @@
+"""UC225."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import since
+from urdfctl.model.parts import Text, leading_number
+from urdfctl.model.transmission import Transmission, TransmissionEnd
+from urdfctl.rule import Finding, Fix, Project, Severity, rule
+from urdfctl.rules.transmissions.common import is_known, is_of_another_package, on_hardware, read_transmissions
+from urdfctl.rules.transmissions.facts import TYPES
+
+_PLAIN = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
+
+
+@rule(
+    "UC225",
+    severity=Severity.WARNING,
+    distros=since("indigo"),
+    authority="ros_control transmission_interface/src/transmission_loader.cpp: 'specifies the <mechanicalReduction> "
+    "element, but is not a number.'; simple_transmission.h: 'Transmission reduction ratio cannot be "
+    "zero.'",
+    bad={
+        "robot.urdf": """
+            <transmission name="elbow_trans">
+              <type>transmission_interface/SimpleTransmission</type>
+              <joint name="elbow">
+                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+              </joint>
+              <actuator name="elbow_motor">
+                <mechanicalReduction>«0»</mechanicalReduction>
+              </actuator>
+            </transmission>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <transmission name="elbow_trans">
+              <type>transmission_interface/SimpleTransmission</type>
+              <joint name="elbow">
+                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+              </joint>
+              <actuator name="elbow_motor">
+                <mechanicalReduction>-50.5</mechanicalReduction>
+              </actuator>
+            </transmission>
+        """,
+    },
+)
+def mechanical_reduction_unusable(project: Project) -> Iterator[Finding]:
+    """A `<mechanicalReduction>` is empty, no number, or zero.
+
+    The loader of real hardware stops at such a one, and loads no transmission from there on. It reads the number at
+    the start of the text and drops what follows: `1,5` is 1. Gazebo's hardware simulation does not look at it.
+    """
+    for transmission in read_transmissions(project):
+        if is_of_another_package(transmission):
+            continue
+        for kind, end in _read_ends(transmission):
+            for reduction in end.reductions[:1]:
+                fault = _fault(reduction)
+                if fault and is_known(reduction.value):
+                    message = f"the <mechanicalReduction> of {kind} '{end.name}' of {transmission.label} {fault}"
+                    fix = Fix("write the ratio of the gear as a number; 1 where there is none")
+                    sure = not fault.startswith("is read")
+                    yield Finding(
+                        reduction.at.content, message, fix=fix, severity=on_hardware(project) if sure else None
+                    )
+
+
+def _read_ends(transmission: Transmission) -> list[tuple[str, TransmissionEnd]]:
+    """The ends whose reduction is read: the joints' only by the types with two of them."""
+    kind = TYPES.get(transmission.type.value) if transmission.type else None
+    joints = transmission.joints if kind and kind.has_roles else ()
+    return [*(("joint", joint) for joint in joints), *(("actuator", actuator) for actuator in transmission.actuators)]
+
+
+def _fault(reduction: Text) -> str | None:
+    number = leading_number(reduction.value)
+    if number is None:
+        return f"is not a number: '{reduction.value}'" if reduction.value else "is empty"
+    if number == 0:
+        return "is zero"
+    if not _PLAIN.fullmatch(reduction.value):
+        return f"is read as {number:g}: '{reduction.value}' is not a plain number"
+    return None
