@@ -30,12 +30,17 @@ from urdfctl.rules.transmissions.hardware_interface_without_prefix import hardwa
 from urdfctl.rules.transmissions.joint_in_two_transmissions import joint_in_two_transmissions
 from urdfctl.rules.transmissions.mechanical_reduction_unusable import mechanical_reduction_unusable
 from urdfctl.rules.transmissions.mimic_joint_in_transmission import mimic_joint_in_transmission
+from urdfctl.rules.transmissions.transmission_ends_miscounted import transmission_ends_miscounted
 from urdfctl.rules.transmissions.transmission_joint_cannot_be_driven import transmission_joint_cannot_be_driven
 from urdfctl.rules.transmissions.transmission_joint_unknown import transmission_joint_unknown
 from urdfctl.rules.transmissions.transmission_joint_without_interface import transmission_joint_without_interface
+from urdfctl.rules.transmissions.transmission_joints_with_different_interfaces import (
+    transmission_joints_with_different_interfaces,
+)
 from urdfctl.rules.transmissions.transmission_name_twice import transmission_name_twice
 from urdfctl.rules.transmissions.transmission_not_in_root import transmission_not_in_root
 from urdfctl.rules.transmissions.transmission_offset_unusable import transmission_offset_unusable
+from urdfctl.rules.transmissions.transmission_role_invalid import transmission_role_invalid
 from urdfctl.rules.transmissions.transmission_type_unknown import transmission_type_unknown
 from urdfctl.rules.transmissions.transmission_without_actuator import transmission_without_actuator
 from urdfctl.rules.transmissions.transmission_without_joint import transmission_without_joint
@@ -79,6 +84,9 @@ RULES: tuple[Rule, ...] = (
     transmission_without_actuator,
     actuator_without_mechanical_reduction,
     transmission_offset_unusable,
+    transmission_role_invalid,
+    transmission_ends_miscounted,
+    transmission_joints_with_different_interfaces,
     transmission_without_joint,
     transmission_without_name,
     transmission_not_in_root,
