@@ -28,6 +28,7 @@ from urdfctl.rules.transmissions.hardware_interface_prefix_too_early import hard
 from urdfctl.rules.transmissions.hardware_interface_unknown import hardware_interface_unknown
 from urdfctl.rules.transmissions.hardware_interface_without_prefix import hardware_interface_without_prefix
 from urdfctl.rules.transmissions.joint_in_two_transmissions import joint_in_two_transmissions
+from urdfctl.rules.transmissions.joint_with_two_interfaces_in_gazebo import joint_with_two_interfaces_in_gazebo
 from urdfctl.rules.transmissions.mechanical_reduction_unusable import mechanical_reduction_unusable
 from urdfctl.rules.transmissions.mimic_joint_in_transmission import mimic_joint_in_transmission
 from urdfctl.rules.transmissions.transmission_ends_miscounted import transmission_ends_miscounted
@@ -39,6 +40,7 @@ from urdfctl.rules.transmissions.transmission_joints_with_different_interfaces i
 )
 from urdfctl.rules.transmissions.transmission_name_twice import transmission_name_twice
 from urdfctl.rules.transmissions.transmission_not_in_root import transmission_not_in_root
+from urdfctl.rules.transmissions.transmission_of_two_joints_in_gazebo import transmission_of_two_joints_in_gazebo
 from urdfctl.rules.transmissions.transmission_offset_unusable import transmission_offset_unusable
 from urdfctl.rules.transmissions.transmission_role_invalid import transmission_role_invalid
 from urdfctl.rules.transmissions.transmission_type_unknown import transmission_type_unknown
@@ -86,6 +88,8 @@ RULES: tuple[Rule, ...] = (
     transmission_offset_unusable,
     transmission_role_invalid,
     transmission_ends_miscounted,
+    transmission_of_two_joints_in_gazebo,
+    joint_with_two_interfaces_in_gazebo,
     transmission_joints_with_different_interfaces,
     transmission_without_joint,
     transmission_without_name,
