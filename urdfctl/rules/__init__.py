@@ -22,8 +22,10 @@ from urdfctl.rules.reading.unknown_macro import unknown_macro
 from urdfctl.rules.reading.xacro_fails import xacro_fails
 from urdfctl.rules.reading.xacro_warns import xacro_warns
 from urdfctl.rules.reading.xml_not_well_formed import xml_not_well_formed
+from urdfctl.rules.transmissions.actuator_interface_differs import actuator_interface_differs
 from urdfctl.rules.transmissions.actuator_name_twice import actuator_name_twice
 from urdfctl.rules.transmissions.actuator_without_mechanical_reduction import actuator_without_mechanical_reduction
+from urdfctl.rules.transmissions.empty_hardware_interface import empty_hardware_interface
 from urdfctl.rules.transmissions.hardware_interface_prefix_too_early import hardware_interface_prefix_too_early
 from urdfctl.rules.transmissions.hardware_interface_unknown import hardware_interface_unknown
 from urdfctl.rules.transmissions.hardware_interface_without_prefix import hardware_interface_without_prefix
@@ -94,6 +96,8 @@ RULES: tuple[Rule, ...] = (
     transmission_without_joint,
     transmission_without_name,
     transmission_not_in_root,
+    actuator_interface_differs,
+    empty_hardware_interface,
     mimic_joint_in_transmission,
     mechanical_reduction_unusable,
     hardware_interface_prefix_too_early,

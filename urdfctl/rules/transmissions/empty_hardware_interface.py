@@ -1,0 +1,58 @@
+"""UC223."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import since
+from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
+from urdfctl.rules.transmissions.common import is_whole, named_joints
+
+
+@rule(
+    "UC223",
+    severity=Severity.WARNING,
+    distros=since("indigo"),
+    authority="ros_control transmission_interface/src/transmission_parser.cpp: 'Skipping empty hardware interface "
+    "element in joint'",
+    bad={
+        "robot.urdf": """
+            <transmission name="elbow_trans">
+              <type>transmission_interface/SimpleTransmission</type>
+              <joint name="elbow">
+                «<hardwareInterface/>»
+                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+              </joint>
+              <actuator name="elbow_motor">
+                <mechanicalReduction>1</mechanicalReduction>
+              </actuator>
+            </transmission>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <transmission name="elbow_trans">
+              <type>transmission_interface/SimpleTransmission</type>
+              <joint name="elbow">
+                <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+              </joint>
+              <actuator name="elbow_motor">
+                <mechanicalReduction>1</mechanicalReduction>
+              </actuator>
+            </transmission>
+        """,
+    },
+)
+def empty_hardware_interface(project: Project) -> Iterator[Finding]:
+    """A joint has an empty `<hardwareInterface>` beside a good one.
+
+    ros_control skips it without a word that one would see: where a second interface was meant, it is not there.
+    """
+    for transmission, joint, name in named_joints(project):
+        for interface in joint.interfaces if joint.named_interfaces else ():
+            if not interface.value and is_whole(project, interface.at):
+                message = f"a <hardwareInterface> of joint '{name}' of {transmission.label} is empty"
+                hidden = (Note("a comment stands before its text, and ROS 1's XML reader gives nothing then"),)
+                yield Finding(
+                    interface.at, message, hidden if interface.hidden else (), Fix("remove it, or name an interface")
+                )
