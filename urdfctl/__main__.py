@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
 
@@ -25,7 +26,16 @@ def main() -> None:
 
         sys.stderr.write(report_crash())
         status = 3
-    sys.exit(status)
+    _leave(status)
+
+
+def _leave(status: int) -> None:
+    """Leave without taking the interpreter to pieces: that alone would cost a tenth of a run."""
+    try:
+        sys.stdout.flush()
+        sys.stderr.flush()
+    finally:
+        os._exit(status)
 
 
 def _run(words: list[str]) -> int:
@@ -34,6 +44,7 @@ def _run(words: list[str]) -> int:
 
         options = plain_options(words[1:])
         if options is not None:
+            gc.disable()  # the process lives for a moment, and its workers have a limit of their own
             from urdfctl.cli.lint_command import lint_words
 
             return lint_words(**options)

@@ -14,9 +14,9 @@ _CONTROLLERS = (".yaml", ".yml")
 _LAUNCHES = (".launch", ".launch.xml", ".launch.py", ".launch.yaml")
 _PRUNED = frozenset({"build", "install", "log", "devel", "node_modules", "__pycache__"})
 _IGNORE_FILES = frozenset({"COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE"})
-_INCLUDE = re.compile(rb"<(?:xacro:)?include\s[^>]*?filename\s*=\s*[\"']([^\"']+)[\"']", re.DOTALL)
-_COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
-_ROBOT = re.compile(rb"<robot[\s>/]")
+_INCLUDE = rb"(?s)<(?:xacro:)?include\s[^>]*?filename\s*=\s*[\"']([^\"']+)[\"']"
+_COMMENT = rb"(?s)<!--.*?-->"
+_ROBOT = rb"<robot[\s>/]"
 _MAX_BYTES = 16 << 20
 
 
@@ -75,7 +75,7 @@ def roots(folder: str) -> list[str]:
     """The descriptions below a folder that no other one includes, in order. Whether one is a robot shows when it is read:
     it has two links or more."""
     texts = {path: _text(path) for path in sorted(_descriptions(folder))}
-    candidates = [path for path, text in texts.items() if _ROBOT.search(text)]
+    candidates = [path for path, text in texts.items() if re.search(_ROBOT, text)]
     included = {tail for path, text in texts.items() for tail in _included(path, text)}
     return [path for path in candidates if not any(_is(path, tail) for tail in included)]
 
@@ -103,7 +103,7 @@ def _text(path: str) -> bytes:
 
 def _included(path: str, text: bytes) -> Iterator[str]:
     """The files that a description includes: a path where it is relative, else the end of one."""
-    for match in _INCLUDE.finditer(_COMMENT.sub(b"", text)):
+    for match in re.finditer(_INCLUDE, re.sub(_COMMENT, b"", text)):
         name = match.group(1).decode("utf-8", "replace")
         if "$" not in name and not os.path.isabs(name):
             yield os.path.normpath(os.path.join(os.path.dirname(path), name))

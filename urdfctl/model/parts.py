@@ -10,8 +10,8 @@ from urdfctl.source.dom import COMMENT, Element
 from urdfctl.source.dom import Text as Characters
 from urdfctl.source.span import Place
 
-_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
-_LEADING_NUMBER = re.compile(r"\s*[+-]?((\d+\.?\d*|\.\d+)([eE][+-]?\d+)?|inf(inity)?|nan)", re.IGNORECASE)
+_NUMBER = r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?"
+_LEADING_NUMBER = r"(?i)\s*[+-]?((\d+\.?\d*|\.\d+)([eE][+-]?\d+)?|inf(inity)?|nan)"
 
 
 class Text(NamedTuple):
@@ -54,12 +54,12 @@ class Number(NamedTuple):
     @property
     def value(self) -> float | None:
         """The number, if all of the text is one: decimal, without units, commas, inf or nan."""
-        return float(self.text) if _NUMBER.fullmatch(self.text.strip()) else None
+        return float(self.text) if re.fullmatch(_NUMBER, self.text.strip()) else None
 
 
 def leading_number(text: str) -> float | None:
     """What C++'s std::stod reads: the number at the start of a text, whatever follows; None where it throws."""
-    found = _LEADING_NUMBER.match(text)
+    found = re.match(_LEADING_NUMBER, text)
     return float(found.group(0)) if found else None
 
 

@@ -24,7 +24,7 @@ _FORBIDDEN_ATTRIBUTES = frozenset(
         "co_code co_consts co_names mro format_map vars with_traceback"
     ).split()
 )
-_DOTTED_FIELD = re.compile(r"\{[^}]*[.\[]")
+_DOTTED_FIELD = r"\{[^}]*[.\[]"
 _LONGEST = 10_000
 
 
@@ -65,5 +65,5 @@ def _check_attribute(node: ast.Attribute) -> None:
     if name == "format":
         template = node.value
         plain = isinstance(template, ast.Constant) and isinstance(template.value, str)
-        if not plain or _DOTTED_FIELD.search(template.value):  # type: ignore[attr-defined]
+        if not plain or re.search(_DOTTED_FIELD, template.value):  # type: ignore[attr-defined]
             raise ForbiddenExpression("'format' of a computed or dotted format text is not allowed in an expression")

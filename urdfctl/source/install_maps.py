@@ -11,10 +11,10 @@ import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
-_INSTALL = re.compile(r"\binstall\s*\(\s*(DIRECTORY|FILES|PROGRAMS)\s+([^)]*)\)", re.DOTALL | re.IGNORECASE)
-_PROJECT = re.compile(r"\bproject\s*\(\s*([\w.-]+)", re.IGNORECASE)
-_COMMENT = re.compile(r"#[^\n]*")
-_PIECE = re.compile(r'"([^"]*)"|(\S+)')
+_INSTALL = r"(?si)\binstall\s*\(\s*(DIRECTORY|FILES|PROGRAMS)\s+([^)]*)\)"
+_PROJECT = r"(?i)\bproject\s*\(\s*([\w.-]+)"
+_COMMENT = r"#[^\n]*"
+_PIECE = r'"([^"]*)"|(\S+)'
 _MAX_CHARACTERS = 1 << 20
 
 
@@ -60,11 +60,11 @@ def _read(path: str) -> str:
 
 
 def _from_cmake(text: str, package: str) -> Iterator[Installed]:
-    text = _COMMENT.sub("", text)
-    project = _PROJECT.search(text)
+    text = re.sub(_COMMENT, "", text)
+    project = re.search(_PROJECT, text)
     name = project.group(1) if project else package
-    for kind, body in _INSTALL.findall(text):
-        words = [quoted or bare for quoted, bare in _PIECE.findall(_substituted(body, name))]
+    for kind, body in re.findall(_INSTALL, text):
+        words = [quoted or bare for quoted, bare in re.findall(_PIECE, _substituted(body, name))]
         if "DESTINATION" not in words[:-1]:
             continue
         where = words.index("DESTINATION")

@@ -9,11 +9,13 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
 
-from urdfctl.source.install_maps import InstallMap, read_install_map
+if TYPE_CHECKING:
+    from urdfctl.source.install_maps import InstallMap
 
-_NAME = re.compile(rb"<name[^>]*>\s*([^<\s]+)\s*</name>")
-_COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
+_NAME = rb"<name[^>]*>\s*([^<\s]+)\s*</name>"
+_COMMENT = rb"(?s)<!--.*?-->"
 _IGNORE_FILES = frozenset({"COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE"})
 _PRUNED = frozenset({"build", "install", "log", "devel", "node_modules", "__pycache__", "site-packages"})
 _MOST_FOLDERS = 100_000
@@ -36,9 +38,9 @@ def package_name(manifest: str) -> str | None:
             data = file.read(65536)
     except OSError:
         return None
-    found = _NAME.search(data)
+    found = re.search(_NAME, data)
     if found and b"<!--" in data[: found.start()]:
-        found = _NAME.search(_COMMENT.sub(b"", data))
+        found = re.search(_NAME, re.sub(_COMMENT, b"", data))
     return found.group(1).decode("utf-8", "replace") if found else None
 
 
@@ -110,6 +112,8 @@ class PackageIndex:
 
     def install_map(self, folder: str, name: str) -> InstallMap:
         """What a source package installs where."""
+        from urdfctl.source.install_maps import read_install_map
+
         if folder not in self._maps:
             self._maps[folder] = read_install_map(folder, name)
         return self._maps[folder]

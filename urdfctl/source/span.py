@@ -7,11 +7,12 @@ from bisect import bisect_right
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
+# patterns here and elsewhere stay texts until their first use: compiling them all would show in the start-up
 BOM = b"\xef\xbb\xbf"
-_LINE_END = re.compile(rb"\r\n|\n|\r")
-_TAG_NAME = re.compile(rb"<([^\s/>]+)")
-_ATTRIBUTE = re.compile(rb"""\s*([^\s=/>"']+)\s*=\s*("[^"]*"|'[^']*')""")
-_TAG_END = re.compile(rb"\s*(/?>)")
+_LINE_END = rb"\r\n|\n|\r"
+_TAG_NAME = rb"<([^\s/>]+)"
+_ATTRIBUTE = rb"""\s*([^\s=/>"']+)\s*=\s*("[^"]*"|'[^']*')"""
+_TAG_END = rb"\s*(/?>)"
 
 
 class Position(NamedTuple):
@@ -35,7 +36,7 @@ class SourceText:
     def line_starts(self) -> list[int]:
         """The byte offset at which each line begins; LF, CRLF and CR end a line."""
         if self._lines is None:
-            self._lines = [0] + [found.end() for found in _LINE_END.finditer(self.data)]
+            self._lines = [0] + [found.end() for found in re.finditer(_LINE_END, self.data)]
         return self._lines
 
     def position(self, offset: int) -> Position:
@@ -83,15 +84,15 @@ class StartTag(NamedTuple):
 
 
 def _read_start_tag(data: bytes, offset: int) -> StartTag | None:
-    name = _TAG_NAME.match(data, offset)
+    name = re.compile(_TAG_NAME).match(data, offset)
     if not name:
         return None
     attributes: dict[str, tuple[int, int]] = {}
     position = name.end()
-    while found := _ATTRIBUTE.match(data, position):
+    while found := re.compile(_ATTRIBUTE).match(data, position):
         attributes[found.group(1).decode("utf-8", "replace")] = (found.start(2) + 1, found.end(2) - 1)
         position = found.end()
-    end = _TAG_END.match(data, position)
+    end = re.compile(_TAG_END).match(data, position)
     stop = end.end() if end else position
     return StartTag(
         name.group(1).decode("utf-8", "replace"), offset, stop, attributes, bool(end and end.group(1) == b"/>")

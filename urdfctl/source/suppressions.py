@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from urdfctl.source.span import Call, Place, SourceSpan, SourceText
 
-_COMMENT = re.compile(rb"urdfctl:\s*ignore\[([A-Za-z0-9_, \t-]*)\]")
+_COMMENT = rb"urdfctl:\s*ignore\[([A-Za-z0-9_, \t-]*)\]"
 
 
 class Suppression(NamedTuple):
@@ -25,8 +25,10 @@ class Suppression(NamedTuple):
 
 def suppressions(source: SourceText) -> list[Suppression]:
     """The suppressing comments of one file."""
-    found = []
-    for match in _COMMENT.finditer(source.data):
+    found: list[Suppression] = []
+    if b"urdfctl:" not in source.data:
+        return found
+    for match in re.finditer(_COMMENT, source.data):
         codes = tuple(code.strip().upper() for code in match.group(1).decode("ascii").split(",") if code.strip())
         close = source.data.find(b"-->", match.end())
         end = close if close >= 0 and _is_xml_comment(source.data, match.start()) else match.end()
