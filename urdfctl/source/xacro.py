@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from urdfctl.source import engine, xacro_hooks
 from urdfctl.source.budget import MAX_CALL_DEPTH, MAX_CALLS, MAX_ELEMENTS, MAX_PROBLEMS, OverBudget
-from urdfctl.source.dom import Cloning, Document, Element, Node, Text
+from urdfctl.source.dom import COMMENT, Cloning, Document, Element, Node, Text
 from urdfctl.source.files import FileProblem, Files
 from urdfctl.source.packages import Packages
 from urdfctl.source.problem import Problem, ProblemKind
@@ -168,12 +168,25 @@ class Expander:
 
     def _replace_node(self, node: Node, by: object, content_only: bool = False) -> None:  # noqa: FBT001, FBT002 (xacro's signature)
         if by is None and isinstance(node, Element) and node.tagName == "xacro:attribute":
-            parent = node.parentNode
-            if isinstance(parent, Element):
-                name = node.attrs.get("name", "")
-                name = next(reversed(parent.attrs), name) if "$" in name else name
-                parent.moved = {**(parent.moved or {}), name: (node.source, node.start)}
+            self._note_attribute(node, node.parentNode)
         self._originals["replace_node"](node, by, content_only)
+
+    def _note_attribute(self, node: Element, parent: Node | None) -> None:
+        """Remember who wrote an attribute of `parent`. A value that is no text is a fault: xacro cannot write it."""
+        if not isinstance(parent, Element):
+            return
+        name = node.attrs.get("name", "")
+        name = next(reversed(parent.attrs), name) if "$" in name else name
+        parent.moved = {**(parent.moved or {}), name: (node.source, node.start)}
+        value: object = parent.attrs.get(name, "")
+        if isinstance(value, str):
+            return
+        if value:
+            parent.attrs[name] = UNKNOWN
+            raise self.module.XacroException(f"attribute '{name}' becomes {value!r}, no text: xacro cannot write it")
+        parent.attrs[name] = ""
+        message = f"attribute '{name}' becomes {value!r}, no text: xacro writes an empty attribute"
+        self._add(Problem(ProblemKind.XACRO_WARNING, node.at["value"], message))
 
     def _grab_macro(self, node: Element, macros: Any) -> None:
         name = node.attrs.get("name", "").removeprefix("xacro:")
@@ -187,6 +200,7 @@ class Expander:
     def _eval_all(self, node: Element, macros: object, symbols: object) -> None:
         evaluate = self._originals["eval_all"]
         depth = len(self.module.filestack), len(self.module.macrostack), len(self.calls)
+        done: list[Node] = []
         while True:
             try:
                 evaluate(node, macros, symbols)
@@ -198,10 +212,13 @@ class Expander:
                 blame = blame_of(error)
                 self._keep(blame, error)
                 self._unwind(*depth)
-                if not _cut_out(blame, node):
+                if not _cut_out(blame, node, done):
                     raise
             else:
-                return
+                break
+        first = node.firstChild
+        for child in done:
+            node.insertBefore(child, first)
 
     def _unwind(self, files: int, macros: int, calls: int) -> None:
         del self.module.filestack[files:]
@@ -253,21 +270,38 @@ class _AbsentFile(FileProblem, OSError):
         FileProblem.__init__(self, problem.kind, problem.path, problem.message, problem.hint)
 
 
-def _cut_out(blame: Blame, parent: Element) -> bool:
-    """Take what could not be evaluated out of the tree, so that the rest can go on; False where nothing can be."""
+def _cut_out(blame: Blame, parent: Element, done: list[Node]) -> bool:
+    """Take what could not be evaluated out of the tree, so that the rest can go on; False where nothing can be.
+    What stands before it is evaluated already, and twice would be wrong: it comes to stand in `done`."""
     if blame.attribute is not None and blame.element is parent and blame.attribute in parent.attrs:
         parent.attrs[blame.attribute] = UNKNOWN
-        return True
-    if isinstance(blame.node, Text):
-        blame.node.data = UNKNOWN
         return True
     node: Node | None = blame.node
     while node is not None and node.parentNode is not parent:
         node = node.parentNode
     if node is None:
         return False
-    parent.removeChild(node)
+    done += _taken_from_before(node, parent)
+    if isinstance(node, Text):
+        node.data = UNKNOWN
+    else:
+        parent.removeChild(node)
     return True
+
+
+def _taken_from_before(node: Node, parent: Element) -> list[Node]:
+    """The siblings before a node, taken out of the tree; not the comments next to it, which xacro removes with what
+    they speak of."""
+    taken: list[Node] = []
+    before = node.previousSibling
+    while isinstance(before, Text) and (before.nodeType == COMMENT or not before.data.strip()):
+        before = before.previousSibling
+    while before is not None:
+        taken.append(before)
+        before = before.previousSibling
+    for sibling in taken:
+        parent.removeChild(sibling)
+    return taken[::-1]
 
 
 def _node_being_evaluated() -> Element | None:

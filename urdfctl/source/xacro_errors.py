@@ -17,8 +17,8 @@ from urdfctl.source.span import Place, SourceText
 from urdfctl.source.xacro_hooks import MissingVariable
 from urdfctl.suggest import did_you_mean
 
-_EVALUATING = re.compile(r"\s*when evaluating expression '(.*)'", re.DOTALL)
-_QUOTED = re.compile(r"'([^']*)'")
+_EVALUATING = r"(?s)\s*when evaluating expression '(.*)'"
+_QUOTED = r"'([^']*)'"
 
 
 class Blame(NamedTuple):
@@ -73,13 +73,24 @@ def problem_of(error: BaseException, blame: Blame, filestack: list[str]) -> Prob
         if known is not None:
             return known
     text = str(error) or repr(error)
-    in_expression = _EVALUATING.search(text)
-    expression = in_expression.group(1) if in_expression else ""
+    expression = _innermost_expression(causes)
     for cause in causes:
         found = _by_exception(cause, at, expression, blame)
         if found is not None:
             return found
     return _by_text(text, at, expression)
+
+
+def _innermost_expression(causes: list[BaseException]) -> str:
+    """The `${...}`, or the whole `$(...)`, that could not be evaluated; empty where none was being evaluated."""
+    for cause in causes:
+        substitution = getattr(cause, "substitution", None)
+        if substitution is not None:
+            return str(substitution)
+        suffix = re.fullmatch(_EVALUATING, str(getattr(cause, "suffix", "")))
+        if suffix:
+            return " ".join(suffix.group(1).split())
+    return ""
 
 
 def _causes(error: BaseException) -> Iterator[BaseException]:
@@ -116,7 +127,7 @@ def _known(cause: BaseException, at: Place) -> Problem | None:
 def _by_exception(cause: BaseException, at: Place, expression: str, blame: Blame) -> Problem | None:
     said = str(cause)
     if isinstance(cause, NameError):
-        quoted = _QUOTED.search(said)
+        quoted = re.search(_QUOTED, said)
         name = quoted.group(1) if quoted else said
         via = f", needed by property '{blame.properties[-1]}'" if blame.properties else ""
         message = f"'{name}' is not defined: no <xacro:property>, parameter or argument of that name is known here{via}"
@@ -126,31 +137,68 @@ def _by_exception(cause: BaseException, at: Place, expression: str, blame: Blame
         return Problem(ProblemKind.UNDEFINED_ARGUMENT, at, f"argument '{said}' is not defined", said, hint)
     if isinstance(cause, SyntaxError) and expression:
         return Problem(ProblemKind.EXPRESSION, at, f"'{expression}' is no expression: {cause.msg}", expression)
+    if type(cause).__name__ == "SubstitutionException":
+        return Problem(ProblemKind.EXPRESSION, at, _lowered(said), expression)
     if expression and not type(cause).__name__.startswith("Xacro"):
         what = f"'{expression}' cannot be evaluated: {type(cause).__name__}: {said}"
         return Problem(ProblemKind.EXPRESSION, at, what, expression)
     return None
 
 
+_Said = tuple[ProblemKind, str, str, str]
+"""The kind, the message, the subject and the hint of a problem."""
+
+
 def _by_text(text: str, at: Place, expression: str) -> Problem:
+    """The problem behind what xacro says in words of its own."""
     first = text.split("\n", maxsplit=1)[0].strip()
+    if first.startswith("Invalid parameter"):
+        at = at[first.split('"')[1]]
+    kind, message, subject, hint = (
+        _of_macro(first) or _of_expression(first, expression) or (ProblemKind.XACRO, _lowered(first), "", "")
+    )
+    return Problem(kind, at, message, subject, hint)
+
+
+def _of_macro(first: str) -> _Said | None:
     if first.startswith("unknown macro name:"):
         name = first.split(":", 1)[1].strip().removeprefix("xacro:")
-        message = f"macro '{name}' is not defined before this call"
-        return Problem(
-            ProblemKind.UNKNOWN_MACRO, at, message, name, "include the file that defines it before this line"
-        )
+        hint = "include the file that defines it before this line"
+        return ProblemKind.UNKNOWN_MACRO, f"macro '{name}' is not defined before this call", name, hint
     if first.startswith("Invalid parameter"):
         name = first.split('"')[1]
-        return Problem(ProblemKind.MACRO_CALL, at[name], f"the macro has no parameter '{name}'", name)
+        return ProblemKind.MACRO_CALL, f"the macro has no parameter '{name}'", name, ""
     if first.startswith("Undefined parameters"):
         names = first.partition("[")[2].partition("]")[0]
         listed = ", ".join(f"'{name}'" for name in names.split(","))
-        return Problem(ProblemKind.MACRO_CALL, at, f"the call gives no value for {listed}", names)
+        return ProblemKind.MACRO_CALL, f"the call gives no value for {listed}", names, ""
+    if first.startswith("Undefined property to forward:"):
+        name = first.split(":", 1)[1].strip()
+        return (
+            ProblemKind.MACRO_CALL,
+            f"the call gives no value for '{name}', nor is there a property to forward",
+            name,
+            "",
+        )
     if first.startswith(("Not enough blocks", "Unused block", "Undefined block")):
-        return Problem(ProblemKind.MACRO_CALL, at, first[0].lower() + first[1:].replace('"', "'"))
+        return ProblemKind.MACRO_CALL, _lowered(first).replace('"', "'"), "", ""
+    return None
+
+
+def _of_expression(first: str, expression: str) -> _Said | None:
     if first.startswith("Xacro conditional"):
-        return Problem(ProblemKind.CONDITION, at, first.replace('"', "'").replace("Xacro", "the", 1))
+        return ProblemKind.CONDITION, first.replace('"', "'").replace("Xacro", "the", 1), "", ""
+    if first.startswith("circular variable definition:"):
+        circle = first.split(":", 1)[1].strip()
+        return ProblemKind.EXPRESSION, f"properties need each other in a circle: {circle}", circle, ""
+    if first.startswith("invalid expression:"):
+        rest = first.split(":", 1)[1].strip()
+        due = {"${": "'}' is missing", "$(": "')' is missing"}.get(rest[:2], "no bracket follows it")
+        return ProblemKind.EXPRESSION, f"'{rest}' is no expression: {due}", rest, ""
     if expression:
-        return Problem(ProblemKind.EXPRESSION, at, f"'{expression}' cannot be evaluated: {first}", expression)
-    return Problem(ProblemKind.XACRO, at, first)
+        return ProblemKind.EXPRESSION, f"'{expression}' cannot be evaluated: {first}", expression, ""
+    return None
+
+
+def _lowered(sentence: str) -> str:
+    return sentence[:1].lower() + sentence[1:]

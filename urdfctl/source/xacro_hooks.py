@@ -145,7 +145,11 @@ def _extension(expander: Expander, original: Callable[[str], str]) -> Callable[[
         if not connected:
             connected = True
             _connect(expander, engine.substitutions(expander.module))
-        return original(text)
+        try:
+            return original(text)
+        except Exception as error:
+            error.substitution = text  # type: ignore[attr-defined]  # for who tells of it
+            raise
 
     return extension
 

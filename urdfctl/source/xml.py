@@ -12,7 +12,7 @@ from urdfctl.source.span import BOM, Call, Place, SourceText
 
 MAX_DEPTH = 200
 _LONGEST_NAME = 40
-_OPEN_REFERENCE = re.compile(rb"&#?\w*[^\w;]?\Z")
+_OPEN_REFERENCE = rb"&#?\w*[^\w;]?\Z"
 _BOMS_OF_UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 
 
@@ -228,7 +228,7 @@ def _invalid_token(source: SourceText, offset: int) -> tuple[str, str, int]:
         return f"byte 0x{source.data[error.start]:02x} is not UTF-8", "save the file as UTF-8", error.start
     if b"\x00" in source.data:
         return "the file is binary, no XML", "", source.data.index(b"\x00")
-    reference = _OPEN_REFERENCE.search(source.data, max(0, offset - _LONGEST_NAME), offset + 1)
+    reference = re.compile(_OPEN_REFERENCE).search(source.data, max(0, offset - _LONGEST_NAME), offset + 1)
     if reference:
         return "a bare '&' is not XML", "write &amp;", reference.start()
     if source.data[offset - 1 : offset + 1] == b"</":
