@@ -64,12 +64,17 @@ def hardware_interface_unknown(project: Project) -> Iterator[Finding]:
             severity = _severity(project, interface, meant, first=index == 0)
             if severity is None or not is_known(interface.value):
                 continue
-            known = listed(with_prefix(short, project) for short in GAZEBO_INTERFACES)
             right = with_prefix(meant, project) if meant else None
-            reason = f"did you mean '{right}'?" if right else f"Gazebo's hardware simulation knows {known}"
-            message = f"unknown interface '{interface.value}' for joint '{name}' of {transmission.label}; {reason}"
+            whose = f"interface '{interface.value}' of joint '{name}' of {transmission.label}"
+            message = f"unknown {whose}; did you mean '{right}'?" if right else f"the {whose} is {_none_of(project)}"
             fix = Fix(f"write '{right}'", in_place_of(interface, right)) if right else None
             yield Finding(interface.at.content, message, fix=fix, severity=severity)
+
+
+def _none_of(project: Project) -> str:
+    known = listed(with_prefix(short, project) for short in GAZEBO_INTERFACES)
+    reader = "Gazebo's hardware simulation" if project.may_be_simulated else "ros_control"
+    return f"none that {reader} knows: {known}"
 
 
 def _severity(project: Project, interface: Text, meant: str | None, *, first: bool) -> Severity | None:
@@ -95,6 +100,8 @@ def _of_another_package(project: Project) -> Severity:
 
 def _meant(text: str) -> str | None:
     """The interface that a text misspells: in case or letters, with `::`, from a wrong package, or as ROS 2 has it."""
+    if text.removeprefix(PREFIX) in HARDWARE_INTERFACES:
+        return None
     package, slash, short = text.replace("::", "/").rpartition("/")
     own = (PREFIX.rstrip("/"), PACKAGE.rstrip("/"))
     if slash and package not in own and nearest(package, own) is None:
