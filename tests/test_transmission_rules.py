@@ -1,0 +1,516 @@
+"""What the rules on transmissions say by distro and simulator, with notes and fixes; their examples show the rest."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from urdfctl.diagnostic import Diagnostic
+from urdfctl.lint import Selection, joined
+from urdfctl.load import Loader, Target
+from urdfctl.rules.examples import completed
+from urdfctl.settings import Settings
+
+SOUND = """
+    <transmission name="elbow_trans">
+      <type>transmission_interface/SimpleTransmission</type>
+      <joint name="elbow"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>
+      <actuator name="elbow_motor"><mechanicalReduction>1</mechanicalReduction></actuator>
+    </transmission>
+"""
+EFFORT = "<hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>"
+DIFFERENTIAL = f"""
+    <transmission name="wrist">
+      <type>transmission_interface/DifferentialTransmission</type>
+      <joint name="shoulder"><role>joint1</role>{EFFORT}</joint>
+      <joint name="elbow"><role>joint2</role>{EFFORT}</joint>
+      <actuator name="left"><role>actuator1</role><mechanicalReduction>5</mechanicalReduction></actuator>
+      <actuator name="right"><role>actuator2</role><mechanicalReduction>5</mechanicalReduction></actuator>
+    </transmission>
+"""
+PLUGIN = '<gazebo><plugin name="control" filename="libgazebo_ros_control.so"/></gazebo>'
+OTHER_SIMULATION = """
+    <gazebo>
+      <plugin name="control" filename="libgazebo_ros_control.so">
+        <robotSimType>franka_gazebo/FrankaHWSim</robotSimType>
+      </plugin>
+    </gazebo>
+"""
+
+
+@pytest.fixture
+def robot(tmp_path: Path) -> Robot:
+    return Robot(tmp_path)
+
+
+class Robot:
+    """An arm of two joints, shoulder and elbow, in a folder of its own."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+
+    def lint(
+        self, part: str, *, distro: str | None = None, simulator: str | None = None, name: str = "robot.urdf"
+    ) -> list[Diagnostic]:
+        path = self.folder / name
+        whole = part if part.startswith("<robot ") else completed(name, "PART\n").replace("PART", part)
+        path.write_text(whole, encoding="utf-8")
+        settings = Settings(distro=distro, simulator=simulator, workspace=str(self.folder))
+        return joined([Loader(settings, Selection()).lint(Target(str(path))).outcome], Selection())
+
+    def says(self, part: str, **options: str) -> list[str]:
+        return [f"{found.severity.value} {found.code}" for found in self.lint(part, **options)]
+
+    def only(self, code: str, part: str, **options: str) -> Diagnostic:
+        [found] = [found for found in self.lint(part, **options) if found.code == code]
+        return found
+
+    def fixed(self, found: Diagnostic) -> str:
+        """The excerpt of a finding with its fix's edits made in it."""
+        assert found.fix is not None
+        data = bytearray((self.folder / "robot.urdf").read_bytes())
+        for edit in found.fix.edits:
+            data[edit.start : edit.end] = edit.text.encode()
+        return data.decode().splitlines()[found.at.line - 1].strip()
+
+
+def notes(found: Diagnostic) -> str:
+    return "\n".join(note.message for note in found.notes)
+
+
+# -- names of interfaces ---------------------------------------------------------------------------------------------
+
+BARE = SOUND.replace("hardware_interface/", "")
+
+
+@pytest.mark.parametrize(
+    ("distro", "simulator", "expected"),
+    [
+        (None, None, ["warning UC202"]),
+        ("noetic", None, ["warning UC202"]),
+        ("noetic", "gazebo-classic", ["warning UC202"]),
+        ("noetic", "none", ["error UC202"]),
+        ("indigo", "gazebo-classic", []),
+        ("jazzy", None, []),
+    ],
+)
+def test_a_bare_interface_is_deprecated_in_gazebo_and_refused_by_hardware(
+    robot: Robot, distro: str, simulator: str, expected: list[str]
+) -> None:
+    assert robot.says(BARE, distro=distro, simulator=simulator) == expected
+
+
+def test_the_prefix_is_a_safe_fix_only_where_the_distro_is_known_to_take_it(robot: Robot) -> None:
+    known = robot.only("UC202", BARE, distro="melodic")
+    assert known.fix is not None
+    assert known.fix.safe
+    assert ">hardware_interface/EffortJointInterface<" in robot.fixed(known)
+    unknown = robot.only("UC202", BARE)
+    assert unknown.fix is not None
+    assert not unknown.fix.safe
+
+
+@pytest.mark.parametrize(
+    ("distro", "simulator", "expected"),
+    [
+        ("jade", "gazebo-classic", ["error UC226"]),
+        ("jade", None, ["warning UC226"]),
+        ("jade", "none", []),
+        (None, "gazebo-classic", []),
+        ("kinetic", "gazebo-classic", []),
+    ],
+)
+def test_a_prefixed_interface_stops_the_simulation_up_to_jade(
+    robot: Robot, distro: str, simulator: str, expected: list[str]
+) -> None:
+    assert robot.says(SOUND, distro=distro, simulator=simulator) == expected
+
+
+def test_an_unknown_interface_is_corrected_in_the_form_of_the_distro(robot: Robot) -> None:
+    written = SOUND.replace("hardware_interface/EffortJointInterface", "position")
+    found = robot.only("UC203", written, distro="noetic")
+    assert "did you mean 'hardware_interface/PositionJointInterface'?" in found.message
+    assert ">hardware_interface/PositionJointInterface<" in robot.fixed(found)
+    assert "did you mean 'PositionJointInterface'?" in robot.only("UC203", written, distro="indigo").message
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("hardware_interface::EffortJointInterface", "EffortJointInterface"),
+        ("transmission_interface/VelocityJointInterface", "VelocityJointInterface"),
+        ("hardware_interfaces/PosVelJointInterface", "PosVelJointInterface"),
+        ("EfortJointInterface", "EffortJointInterface"),
+    ],
+)
+def test_the_interface_that_was_meant_is_found(robot: Robot, text: str, meant: str) -> None:
+    found = robot.only("UC203", SOUND.replace("hardware_interface/EffortJointInterface", text), simulator="none")
+    assert found.severity.value == "error"
+    assert f"did you mean 'hardware_interface/{meant}'?" in found.message
+
+
+def test_an_interface_like_no_other_is_an_error_only_where_the_runtime_is_known(robot: Robot) -> None:
+    foo = SOUND.replace("hardware_interface/EffortJointInterface", "foo")
+    assert robot.says(foo) == ["warning UC203"]
+    assert robot.says(foo, simulator="none") == ["error UC203"]
+    assert robot.says(foo, simulator="gazebo-classic") == ["error UC203"]
+    assert robot.says(foo, simulator="mujoco") == ["warning UC203"]
+    assert robot.says(foo + PLUGIN) == ["error UC203"]
+
+
+def test_interfaces_of_hardware_alone_are_errors_only_in_gazebo(robot: Robot) -> None:
+    posvel = SOUND.replace("EffortJointInterface", "PosVelJointInterface")
+    assert robot.says(posvel) == []
+    assert robot.says(posvel, simulator="none") == []
+    found = robot.only("UC203", posvel, simulator="gazebo-classic", distro="noetic")
+    assert "'hardware_interface/EffortJointInterface', 'hardware_interface/PositionJointInterface' and" in found.message
+
+
+def test_a_bare_interface_of_hardware_alone_is_not_told_of_twice_in_gazebo(robot: Robot) -> None:
+    posvel = SOUND.replace("hardware_interface/EffortJointInterface", "PosVelJointInterface")
+    assert robot.says(posvel, simulator="gazebo-classic") == ["error UC203"]
+    assert robot.says(posvel) == ["warning UC202"]
+
+
+def test_an_interface_of_another_package_is_left_to_its_own_hardware(robot: Robot) -> None:
+    franka = SOUND.replace("hardware_interface/EffortJointInterface", "franka_hw/FrankaModelInterface")
+    assert robot.says(franka) == []
+    assert robot.says(franka, simulator="none") == []
+    assert robot.says(franka + PLUGIN) == ["info UC203"]
+    assert robot.says(franka, simulator="gazebo-classic") == ["error UC203"]
+    assert robot.says(franka + OTHER_SIMULATION, simulator="gazebo-classic") == []
+
+
+def test_gazebo_looks_at_the_first_of_several_interfaces(robot: Robot) -> None:
+    second = SOUND.replace("</hardwareInterface>", "</hardwareInterface><hardwareInterface>foo</hardwareInterface>")
+    assert robot.says(second, simulator="gazebo-classic") == ["warning UC217"]
+    assert robot.says(second) == ["warning UC203"]
+    assert robot.says(second + PLUGIN) == ["warning UC217", "warning UC203"]
+
+
+def test_an_actuator_may_name_the_interface_of_its_joint_in_any_form(robot: Robot) -> None:
+    same = SOUND.replace("<mech", "<hardwareInterface>EffortJointInterface</hardwareInterface><mech")
+    assert robot.says(same) == []
+    assert robot.says(same.replace(">EffortJoint", ">hardware_interface/EffortActuator")) == []
+
+
+def test_a_comment_that_hides_an_interface_is_told_of(robot: Robot) -> None:
+    hidden = SOUND.replace("<hardware", "<hardwareInterface><!-- c -->x</hardwareInterface><hardware", 1)
+    assert "a comment stands before its text" in notes(robot.only("UC223", hidden))
+
+
+def test_a_missing_interface_is_told_with_where_it_may_have_gone(robot: Robot) -> None:
+    snake = SOUND.replace("hardwareInterface", "hardware_interface")
+    found = robot.only("UC201", snake)
+    assert "<hardware_interface> is not read: the element is spelt <hardwareInterface>" in notes(found)
+    assert found.fix is not None
+    assert "as its actuator names" in found.fix.title
+    hidden = robot.only("UC201", SOUND.replace("<hardwareInterface>", "<hardwareInterface><!-- c -->"))
+    assert "the <hardwareInterface> of joint 'elbow' of transmission 'elbow_trans' is empty" in hidden.message
+    assert "a comment stands before the text" in notes(hidden)
+    assert notes(robot.only("UC201", SOUND.replace(EFFORT, "<hardwareInterface/>"), distro="noetic")) == ""
+    beside = SOUND.replace(EFFORT, "").replace("<actuator", EFFORT + "<!-- c --><note/><actuator")
+    assert "stands beside the joint; it belongs inside <joint>" in notes(robot.only("UC201", beside))
+    assert robot.lint(beside, distro="indigo")[0].fix is not None
+
+
+# -- types -----------------------------------------------------------------------------------------------------------
+
+
+def test_a_misspelt_or_hidden_type_is_told_of(robot: Robot) -> None:
+    case = SOUND.replace("<type>", "<Type>").replace("</type>", "</Type>")
+    assert "<Type> is not read: the element is spelt <type>" in notes(robot.only("UC204", case))
+    comment = SOUND.replace("<type>", "<type><!-- simple -->")
+    assert "a comment stands before the text" in notes(robot.only("UC204", comment))
+    attribute = robot.only(
+        "UC204", SOUND.replace("<type>", "<kind>").replace("</type>", "</kind>").replace('s"', 's" type="x"', 1)
+    )
+    assert "the attribute type is not read by ros_control" in notes(attribute)
+    two = DIFFERENTIAL.replace("<type>transmission_interface/DifferentialTransmission</type>", "<type/>")
+    found = robot.only("UC204", two)
+    assert found.fix is not None
+    assert "DifferentialTransmission" in found.fix.title
+
+
+def test_the_form_of_the_pr2_is_left_to_the_pr2(robot: Robot) -> None:
+    pr2 = """
+        <transmission name="elbow_trans" type="pr2_mechanism_model/SimpleTransmission">
+          <joint name="elbow"/><actuator name="elbow_motor"/><mechanicalReduction>1</mechanicalReduction>
+        </transmission>
+    """
+    assert robot.says(pr2) == []
+    assert robot.says(pr2, simulator="gazebo-classic") == []
+    assert robot.says(pr2 + PLUGIN) == ["error UC204"]
+    assert (
+        robot.says(
+            f"<link name='x'>{pr2}</link><joint name='j' type='fixed'><parent link='fore'/><child link='x'/></joint>"
+        )
+        == []
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("pr2_mechanism_model/SimpleTransmission", "did you mean 'transmission_interface/SimpleTransmission'?"),
+        ("transmission_interface::SimpleTransmission", "did you mean 'transmission_interface/SimpleTransmission'?"),
+        ("transmission_interfaces/SimpleTransmission", "did you mean 'transmission_interface/SimpleTransmission'?"),
+        (
+            "transmission_interface/FourBarLinkTransmission",
+            "did you mean 'transmission_interface/FourBarLinkageTransmission'?",
+        ),
+        ("transmission_interface/Gear", "ros_control knows 'transmission_interface/SimpleTransmission', "),
+    ],
+)
+def test_the_type_that_was_meant_is_found(robot: Robot, text: str, expected: str) -> None:
+    unknown = SOUND.replace("transmission_interface/SimpleTransmission", text)
+    assert expected in robot.only("UC205", unknown).message
+    assert robot.says(unknown, simulator="gazebo-classic") == ["warning UC205"]
+    assert robot.says(unknown, simulator="none") == ["error UC205"]
+
+
+def test_a_type_of_another_package_is_left_to_that_package(robot: Robot) -> None:
+    other = SOUND.replace("transmission_interface/SimpleTransmission", "my_robot/CoupledTransmission")
+    assert robot.says(other) == []
+    assert robot.says(other.replace("<mechanicalReduction>1</mechanicalReduction>", "")) == []
+    assert robot.says(other.replace(">1<", ">one<")) == []
+
+
+# -- joints ----------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("simulator", "expected"), [(None, "error"), ("gazebo-classic", "error"), ("none", "warning")])
+def test_an_unknown_joint_stops_the_simulation(robot: Robot, simulator: str, expected: str) -> None:
+    found = robot.only("UC206", SOUND.replace('"elbow"', '"elbw"'), simulator=simulator)
+    assert found.severity.value == expected
+    assert '<joint name="elbow">' in robot.fixed(found)
+
+
+def test_a_link_in_the_place_of_a_joint_is_told_of(robot: Robot) -> None:
+    found = robot.only("UC206", SOUND.replace('"elbow"', '"fore"'))
+    assert found.fix is None
+    assert "'fore' is a link; a transmission drives a joint" in notes(found)
+    assert "the joint that moves this link is 'elbow'" in notes(found)
+    assert "is a link" in notes(robot.only("UC206", SOUND.replace('"elbow"', '"base"')))
+
+
+def test_an_unknown_joint_is_no_finding_where_a_part_of_the_robot_is_missing(robot: Robot) -> None:
+    part = "<xacro:no_such_macro/>" + SOUND.replace('"elbow"', '"elbw"')
+    assert "UC206" not in {found.code for found in robot.lint(part, name="robot.xacro")}
+
+
+def test_a_robot_without_joints_is_a_fragment(robot: Robot) -> None:
+    assert robot.says(f"<robot name='r'><link name='base'/>{SOUND}</robot>") == []
+
+
+TOOL = "<link name='tool'/><joint name='mount' type='fixed'><parent link='fore'/><child link='tool'/></joint>"
+
+
+@pytest.mark.parametrize(
+    ("simulator", "expected"), [(None, "warning"), ("gazebo-classic", "error"), ("none", "warning")]
+)
+def test_a_fixed_joint_stops_the_simulation(robot: Robot, simulator: str, expected: str) -> None:
+    found = robot.only("UC207", TOOL + SOUND.replace('"elbow"', '"mount"'), simulator=simulator)
+    assert found.severity.value == expected
+    assert "which is fixed" in found.message
+
+
+def test_a_fixed_joint_that_gazebo_is_told_to_keep_does_not_stop_it(robot: Robot) -> None:
+    kept = "<gazebo reference='mount'><preserveFixedJoint>true</preserveFixedJoint></gazebo>"
+    found = robot.only("UC207", TOOL + kept + SOUND.replace('"elbow"', '"mount"'), simulator="gazebo-classic")
+    assert found.severity.value == "warning"
+
+
+def test_two_transmissions_of_one_joint_with_two_interfaces_work_against_each_other(robot: Robot) -> None:
+    second = SOUND.replace("elbow_", "other_").replace("Effort", "Position")
+    found = robot.only("UC208", SOUND + second)
+    assert "it stands in transmission 'elbow_trans' first" in notes(found)
+    assert "their interfaces differ" in notes(found)
+    assert "differ" not in notes(robot.only("UC208", SOUND + SOUND.replace("elbow_", "other_")))
+
+
+# -- what the parser skips -------------------------------------------------------------------------------------------
+
+
+def test_misspelt_joints_and_actuators_are_told_of(robot: Robot) -> None:
+    joint = SOUND.replace("<joint", "<Joint").replace("</joint", "</Joint")
+    assert "<Joint> is not read" in notes(robot.only("UC219", joint))
+    assert notes(robot.only("UC219", SOUND.replace(f'<joint name="elbow">{EFFORT}</joint>', ""))) == ""
+    actuator = SOUND.replace("<actuator", "<Actuator").replace("</actuator", "</Actuator")
+    assert "<Actuator> is not read" in notes(robot.only("UC211", actuator))
+
+
+def test_a_name_that_is_empty_skips_its_own_end_and_one_that_is_missing_the_transmission(robot: Robot) -> None:
+    motor = "<actuator name='m2'><mechanicalReduction>1</mechanicalReduction></actuator></transmission>"
+    two = SOUND.replace("</transmission>", motor)
+    assert robot.only("UC211", two.replace('"elbow_motor"', '""')).severity.value == "warning"
+    assert robot.only("UC211", SOUND.replace('"elbow_motor"', '""')).severity.value == "error"
+    assert robot.only("UC211", two.replace(' name="elbow_motor"', "")).severity.value == "error"
+    assert robot.only("UC219", SOUND.replace('"elbow"', '""')).severity.value == "error"
+    joints = SOUND.replace("<joint", "<joint name=''/><joint")
+    assert robot.only("UC219", joints).severity.value == "warning"
+
+
+def test_an_empty_transmission_name_is_empty_and_hydro_takes_it(robot: Robot) -> None:
+    empty = SOUND.replace('"elbow_trans"', '""')
+    found = robot.only("UC220", empty)
+    assert "the name of the transmission of joint 'elbow' is empty" in found.message
+    assert found.fix is not None
+    assert found.fix.title == 'add name="elbow_trans"'
+    nameless = empty.replace('"elbow"', '""').replace('"elbow_motor"', '""')
+    assert robot.says(nameless, distro="hydro", simulator="none") == []
+
+
+def test_a_transmission_inside_another_element_is_not_read(robot: Robot) -> None:
+    assert "inside <link>" in robot.only("UC221", f"<link name='x'>{SOUND}</link>").message
+    inside = f"<ros2_control name='x' type='system'>{SOUND}</ros2_control>"
+    assert "UC221" in robot.only("UC221", inside, distro="noetic").code
+    assert "UC221" not in {found.code for found in robot.lint(inside)}
+    settings = (
+        "<gazebo><plugin name='p' filename='libp.so'><transmission><type>x</type></transmission></plugin></gazebo>"
+    )
+    assert robot.says(settings, distro="noetic") == []
+    assert robot.says("<gazebo><transmission/></gazebo>", distro="noetic") == []
+    control = (
+        "<ros2_control name='x' type='system'><transmission name='t'><plugin>p</plugin></transmission></ros2_control>"
+    )
+    assert "UC221" not in {found.code for found in robot.lint(control, distro="noetic")}
+
+
+def test_nothing_is_called_absent_that_could_not_be_expanded(robot: Robot) -> None:
+    part = """
+        <transmission name="elbow_trans">
+          <xacro:no_such_macro/>
+        </transmission>
+    """
+    assert {found.code for found in robot.lint(part, name="robot.xacro", distro="noetic")} == {"UC008"}
+    texts = (
+        SOUND.replace("effort", "effort")
+        .replace("hardware_interface/EffortJointInterface", "${nothing}")
+        .replace(">1<", ">${nothing}<")
+    )
+    texts = (
+        texts.replace("SimpleTransmission", "${nothing}")
+        .replace('"elbow"', '"${nothing}"')
+        .replace("elbow_motor", "${nothing}")
+    )
+    assert {found.code for found in robot.lint(texts, name="robot.xacro", distro="noetic")} == {"UC006"}
+
+
+# -- what only real hardware reads -----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("reduction", "said"),
+    [
+        ("", "is empty"),
+        ("abc", "is not a number: 'abc'"),
+        ("0.0", "is zero"),
+        ("1,5", "is read as 1: '1,5' is not a plain number"),
+        ("50rpm", "is read as 50: '50rpm' is not a plain number"),
+        ("nan", "is read as nan: 'nan' is not a plain number"),
+    ],
+)
+def test_a_reduction_is_read_as_its_leading_number(robot: Robot, reduction: str, said: str) -> None:
+    written = SOUND.replace(">1<", f">{reduction}<")
+    assert robot.only("UC225", written).message.endswith(said)
+    expected = "warning" if "read as" in said else "error"
+    assert robot.says(written, simulator="none") == [f"{expected} UC225"]
+    assert robot.says(written, simulator="gazebo-classic") == ["warning UC225"]
+
+
+@pytest.mark.parametrize("reduction", ["1", "-50", "+.5", "1e2", " 100. "])
+def test_a_plain_number_is_a_sound_reduction(robot: Robot, reduction: str) -> None:
+    assert robot.says(SOUND.replace(">1<", f">{reduction}<")) == []
+
+
+def test_a_joints_reduction_is_read_where_the_type_has_two_joints(robot: Robot) -> None:
+    joint = DIFFERENTIAL.replace(
+        "<role>joint1</role>", "<role>joint1</role><mechanicalReduction>two</mechanicalReduction>"
+    )
+    assert "of joint 'shoulder' of transmission 'wrist' is not a number" in robot.only("UC225", joint).message
+    assert robot.says(SOUND.replace("<hardware", "<mechanicalReduction>two</mechanicalReduction><hardware", 1)) == []
+
+
+def test_a_reduction_in_a_wrong_place_is_told_of(robot: Robot) -> None:
+    reduction = "<mechanicalReduction>1</mechanicalReduction>"
+    without = SOUND.replace(reduction, "")
+    in_joint = without.replace('<joint name="elbow">', f'<joint name="elbow">{reduction}')
+    assert "the one in <joint> does not stand for it" in notes(robot.only("UC212", in_joint))
+    beside = without.replace("</transmission>", f"{reduction}</transmission>")
+    assert "stands beside the actuator" in notes(robot.only("UC212", beside))
+    misspelt = SOUND.replace("mechanicalReduction", "mechanical_reduction")
+    assert "<mechanical_reduction> is not read" in notes(robot.only("UC212", misspelt))
+    assert notes(robot.only("UC212", without.replace("<actuator", "<note/><actuator"), distro="noetic")) == ""
+    assert robot.says(without, simulator="none") == ["error UC212"]
+    assert robot.says(without, simulator="gazebo-classic") == ["warning UC212"]
+
+
+def test_an_offset_is_a_number_in_the_joint(robot: Robot) -> None:
+    text = SOUND.replace("<hardware", "<offset>abc</offset><hardware", 1)
+    assert robot.says(text, simulator="none") == ["error UC213"]
+    assert robot.says(text) == ["warning UC213"]
+    empty = robot.only("UC213", SOUND.replace("<hardware", "<offset/><hardware", 1))
+    assert "an empty text is not a number" in empty.message
+    actuator = SOUND.replace("<mech", "<offset>1</offset><mech")
+    assert robot.says(actuator, simulator="none") == ["warning UC213"]
+
+
+@pytest.mark.parametrize(
+    ("role", "said"),
+    [
+        ("", "has no <role>: it is 'actuator1' or 'actuator2'"),
+        ("<role/>", "has an empty <role>: it is 'actuator1' or 'actuator2'"),
+        ("<role>actuator3</role>", "has the role 'actuator3': it is 'actuator1' or 'actuator2'"),
+        (
+            "<role>actuator1</role>",
+            "has the role 'actuator1' of another actuator: they are 'actuator1' and 'actuator2'",
+        ),
+    ],
+)
+def test_each_end_has_a_role_of_its_own(robot: Robot, role: str, said: str) -> None:
+    written = DIFFERENTIAL.replace("<role>actuator2</role>", role)
+    assert robot.only("UC214", written).message == f"actuator 'right' of transmission 'wrist' {said}"
+    assert robot.says(written, simulator="none") == ["error UC214"]
+    assert robot.says(written) == ["warning UC214"]
+
+
+def test_a_role_that_could_not_be_worked_out_is_no_finding(robot: Robot) -> None:
+    unknown = DIFFERENTIAL.replace(">joint1<", ">${nothing}<").replace("<role>joint2</role>", "<xacro:no_such_macro/>")
+    assert "UC214" not in {found.code for found in robot.lint(unknown, name="robot.xacro", distro="noetic")}
+
+
+def test_a_count_that_does_not_fit_the_type_is_an_error_on_hardware(robot: Robot) -> None:
+    two = SOUND.replace(
+        "</transmission>", "<actuator name='m2'><mechanicalReduction>1</mechanicalReduction></actuator></transmission>"
+    )
+    found = robot.only("UC215", two, simulator="none")
+    assert found.severity.value == "error"
+    assert found.message == "transmission 'elbow_trans' has 2 actuators: a SimpleTransmission joins 1 actuator"
+    assert robot.says(two) == ["warning UC215"]
+
+
+def test_joints_of_one_transmission_have_the_same_interfaces_in_any_order(robot: Robot) -> None:
+    position = "<hardwareInterface>hardware_interface/PositionJointInterface</hardwareInterface>"
+    other_order = DIFFERENTIAL.replace(f"joint1</role>{EFFORT}", f"joint1</role>{EFFORT}{position}")
+    other_order = other_order.replace(f"joint2</role>{EFFORT}", f"joint2</role>{position}{EFFORT}")
+    assert robot.says(other_order, simulator="none") == []
+    fewer = DIFFERENTIAL.replace(f"joint1</role>{EFFORT}", f"joint1</role>{EFFORT}{position}")
+    assert robot.says(fewer, simulator="none") == ["error UC218"]
+
+
+# -- what Gazebo cannot simulate -------------------------------------------------------------------------------------
+
+
+def test_a_transmission_of_two_joints_is_an_error_only_in_gazebo(robot: Robot) -> None:
+    assert robot.says(DIFFERENTIAL) == []
+    assert robot.says(DIFFERENTIAL, simulator="none") == []
+    assert robot.says(DIFFERENTIAL, simulator="gazebo-classic") == ["error UC216"]
+    assert robot.says(DIFFERENTIAL + PLUGIN) == ["warning UC216"]
+    assert robot.says(DIFFERENTIAL + OTHER_SIMULATION, simulator="gazebo-classic") == []
+
+
+def test_joints_that_the_parser_drops_do_not_count_in_gazebo(robot: Robot) -> None:
+    dropped = DIFFERENTIAL.replace(f"joint2</role>{EFFORT}", "joint2</role>")
+    assert robot.says(dropped, simulator="gazebo-classic") == ["error UC201"]
