@@ -28,13 +28,15 @@ REQUIRED = (
     "safe_eval substitution_args_context"
 ).split()
 _numbers = itertools.count()
+_PYTHONPATH = os.environ.get("PYTHONPATH", "")
+"""As the run began with it: where xacro is loaded, in a worker, little of the environment is left."""
 
 
 @lru_cache(1)
 def _location() -> str:
     """The folder of the xacro package to use: one of this installation before one that PYTHONPATH puts in front,
     because a sourced ROS environment brings an older xacro of its own."""
-    foreign = {os.path.abspath(p) for p in os.environ.get("PYTHONPATH", "").split(os.pathsep) if p}
+    foreign = {os.path.abspath(p) for p in _PYTHONPATH.split(os.pathsep) if p}
     entries = [entry or os.curdir for entry in sys.path[0:]]
     ours = [entry for entry in entries if os.path.abspath(entry) not in foreign]
     for entry in ours + entries:
