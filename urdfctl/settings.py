@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from urdfctl.catalog.distros import ALL, SIMULATORS
 from urdfctl.errors import UserError
@@ -13,6 +13,8 @@ from urdfctl.suggest import did_you_mean
 
 PASSED_ON = ("ROS_", "AMENT_", "COLCON_", "CMAKE_PREFIX_PATH")
 PASSED_ON_NAMES = ("HOME", "LANG")
+MOST_SECONDS = 86_400
+MOST_BYTES = 1 << 40
 
 
 class Settings(NamedTuple):
@@ -28,17 +30,31 @@ class Settings(NamedTuple):
     timeout: float = 20.0
     memory: int = 2 << 30
 
+    def to_json(self) -> dict[str, Any]:
+        """As plain data."""
+        return {**self._asdict(), "environ": dict(self.environ)}
+
+    @classmethod
+    def from_json(cls, data: dict[str, Any]) -> Settings:
+        """From plain data."""
+        plain: dict[str, Any] = {n: tuple(value) if isinstance(value, list) else value for n, value in data.items()}
+        return cls(**plain)
+
 
 def checked(settings: Settings) -> Settings:
     """The settings, if they mean something. UserError where they do not."""
     if settings.distro is not None and settings.distro not in ALL:
         raise UserError(f"unknown distro '{settings.distro}'{did_you_mean(settings.distro, ALL)}")
     if settings.simulator is not None and settings.simulator not in SIMULATORS:
-        known = ", ".join(SIMULATORS)
-        raise UserError(f"unknown simulator '{settings.simulator}': one of {known}")
+        near = did_you_mean(settings.simulator, SIMULATORS)
+        raise UserError(f"unknown simulator '{settings.simulator}'{near}; known are {', '.join(SIMULATORS)}")
     for folder in (*settings.package_paths, *([settings.workspace] if settings.workspace else [])):
         if not os.path.isdir(folder):
             raise UserError(f"no such folder: '{folder}'")
+    if not 0 < settings.timeout <= MOST_SECONDS:
+        raise UserError(f"--timeout is a number of seconds up to {MOST_SECONDS}, not {settings.timeout:g}")
+    if not 0 < settings.memory <= MOST_BYTES:
+        raise UserError(f"--memory is a number of MiB up to {MOST_BYTES >> 20}, not {settings.memory >> 20}")
     return settings
 
 
