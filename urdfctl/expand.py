@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from functools import partial
 from typing import Any, NamedTuple
 
 from urdfctl.diagnostic import Diagnostic
@@ -29,8 +28,8 @@ def expand_one(path: str, arguments: Mapping[str, str], settings: Settings) -> E
     """The expansion of one file."""
     target = Target(path, tuple(arguments.items()))
     limits = Limits(settings.timeout, settings.memory, settings.environ)
-    job = {"path": path, "arguments": dict(arguments)}
-    result = next(iter(run([job], partial(_perform, settings), limits, 1)))
+    job = {"path": path, "arguments": dict(arguments), "settings": settings.to_json()}
+    result = next(iter(run([job], perform, limits, 1, fresh="urdfctl.expand:perform")))
     if not isinstance(result, dict):
         outcome = dead(target, settings, result).outcome
         return Expanded(None, tuple(outcome.diagnostics), outcome.crashed)
@@ -38,9 +37,10 @@ def expand_one(path: str, arguments: Mapping[str, str], settings: Settings) -> E
     return Expanded(result["text"], tuple(outcome.diagnostics), outcome.crashed)
 
 
-def _perform(settings: Settings, job: dict[str, Any]) -> dict[str, Any]:
+def perform(job: dict[str, Any]) -> dict[str, Any]:
+    """Expand the file of a job that came as JSON."""
     path = os.path.abspath(job["path"])
-    expander = Loader(settings, Selection()).expander(path, strict=True)
+    expander = Loader(Settings.from_json(job["settings"]), Selection()).expander(path, strict=True)
     expansion = expander.expand(path, job["arguments"])
     project = Project(None, path, problems=tuple(expansion.problems), complete=False)
     outcome = lint(project, [], Selection(select=("UC0",)))

@@ -1,7 +1,7 @@
 """Runs jobs in worker processes that have little time, little memory and little of the environment.
 
-What a worker sends back is JSON text, so nothing of a stranger's robot is ever unpickled or run by the parent. Where the
-system can fork, a worker is a fork; elsewhere it is a fresh `python -m urdfctl.worker`.
+What a worker sends back is JSON text, so nothing of a stranger's robot is ever unpickled or run by the parent. Where
+the system can fork, a worker is a fork; elsewhere it is a fresh Python that runs `main`, with a limit of time only.
 """
 
 from __future__ import annotations
@@ -43,11 +43,17 @@ class Died(NamedTuple):
 Result = Json | Died
 
 
-def run(jobs: Sequence[Json], perform: Callable[[Json], Json], limits: Limits, parallel: int) -> Iterator[Result]:
-    """The result of each job, in their order; as many at once as `parallel` says."""
+def run(
+    jobs: Sequence[Json],
+    perform: Callable[[Json], Json],
+    limits: Limits,
+    parallel: int,
+    fresh: str = "urdfctl.load:perform",
+) -> Iterator[Result]:
+    """The result of each job, in their order; as many at once as `parallel` says. `fresh` names what performs a job in
+    a process that knows nothing of this one: `package.module:function`."""
     if not CAN_FORK:
-        for job in jobs:
-            yield _run_fresh(job, limits)
+        yield from _run_all_fresh(jobs, limits, parallel, fresh)
         return
     results: dict[int, Result] = {}
     pending = list(enumerate(jobs))[::-1]
@@ -102,14 +108,32 @@ def _fork(index: int, job: Json, perform: Callable[[Json], Json], limits: Limits
 
 
 def _performed(job: Json, perform: Callable[[Json], Json]) -> bytes:
+    """The result as JSON, or why there is none. The parent must hear of it, whatever it is."""
     try:
-        return json.dumps(perform(job)).encode()
-    except BaseException as error:  # noqa: BLE001 (the parent must hear of it, whatever it is)
+        text = json.dumps(perform(job)).encode()
+        _disarm()
+    except OverBudget as error:
+        return _death(str(error), ours=False)
+    except MemoryError:
+        return _death("it needs more memory than a robot may take (see --memory)", ours=False)
+    except BaseException as error:  # noqa: BLE001 (as said above)
+        _disarm()
         import traceback
 
         last = traceback.extract_tb(error.__traceback__)[-1]
         where = f"{os.path.basename(last.filename)}:{last.lineno} in {last.name}"
-        return json.dumps({"died": f"{type(error).__name__}: {error} ({where})"}).encode()
+        return _death(f"{type(error).__name__}: {error} ({where})", ours=True)
+    return text
+
+
+def _death(why: str, *, ours: bool) -> bytes:
+    return json.dumps({"died": why, "ours": ours}).encode()
+
+
+def _disarm() -> None:
+    """Let no alarm cut short what is being told."""
+    if CAN_FORK:
+        signal.setitimer(signal.ITIMER_REAL, 0)
 
 
 def _write(pipe: int, text: bytes) -> None:
@@ -125,17 +149,18 @@ def _restrict(limits: Limits) -> None:
     os.environ.clear()
     os.environ.update(limits.environ)
     seconds = int(limits.seconds + GRACE) + 1
-    for kind, value in (
+    for kind, wanted in (
         (resource.RLIMIT_AS, limits.memory),
         (resource.RLIMIT_CPU, seconds),
         (resource.RLIMIT_CORE, 0),
     ):
         hard = resource.getrlimit(kind)[1]
-        value = value if hard == resource.RLIM_INFINITY else min(value, hard)
+        most = wanted if hard == resource.RLIM_INFINITY else min(wanted, hard)
         try:
-            resource.setrlimit(kind, (value, hard))
-        except (ValueError, OSError):  # macOS refuses RLIMIT_AS
+            resource.setrlimit(kind, (most, hard))
+        except (ValueError, OSError, OverflowError):  # macOS refuses RLIMIT_AS
             continue
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # the parent tells what is to be told
     signal.signal(signal.SIGALRM, _too_late(limits.seconds))
     signal.setitimer(signal.ITIMER_REAL, limits.seconds)
 
@@ -171,31 +196,47 @@ def _wait(active: dict[int, _Worker], results: dict[int, Result]) -> None:
 
 
 def _result(worker: _Worker) -> Result:
-    status = worker.reap()
-    if worker.text:
+    number = os.waitstatus_to_exitcode(worker.reap())
+    if number == 0 and worker.text:
         return _parsed(bytes(worker.text))
-    number = os.waitstatus_to_exitcode(status)
     if -number in (signal.SIGXCPU, signal.SIGKILL):
         return Died("it uses more time or memory than a robot needs")
-    return Died(f"the worker ended with status {number} and said nothing", ours=number != 0)
+    how = f"was ended by {signal.Signals(-number).name}" if number < 0 else f"ended with status {number}"
+    return Died(f"the worker {how} and gave no result", ours=True)
 
 
 def _parsed(text: bytes) -> Result:
     result: Json = json.loads(text)
-    return Died(result["died"], ours=True) if "died" in result else result
+    return Died(result["died"], result["ours"]) if "died" in result else result
 
 
-def _run_fresh(job: Json, limits: Limits) -> Result:
+# -- where there is no fork ------------------------------------------------------------------------------------------
+
+
+def _run_all_fresh(jobs: Sequence[Json], limits: Limits, parallel: int, fresh: str) -> Iterator[Result]:
+    from concurrent.futures import ThreadPoolExecutor
+
+    pool = ThreadPoolExecutor(max(parallel, 1))
+    try:
+        yield from pool.map(lambda job: _run_fresh(job, limits, fresh), jobs)
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+_KEPT = ("PATH", "SYSTEMROOT", "PYTHONPATH", "VIRTUAL_ENV", "LD_LIBRARY_PATH")
+_START = "import sys; sys.path[:] = sys.argv[1:]; from urdfctl.worker import main; main()"
+"""Nothing is imported from the current folder, which may be a stranger's."""
+
+
+def _run_fresh(job: Json, limits: Limits, fresh: str) -> Result:
     import subprocess
 
-    keep = {
-        name: os.environ[name] for name in ("PATH", "SYSTEMROOT", "PYTHONPATH", "VIRTUAL_ENV") if name in os.environ
-    }
-    command = [sys.executable, "-m", "urdfctl.worker"]
+    keep = {name: os.environ[name] for name in _KEPT if name in os.environ}
+    command = [sys.executable, "-c", _START, *(entry for entry in sys.path if entry)]
     try:
         done = subprocess.run(  # noqa: S603 (our own module)
             command,
-            input=json.dumps(job).encode(),
+            input=json.dumps({"perform": fresh, "job": job}).encode(),
             capture_output=True,
             timeout=limits.seconds + GRACE,
             env={**limits.environ, **keep},
@@ -211,10 +252,13 @@ def _run_fresh(job: Json, limits: Limits) -> Result:
 
 def main() -> None:
     """A fresh worker: one job on standard input, its result on standard output."""
-    from urdfctl.load import perform
+    from importlib import import_module
 
-    job = json.loads(sys.stdin.buffer.read())
-    sys.stdout.buffer.write(_performed(job, perform))
+    given = json.loads(sys.stdin.buffer.read())
+    module, _, name = given["perform"].partition(":")
+    perform = getattr(import_module(module), name)
+    sys.stdout.buffer.write(_performed(given["job"], perform))
+    sys.stdout.buffer.flush()
 
 
 if __name__ == "__main__":
