@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from enum import Enum
 from typing import NamedTuple
 
+from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place, SourceSpan
 
 
@@ -129,14 +130,19 @@ def diagnosed(code: str, name: str, severity: Severity, finding: Finding, url: s
         code,
         name,
         severity,
-        finding.message,
+        _told(finding.message),
         located(finding.at.span),
         _chains(finding.at),
-        tuple(Remark(note.message, located(note.at.span) if note.at else None) for note in finding.notes),
-        Repair(fix.title, fix.safe, _replacements(fix.edits)) if fix else None,
+        tuple(Remark(_told(note.message), located(note.at.span) if note.at else None) for note in finding.notes),
+        Repair(_told(fix.title), fix.safe, _replacements(fix.edits)) if fix else None,
         finding.at.source.line(finding.at.span.source.position(finding.at.span.start).line),
         url,
     )
+
+
+def _told(message: str) -> str:
+    """A message as people read it: what is not known stands in it as a question mark."""
+    return message.replace(UNKNOWN, "?")
 
 
 def located(span: SourceSpan) -> Location:

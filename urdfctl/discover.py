@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from fnmatch import fnmatchcase
 
 from urdfctl.errors import UserError
 from urdfctl.suggest import did_you_mean
@@ -26,8 +27,14 @@ class Found:
     def __init__(self) -> None:
         self.robots: list[str] = []
         self.candidates: list[str] = []
+        self.others: list[str] = []
         self.controllers: list[str] = []
         self.launches: list[str] = []
+
+    def unread(self, files: Collection[str]) -> list[str]:
+        """The descriptions in the folders that are not among some files: libraries and fragments that nothing used."""
+        known = set(files)
+        return [path for path in map(os.path.abspath, self.others) if path not in known]
 
     def descriptions(self) -> list[tuple[str, bool]]:
         """Each description once, and whether it was named by the user."""
@@ -43,7 +50,9 @@ def find(paths: Sequence[str]) -> Found:
         if not os.path.lexists(path):
             raise UserError(f"no such file or folder: '{path}'{_nearest(path)}")
         if os.path.isdir(path):
-            found.candidates += roots(path)
+            texts = _descriptions_in(path)
+            found.others += texts
+            found.candidates += roots(texts)
         elif path.endswith(_CONTROLLERS):
             found.controllers.append(path)
         elif path.endswith(_LAUNCHES):
@@ -71,13 +80,16 @@ def _nearest(path: str) -> str:
         return ""
 
 
-def roots(folder: str) -> list[str]:
-    """The descriptions below a folder that no other one includes, in order. Whether one is a robot shows when it is read:
-    it has two links or more."""
+def _descriptions_in(folder: str) -> dict[str, bytes]:
+    """The texts of the descriptions below a folder whose root element is a robot."""
     texts = {path: _text(path) for path in sorted(_descriptions(folder))}
-    candidates = [path for path, text in texts.items() if re.search(_ROBOT, text)]
+    return {path: text for path, text in texts.items() if re.search(_ROBOT, text)}
+
+
+def roots(texts: Mapping[str, bytes]) -> list[str]:
+    """The descriptions that no other one includes, in order. Whether one is a robot shows when it is read."""
     included = {tail for path, text in texts.items() for tail in _included(path, text)}
-    return [path for path in candidates if not any(_is(path, tail) for tail in included)]
+    return [path for path in texts if not any(_is(path, tail) for tail in included)]
 
 
 def _descriptions(folder: str) -> Iterator[str]:
@@ -108,10 +120,10 @@ def _included(path: str, text: bytes) -> Iterator[str]:
         if "$" not in name and not os.path.isabs(name):
             yield os.path.normpath(os.path.join(os.path.dirname(path), name))
         else:
-            yield "*" + re.sub(r"^.*[})]", "", name)
+            yield "*" + re.sub(r"\$\{[^}]*\}|\$\([^)]*\)", "*", name)
 
 
 def _is(path: str, included: str) -> bool:
     if included.startswith("*"):
-        return bool(included[1:].strip("/")) and path.endswith("/" + included[1:].lstrip("/"))
+        return bool(included.strip("*/")) and fnmatchcase(os.path.abspath(path).replace(os.sep, "/"), included)
     return os.path.normpath(path) == included

@@ -6,10 +6,13 @@ import os
 import re
 from typing import NamedTuple
 
-from urdfctl.catalog.distros import ALL, ROS1, ROS2
+from urdfctl.catalog.distros import ALL, ROS2, since
 from urdfctl.model.robot import Robot
 from urdfctl.settings import Settings
 
+ROS1 = since("indigo")
+"""What a robot of ROS 1 may be for when nothing says more: hydro read transmissions in another form, ten years ago."""
+_ANY = (*ROS1, *ROS2)
 _MANIFEST_BYTES = 65536
 _ROS1_PLUGINS = ("libgazebo_ros_control.so",)
 _ROS2_PLUGINS = ("libgazebo_ros2_control.so", "gz_ros2_control", "ign_ros2_control")
@@ -40,7 +43,7 @@ def judged(robot: Robot | None, package: str | None, settings: Settings) -> Evid
         return Evidence(None, *by_manifest, simulator)
     if robot is not None and robot.transmissions:
         return Evidence(None, ROS1, "<transmission>", simulator)
-    return Evidence(None, ALL, None, simulator)
+    return Evidence(None, _ANY, None, simulator)
 
 
 def _by_robot(robot: Robot | None) -> tuple[tuple[str, ...], str] | None:

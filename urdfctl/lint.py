@@ -58,6 +58,23 @@ class Outcome(NamedTuple):
     crashed: bool = False
 
 
+class Linted(NamedTuple):
+    """What became of one robot. `links` tells how many links it has, None where there is none; `robot` is its name;
+    `library` tells that the file holds macros that nothing calls; `files` are those that were read for it."""
+
+    path: str
+    ros: int | None
+    distro: str | None
+    distro_from: str | None
+    simulator: str | None
+    complete: bool
+    library: bool
+    robot: str | None
+    links: int | None
+    files: tuple[str, ...]
+    outcome: Outcome
+
+
 def lint(
     project: Project, sources: Sequence[SourceText], selection: Selection, rules: Iterable[Rule] = RULES
 ) -> Outcome:

@@ -9,14 +9,15 @@ from typing import Any, NamedTuple
 
 from urdfctl.diagnostic import Finding, diagnosed
 from urdfctl.evidence import judged
-from urdfctl.lint import Outcome, Selection, lint
-from urdfctl.model.build_robot import robot_of
+from urdfctl.lint import Linted, Outcome, Selection, lint
+from urdfctl.model.build_robot import TOP_LEVEL, robot_of
 from urdfctl.model.project import Project
 from urdfctl.rules import CRASHED, OVER_BUDGET
-from urdfctl.serialise import outcome_from_json, outcome_to_json
+from urdfctl.serialise import linted_from_json, linted_to_json
 from urdfctl.settings import Settings
 from urdfctl.source.dom import Document
 from urdfctl.source.files import FileProblem, Files
+from urdfctl.source.library import LibraryExpander
 from urdfctl.source.packages import PackageIndex, Packages
 from urdfctl.source.problem import Problem, ReadError
 from urdfctl.source.span import Place, SourceText
@@ -27,32 +28,11 @@ from urdfctl.workspace import workspace_of
 
 
 class Target(NamedTuple):
-    """One robot in one variant: a file and its `name:=value` arguments."""
+    """One robot in one variant: a file and its `name:=value` arguments; or a `fragment`, which others may include."""
 
     path: str
     arguments: tuple[tuple[str, str], ...] = ()
-
-
-class Linted(NamedTuple):
-    """What became of one target. `links` tells how many links its robot has, None where there is no robot."""
-
-    path: str
-    ros: int | None
-    distro: str | None
-    distro_from: str | None
-    simulator: str | None
-    complete: bool
-    links: int | None
-    outcome: Outcome
-
-    def to_json(self) -> dict[str, Any]:
-        """As plain data."""
-        return {**self._asdict(), "outcome": outcome_to_json(self.outcome)}
-
-    @classmethod
-    def from_json(cls, data: dict[str, Any]) -> Linted:
-        """From plain data."""
-        return cls(**{**data, "outcome": outcome_from_json(data["outcome"])})
+    fragment: bool = False
 
 
 class Loader:
@@ -85,19 +65,22 @@ class Loader:
         bounds = None if self.settings.trust else [index.workspace, *index.extra]
         return Files(bounds, packages.source_of), packages
 
-    def expander(self, path: str, *, strict: bool) -> Expander:
+    def expander(self, path: str, kind: type[Expander] = Expander, *, strict: bool = False) -> Expander:
         """An expander for one file."""
         files, packages = self.reading(path)
-        return Expander(files, packages, self.settings.environ, strict=strict, trust=self.settings.trust)
+        return kind(files, packages, self.settings.environ, strict=strict, trust=self.settings.trust)
 
     def lint(self, target: Target) -> Linted:
-        """The findings in one robot."""
+        """The findings in one robot, or in a file that is none: then in the macros it defines."""
         path = os.path.abspath(target.path)
-        expander = self.expander(path, strict=False)
-        expansion = _expansion(expander, path, dict(target.arguments))
+        arguments = dict(target.arguments)
+        expander = self.expander(path, LibraryExpander if target.fragment else Expander)
+        expansion = _expansion(expander, path, arguments)
+        if expander.defines_macros and not expansion.library and _is_bare(expansion):
+            expander = self.expander(path, LibraryExpander)
+            expansion = _expansion(expander, path, arguments)
         project = self._project(path, expansion, expander.packages)
-        outcome = lint(project, expander.files.sources(), self.selection)
-        links = len(project.robot.links) if project.robot else None
+        robot = project.robot
         return Linted(
             path,
             project.ros,
@@ -105,13 +88,16 @@ class Loader:
             project.distro_from,
             project.simulator,
             project.complete,
-            links,
-            outcome,
+            expansion.library,
+            robot.name if robot else None,
+            len(robot.links) if robot else None,
+            tuple(expander.files.read_paths()),
+            lint(project, expander.files.sources(), self.selection),
         )
 
     def _project(self, path: str, expansion: Expansion, packages: Packages) -> Project:
         root = expansion.document.documentElement if expansion.document else None
-        robot = robot_of(root) if root is not None else None
+        robot = robot_of(root, whole=expansion.complete) if root is not None else None
         evidence = judged(robot, packages.own(), self.settings)
         return Project(
             robot,
@@ -139,7 +125,13 @@ def _expansion(expander: Expander, path: str, arguments: Mapping[str, str]) -> E
         problems: list[Problem] = []
     except ReadError as error:
         document, problems = None, [error.problem]
-    return Expansion(document, problems)
+    return Expansion(document, problems, library=isinstance(expander, LibraryExpander))
+
+
+def _is_bare(expansion: Expansion) -> bool:
+    """Whether nothing of a robot is in what a file expands to."""
+    root = expansion.document.documentElement if expansion.document else None
+    return root is not None and not any(child.tagName in TOP_LEVEL for child in root.elements())
 
 
 def is_xacro(source: SourceText) -> bool:
@@ -161,7 +153,7 @@ def lint_all(
     limits = Limits(settings.timeout, settings.memory, settings.environ)
     results = run(jobs, partial(_perform_with, loader), limits, parallel or os.cpu_count() or 1)
     for target, result in zip(targets, results, strict=True):
-        yield Linted.from_json(result) if isinstance(result, dict) else dead(target, settings, result)
+        yield linted_from_json(result) if isinstance(result, dict) else dead(target, settings, result)
 
 
 def _job(target: Target, settings: Settings, selection: Selection) -> dict[str, Any]:
@@ -170,12 +162,12 @@ def _job(target: Target, settings: Settings, selection: Selection) -> dict[str, 
 
 
 def _perform_with(loader: Loader, job: dict[str, Any]) -> dict[str, Any]:
-    return loader.lint(_target_of(job)).to_json()
+    return linted_to_json(loader.lint(_target_of(job)))
 
 
 def _target_of(job: dict[str, Any]) -> Target:
     arguments = tuple((str(name), str(value)) for name, value in job["target"]["arguments"])
-    return Target(job["target"]["path"], arguments)
+    return Target(job["target"]["path"], arguments, job["target"]["fragment"])
 
 
 def perform(job: dict[str, Any]) -> dict[str, Any]:
@@ -195,4 +187,5 @@ def dead(target: Target, settings: Settings, death: Died) -> Linted:
     message = f"urdfctl crashed: {death.why}" if death.ours else f"the description is not linted: {death.why}"
     finding = diagnosed(rule.code, rule.name, rule.severity, Finding(place, message))
     outcome = Outcome([finding], [], crashed=death.ours)
-    return Linted(path, None, settings.distro, None, settings.simulator, complete=False, links=None, outcome=outcome)
+    distro, simulator = settings.distro, settings.simulator
+    return Linted(path, None, distro, None, simulator, False, target.fragment, None, None, (path,), outcome)  # noqa: FBT003

@@ -5,7 +5,17 @@ from __future__ import annotations
 from typing import Any
 
 from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Replacement, Severity, Step
-from urdfctl.lint import Outcome, SuppressionUse
+from urdfctl.lint import Linted, Outcome, SuppressionUse
+
+
+def linted_to_json(linted: Linted) -> dict[str, Any]:
+    """A linted robot as plain data."""
+    return {**linted._asdict(), "outcome": outcome_to_json(linted.outcome)}
+
+
+def linted_from_json(data: dict[str, Any]) -> Linted:
+    """The linted robot that plain data stands for."""
+    return Linted(**{**data, "files": tuple(data["files"]), "outcome": outcome_from_json(data["outcome"])})
 
 
 def outcome_to_json(outcome: Outcome) -> dict[str, Any]:

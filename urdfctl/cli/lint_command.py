@@ -9,11 +9,11 @@ from typing import NamedTuple
 from urdfctl.cli.words import codes, settings_from, split_arguments
 from urdfctl.cli.writing import write_file
 from urdfctl.diagnostic import Severity
-from urdfctl.discover import find
+from urdfctl.discover import Found, find
 from urdfctl.errors import UserError
-from urdfctl.lint import Selection, joined, worst
+from urdfctl.lint import Linted, Selection, joined, worst
 from urdfctl.lint import selection as checked_selection
-from urdfctl.load import Linted, Target, lint_all
+from urdfctl.load import Target, lint_all
 from urdfctl.report import FORMATS
 from urdfctl.report.common import Report
 from urdfctl.report.text import print_coloured
@@ -68,14 +68,11 @@ def run_lint(wanted: Wanted, settings: Settings) -> int:
     """Lint what the words mean, report it, and give the exit status."""
     paths, arguments = split_arguments(wanted.words)
     found = find(paths)
-    descriptions = found.descriptions()
-    if not descriptions and not found.controllers and not found.launches:
+    if not found.descriptions() and not found.controllers and not found.launches:
         sys.stderr.write(f"urdfctl: no robot found in {', '.join(paths) or 'this folder'}\n")
-    targets = [Target(path, tuple(arguments.items())) for path, _ in descriptions]
-    linted = lint_all(targets, settings, wanted.selection, wanted.jobs or None)
-    kept = [one for one, (_, named) in zip(linted, descriptions, strict=True) if named or _is_robot(one)]
-    outcomes = [one.outcome for one in kept]
-    report = Report(tuple(kept), tuple(joined(outcomes, wanted.selection)))
+    kept, looked_at = _linted(found, tuple(arguments.items()), settings, wanted)
+    outcomes = [one.outcome for one in looked_at]
+    report = Report(tuple(kept), tuple(joined(outcomes, wanted.selection)), len(looked_at) - len(kept))
     for name, file in wanted.outputs:
         _tell(report, name, file)
     if any(outcome.crashed for outcome in outcomes):
@@ -84,9 +81,24 @@ def run_lint(wanted: Wanted, settings: Settings) -> int:
     return int(gravest is not None and gravest.weight >= wanted.fail_on.weight and not wanted.exit_zero)
 
 
+def _linted(
+    found: Found, arguments: tuple[tuple[str, str], ...], settings: Settings, wanted: Wanted
+) -> tuple[list[Linted], list[Linted]]:
+    """The robots, and all that was looked at: with folders also the macro libraries and fragments that no robot uses."""
+    descriptions = found.descriptions()
+    targets = [Target(path, arguments) for path, _ in descriptions]
+    linted = lint_all(targets, settings, wanted.selection, wanted.jobs or None)
+    robots = [one for one, (_, named) in zip(linted, descriptions, strict=True) if named or _is_robot(one)]
+    rest = [Target(path, fragment=True) for path in found.unread({file for robot in robots for file in robot.files})]
+    return robots, [*robots, *lint_all(rest, settings, wanted.selection, wanted.jobs or None)]
+
+
 def _is_robot(linted: Linted) -> bool:
-    """Whether a file found in a folder is a robot: it has two links, or nothing of it could be read at all."""
-    return linted.links is None or linted.links > 1
+    """Whether a file found in a folder is a robot: two links or more, whole or at least named; or nothing that could be
+    read at all."""
+    if linted.links is None:
+        return True
+    return linted.links > 1 and (linted.complete or linted.robot is not None)
 
 
 def _severity(name: str) -> Severity:

@@ -21,20 +21,24 @@ from urdfctl.model.robot import (
 from urdfctl.model.ros2_control import Hardware, Interface, Parameter, Part, Ros2Control
 from urdfctl.model.transmission import Transmission, TransmissionEnd
 from urdfctl.source import dom
+from urdfctl.source.opaque import UNKNOWN
 
 _READ_OF_AN_END = {"role", "hardwareInterface", "mechanicalReduction", "offset"}
-_TOP_LEVEL = {"link", "joint", "transmission", "gazebo", "ros2_control"}
+TOP_LEVEL = {"link", "joint", "transmission", "gazebo", "ros2_control"}
 _PARTS = {"joint", "sensor", "gpio"}
 
 MeshFinder = Callable[[str], MeshFile | None]
 """Tells of a mesh's file by the address that the description gives; None where nothing can be told."""
 
 
-def robot_of(root: dom.Element, find_mesh: MeshFinder | None = None) -> Robot:
-    """The robot that a root element describes."""
-    by_name: dict[str, list[dom.Element]] = {name: [] for name in _TOP_LEVEL}
+def robot_of(root: dom.Element, find_mesh: MeshFinder | None = None, *, whole: bool = True) -> Robot:
+    """The robot that a root element describes. Where it is not `whole`, parts with a hole in them are left out: nothing
+    may be claimed of what is not known to be there."""
+    by_name: dict[str, list[dom.Element]] = {name: [] for name in TOP_LEVEL}
     others = []
     for child in root.elements():
+        if not whole and _has_hole(child):
+            continue
         if child.tagName in by_name:
             by_name[child.tagName].append(child)
         else:
@@ -55,8 +59,13 @@ def robot_of(root: dom.Element, find_mesh: MeshFinder | None = None) -> Robot:
         tuple(_gazebo(child) for child in by_name["gazebo"]),
         tuple(others),
         root.tagName,
+        root.attrs.get("version"),
         tuple(_meshes(links, find_mesh)),
     )
+
+
+def _has_hole(element: dom.Element) -> bool:
+    return element.tagName == UNKNOWN or any(_has_hole(child) for child in element.elements())
 
 
 def _nested(root: dom.Element, names: set[str]) -> Iterator[tuple[dom.Element, str]]:
@@ -112,7 +121,7 @@ def _meshes(links: tuple[Link, ...], find: MeshFinder | None) -> Iterator[Mesh]:
                 continue
             if filename not in files:
                 files[filename] = find(filename) if find else None
-            yield Mesh(filename, geometry.shape.at["filename"], link.name, files[filename])
+            yield Mesh(filename, geometry.shape.at, link.name, files[filename])
 
 
 def _inertial(element: dom.Element) -> Inertial:

@@ -117,9 +117,14 @@ class Mesh(NamedTuple):
     """A `<mesh>` of a visual or collision; `file` is None where nobody looked for it."""
 
     filename: str
-    at: Place
+    element: Place
     link: str | None
     file: MeshFile | None
+
+    @property
+    def at(self) -> Place:
+        """Where the filename stands."""
+        return self.element["filename"]
 
 
 class Robot(NamedTuple):
@@ -139,6 +144,7 @@ class Robot(NamedTuple):
     gazebos: tuple[Gazebo, ...]
     others: tuple[Tag, ...]
     element: str = "robot"
+    version: str | None = None
     meshes: tuple[Mesh, ...] = ()
 
     def joint(self, name: str) -> Joint | None:

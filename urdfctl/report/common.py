@@ -6,14 +6,16 @@ import os
 from typing import NamedTuple
 
 from urdfctl.diagnostic import Diagnostic, Location, Severity
-from urdfctl.load import Linted
+from urdfctl.lint import Linted
 
 
 class Report(NamedTuple):
-    """What a run found: the robots it looked at, and the findings in their stable order."""
+    """What a run found: the robots it looked at, the findings in their stable order, and how many other descriptions it
+    looked at: macro libraries and fragments in folders, which no robot uses."""
 
     targets: tuple[Linted, ...]
     findings: tuple[Diagnostic, ...]
+    others: int = 0
 
     def count(self, severity: Severity) -> int:
         """How many findings have a severity."""

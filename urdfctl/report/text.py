@@ -91,6 +91,9 @@ def _step(step: Step) -> str:
     place = f"{step.file}:{step.line}:{step.column}"
     if kind == "macro":
         return f"in the call of macro '{name}' at {place}"
+    if kind == "uncalled":
+        macro = name.removeprefix("macro ")
+        return f"in macro '{macro}' ({place}), which nothing here calls: its parameters are not known"
     if kind == "block":
         return f"inserted as a block at {place}"
     return f"included at {place}"
@@ -102,9 +105,14 @@ def _summary(report: Report) -> Iterator[Piece]:
         for severity in Severity
         if (number := report.count(severity))
     ]
-    robots = len(report.targets)
+    yield Piece(f"{', '.join(counts) or 'no findings'} in {_what(report)}{_about(report)}\n", "bold")
+
+
+def _what(report: Report) -> str:
+    robots, others = len(report.targets), report.others
     what = shown(report.targets[0].path) if robots == 1 else f"{robots} robots"
-    yield Piece(f"{', '.join(counts) or 'no findings'} in {what}{_about(report)}\n", "bold")
+    libraries = f"{others} file{'' if others == 1 else 's'} that no robot uses"
+    return what if not others else f"{what} and {libraries}" if robots else libraries
 
 
 def _about(report: Report) -> str:
@@ -115,4 +123,6 @@ def _about(report: Report) -> str:
     distro = target.distro or (f"ROS {target.ros}" if target.ros else "")
     source = f", from {target.distro_from}" if target.distro_from and not target.distro_from.startswith("--") else ""
     partly = "; not all of it could be expanded" if not target.complete else ""
+    if target.library:
+        partly = "; macros that nothing here calls"
     return f" ({distro}{source}{partly})" if distro else f" ({partly[2:]})" if partly else ""

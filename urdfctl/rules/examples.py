@@ -6,6 +6,7 @@ shoulder and elbow. Both the tests and `urdfctl explain` lint them.
 
 from __future__ import annotations
 
+import re
 import textwrap
 from collections.abc import Mapping
 from typing import NamedTuple
@@ -40,7 +41,7 @@ class Mark(NamedTuple):
 
 def completed(name: str, text: str) -> str:
     """An example's file as a whole one: a part of a robot is put into the arm."""
-    if not name.endswith((".urdf", ".xacro")) or "<robot" in text:
+    if not name.endswith((".urdf", ".xacro")) or re.search(r"<robot[\s>]", text):
         return text
     namespace = ' xmlns:xacro="http://www.ros.org/wiki/xacro"' if name.endswith(".xacro") else ""
     inside = textwrap.indent(_ARM + text, "  ")

@@ -39,9 +39,9 @@ class Files:
             if real not in self.bounds:
                 self.bounds.append(real)
 
-    def paths(self) -> list[str]:
-        """The files that have been read, in order."""
-        return list(self._read)
+    def read_paths(self) -> list[str]:
+        """The files that have been read, in order, as places name them."""
+        return [text.path for text in self._read.values()]
 
     def sources(self) -> list[SourceText]:
         """The texts that have been read, in order."""

@@ -15,14 +15,12 @@ from urdfctl.source import engine, xacro_hooks
 from urdfctl.source.budget import MAX_CALL_DEPTH, MAX_CALLS, MAX_ELEMENTS, MAX_PROBLEMS, OverBudget
 from urdfctl.source.dom import COMMENT, Cloning, Document, Element, Node, Text
 from urdfctl.source.files import FileProblem, Files
+from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.packages import Packages
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import Call, Place, SourceText
 from urdfctl.source.xacro_errors import Blame, blame_of, problem_of
 from urdfctl.source.xml import parse
-
-UNKNOWN = "\ue000"
-"""Stands in a text for a value that could not be worked out; no rule may claim anything of such a text."""
 
 _CONSEQUENCES = {
     ProblemKind.UNDEFINED_NAME,
@@ -33,15 +31,17 @@ _CONSEQUENCES = {
 
 
 class Expansion(NamedTuple):
-    """What became of one file: the expanded tree, what was met on the way, and whether nothing had to be left out."""
+    """What became of one file: the expanded tree, what was met on the way, and whether it is a macro library, whose
+    macros were called with values that are not known."""
 
     document: Document | None
     problems: list[Problem]
+    library: bool = False
 
     @property
     def complete(self) -> bool:
         """False where a problem cost a part of the robot."""
-        return self.document is not None and all(p.kind in _HARMLESS for p in self.problems)
+        return self.document is not None and not self.library and all(p.kind in _HARMLESS for p in self.problems)
 
 
 _HARMLESS = {ProblemKind.XACRO_WARNING, ProblemKind.DUPLICATE_MACRO, ProblemKind.UNUSED_ARGUMENT}
@@ -65,7 +65,7 @@ class Expander:
         self.cloning = Cloning()
         self.calls: list[Call] = []
         self.module: ModuleType = engine.load()
-        self._called = 0
+        self._called = self._defined = 0
         self._seen: set[tuple[ProblemKind, str, str]] = set()
         self._include_failed = False
         self._originals: dict[str, Callable[..., Any]] = {}
@@ -79,7 +79,8 @@ class Expander:
         document: Document | None = None
         try:
             document = parse(self.files.read(path), self.cloning, declarations=self.trust)
-            module.process_doc(document, mappings=dict(arguments), verbosity=1)
+            module.process_doc(document, mappings=self._arguments(arguments), verbosity=1)
+            self._processed(document)
         except FileProblem as error:
             self.problems.append(error.at(Place(SourceText(path, b""), 0, end=0)))
         except Exception as error:  # noqa: BLE001 (whatever the description made xacro raise)
@@ -88,6 +89,17 @@ class Expander:
         finally:
             engine.release(module)
         return Expansion(document, self.problems)
+
+    def _arguments(self, given: Mapping[str, str]) -> dict[str, str]:
+        return dict(given)
+
+    def _processed(self, document: Document) -> None:
+        """What is left to do when xacro is done."""
+
+    @property
+    def defines_macros(self) -> bool:
+        """Whether a macro was defined on the way."""
+        return self._defined > 0
 
     # -- the replaced helpers of xacro -------------------------------------------------------------------------------
 
@@ -139,10 +151,13 @@ class Expander:
             raise OverBudget(f"more than {MAX_CALLS} macro calls")
         if self.cloning.count > MAX_ELEMENTS:
             raise OverBudget(f"more than {MAX_ELEMENTS} elements")
-        self._enter(Call("macro", name.removeprefix("xacro:"), node.source, node.start, node.call))
+        self._enter(self._call("macro", node))
         handled = self._originals["handle_macro_call"](node, macros, symbols)
         self._leave()
         return bool(handled)
+
+    def _call(self, kind: str, node: Element) -> Call:
+        return Call(kind, node.tagName.removeprefix("xacro:"), node.source, node.start, node.call)
 
     def _resolve_macro(self, name: str, macros: object, symbols: object) -> Any:
         found = self._originals["resolve_macro"](name, macros, symbols)
@@ -192,6 +207,7 @@ class Expander:
         name = node.attrs.get("name", "").removeprefix("xacro:")
         before = macros[name].body if name and dict.__contains__(macros, name) else None
         self._originals["grab_macro"](node, macros)
+        self._defined += 1
         if before is not None and (before.source.path, before.start) != (node.source.path, node.start):
             position = before.source.position(before.start)
             message = f"macro '{name}' is defined again; its definition at {before.source.path}:{position.line} is lost"
@@ -240,12 +256,15 @@ class Expander:
     # -- problems ----------------------------------------------------------------------------------------------------
 
     def _keep(self, blame: Blame, error: BaseException) -> None:
-        problem = problem_of(error, blame, self.module.filestack)
+        problem = self._problem(blame, error)
         if self._include_failed and problem.kind in _CONSEQUENCES:
             return  # most likely what the missing file would have brought
         if blame.element is not None and blame.element.tagName == "xacro:include":
             self._include_failed = True
         self._add(problem)
+
+    def _problem(self, blame: Blame, error: BaseException) -> Problem:
+        return problem_of(error, blame, self.module.filestack)
 
     def _add(self, problem: Problem) -> None:
         key = (problem.kind, problem.subject, problem.message)

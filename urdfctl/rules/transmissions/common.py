@@ -11,8 +11,8 @@ from urdfctl.model.project import Project
 from urdfctl.model.robot import Joint, Plugin
 from urdfctl.model.transmission import Transmission, TransmissionEnd
 from urdfctl.rules.transmissions.facts import NO_PLUGIN_TYPES, PREFIX
+from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
-from urdfctl.source.xacro import UNKNOWN
 
 _CONTROL_PLUGIN = "libgazebo_ros_control.so"
 _DEFAULT_SIMULATION = ("", "gazebo_ros_control/DefaultRobotHWSim")
@@ -29,11 +29,16 @@ def read_transmissions(project: Project) -> tuple[Transmission, ...]:
 
 
 def named_joints(project: Project) -> Iterator[tuple[Transmission, TransmissionEnd, str]]:
-    """The joints of the transmissions that are read, each with its transmission and its name, where that is known."""
+    """The joints of the transmissions that are read, each with its transmission and its name."""
     for transmission in read_transmissions(project):
         for joint in transmission.joints:
-            if joint.name and is_known(joint.name):
+            if joint.name:
                 yield transmission, joint, joint.name
+
+
+def known_joints(project: Project) -> Iterator[tuple[Transmission, TransmissionEnd, str]]:
+    """Those of the named joints whose name could be worked out."""
+    return (found for found in named_joints(project) if is_known(found[2]))
 
 
 def joints_by_name(project: Project) -> dict[str, Joint]:

@@ -7,13 +7,14 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ROS1
 from urdfctl.model.transmission import Transmission, TransmissionEnd
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.transmissions.common import named_joints
+from urdfctl.rules.transmissions.common import known_joints
 from urdfctl.rules.transmissions.facts import PREFIX
 
 
 @rule(
     "UC208",
     severity=Severity.WARNING,
+    whole_robot=True,
     distros=ROS1,
     authority="ros_control hardware_interface/include/hardware_interface/internal/resource_manager.h: 'Replacing "
     "previously registered handle'",
@@ -69,7 +70,7 @@ def joint_in_two_transmissions(project: Project) -> Iterator[Finding]:
     may command one joint at the same time.
     """
     seen: dict[str, tuple[Transmission, TransmissionEnd]] = {}
-    for transmission, joint, name in named_joints(project):
+    for transmission, joint, name in known_joints(project):
         first, before = seen.setdefault(name, (transmission, joint))
         if first is transmission:
             continue

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.transmissions.common import joints_by_name, named_joints
+from urdfctl.rules.transmissions.common import joints_by_name, known_joints
 
 
 @rule(
@@ -65,7 +65,7 @@ def mimic_joint_in_transmission(project: Project) -> Iterator[Finding]:
     follow.
     """
     joints = joints_by_name(project)
-    for transmission, joint, name in named_joints(project):
+    for transmission, joint, name in known_joints(project):
         driven = joints.get(name)
         if driven is not None and driven.mimic is not None:
             message = (

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ROS1
 from urdfctl.model.robot import Joint
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.transmissions.common import in_gazebo, joints_by_name, named_joints
+from urdfctl.rules.transmissions.common import in_gazebo, joints_by_name, known_joints
 
 
 @rule(
@@ -54,7 +54,7 @@ def transmission_joint_cannot_be_driven(project: Project) -> Iterator[Finding]:
     simulation then stops, and there is no controller manager at all.
     """
     joints = joints_by_name(project)
-    for transmission, joint, name in named_joints(project):
+    for transmission, joint, name in known_joints(project):
         meant = joints.get(name)
         if meant is None or meant.type not in ("fixed", "floating", "planar"):
             continue

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ROS1
 from urdfctl.model.robot import Robot
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
-from urdfctl.rules.transmissions.common import in_gazebo, in_place_of_name, joints_by_name, named_joints
+from urdfctl.rules.transmissions.common import in_gazebo, in_place_of_name, joints_by_name, known_joints
 from urdfctl.suggest import nearest
 
 
@@ -56,7 +56,7 @@ def transmission_joint_unknown(project: Project) -> Iterator[Finding]:
         return
     severity = Severity.ERROR if in_gazebo(project) else Severity.WARNING
     known = joints_by_name(project)
-    for transmission, joint, name in named_joints(project):
+    for transmission, joint, name in known_joints(project):
         if name in known:
             continue
         right = nearest(name, known)
