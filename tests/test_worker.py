@@ -1,0 +1,248 @@
+"""Workers give results in order, keep to their limits, and tell how they died."""
+
+from __future__ import annotations
+
+import os
+import re
+import signal
+import time
+from collections.abc import Callable
+from itertools import repeat
+from typing import Any
+
+import pytest
+from folder import Folder
+
+from urdfctl import worker
+from urdfctl.expand import expand_one
+from urdfctl.lint import Selection
+from urdfctl.load import Target, lint_all
+from urdfctl.settings import Settings
+from urdfctl.worker import Died, Json, Limits, run
+
+GENEROUS = Limits(20.0, 2 << 30, {})
+SHORT = Limits(0.3, 2 << 30, {})
+
+needs_fork = pytest.mark.skipif(not worker.CAN_FORK, reason="this system cannot fork")
+
+
+def results(perform: Callable[[Json], Json], limits: Limits = GENEROUS, jobs: int = 1, parallel: int = 1) -> list[Any]:
+    return list(run([{"number": number} for number in range(jobs)], perform, limits, parallel))
+
+
+@pytest.fixture
+def quick(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Workers that do not end by themselves are waited for only a little longer than they may take."""
+    monkeypatch.setattr(worker, "GRACE", 0.2)
+
+
+@needs_fork
+def test_results_come_in_the_order_of_the_jobs_though_the_first_takes_longest() -> None:
+    def perform(job: Json) -> Json:
+        time.sleep(0.2 - 0.05 * job["number"])
+        return job
+
+    assert results(perform, jobs=4, parallel=4) == [{"number": number} for number in range(4)]
+
+
+@needs_fork
+def test_as_many_jobs_as_asked_for_run_at_once() -> None:
+    def perform(job: Json) -> Json:
+        started = time.monotonic()
+        time.sleep(0.3)
+        return {"started": started, "ended": time.monotonic()}
+
+    one, two, three = results(perform, jobs=3, parallel=2)
+    assert max(one["started"], two["started"]) < min(one["ended"], two["ended"])
+    assert three["started"] > min(one["ended"], two["ended"])
+
+
+@needs_fork
+def test_a_result_larger_than_a_pipe_holds_arrives_whole() -> None:
+    [found] = results(lambda job: {"text": "x" * 3_000_000})
+    assert found == {"text": "x" * 3_000_000}
+
+
+@needs_fork
+def test_a_result_larger_than_anybody_would_read_ends_the_worker(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(worker, "MAX_RESULT", 100_000)
+    assert results(lambda job: {"text": "x" * 3_000_000}) == [Died("its findings are too many to hold")]
+
+
+@needs_fork
+def test_a_job_that_sleeps_past_its_time_is_ended_in_time() -> None:
+    before = time.monotonic()
+    assert results(lambda job: {"slept": time.sleep(30)}, SHORT) == [Died("it takes longer than 0.3 s")]
+    assert time.monotonic() - before < 2
+
+
+@needs_fork
+def test_a_job_in_a_loop_of_c_code_is_ended_too(quick: None) -> None:
+    before = time.monotonic()
+    found = results(lambda job: {"matched": any(repeat(0))}, SHORT)
+    assert found == [Died("it takes longer than 0.3 s")]
+    assert time.monotonic() - before < 3
+
+
+@needs_fork
+def test_a_job_that_will_not_hear_of_its_end_is_ended_all_the_same(quick: None) -> None:
+    def perform(job: Json) -> Json:
+        while True:
+            try:
+                time.sleep(30)
+            except Exception:  # noqa: BLE001, S112
+                continue
+
+    assert results(perform, SHORT) == [Died("it takes longer than 0.3 s")]
+
+
+@needs_fork
+def test_a_job_that_is_too_late_costs_the_others_nothing(quick: None) -> None:
+    def perform(job: Json) -> Json:
+        time.sleep(30 if job["number"] == 0 else 0)
+        return job
+
+    late, other = results(perform, SHORT, jobs=2, parallel=2)
+    assert late == Died("it takes longer than 0.3 s")
+    assert other == {"number": 1}
+
+
+@needs_fork
+def test_a_job_that_wants_too_much_memory_is_told_so_and_is_no_crash() -> None:
+    [found] = results(lambda job: {"length": len(bytearray(1 << 30))}, Limits(20.0, 512 << 20, {}))
+    assert found == Died("it needs more memory than a robot may take (see --memory)", ours=False)
+
+
+@needs_fork
+def test_a_worker_that_is_killed_for_its_memory_or_time_is_no_crash() -> None:
+    [found] = results(lambda job: {"killed": os.kill(os.getpid(), signal.SIGKILL)})
+    assert found == Died("it uses more time or memory than a robot needs", ours=False)
+
+
+@needs_fork
+def test_a_worker_that_dies_by_another_signal_is_our_fault() -> None:
+    [found] = results(lambda job: {"killed": os.kill(os.getpid(), signal.SIGUSR1)})
+    assert found == Died("the worker was ended by SIGUSR1 and gave no result", ours=True)
+
+
+@needs_fork
+def test_a_worker_that_leaves_without_a_word_is_our_fault() -> None:
+    assert results(lambda job: os._exit(7)) == [Died("the worker ended with status 7 and gave no result", ours=True)]
+
+
+@needs_fork
+def test_half_a_result_is_no_result(monkeypatch: pytest.MonkeyPatch) -> None:
+    def perform(job: Json) -> Json:
+        os.write(max(int(name) for name in os.listdir("/proc/self/fd") if _is_pipe(name)), b'{"number": ')
+        os.kill(os.getpid(), signal.SIGKILL)
+        return job
+
+    assert results(perform) == [Died("it uses more time or memory than a robot needs")]
+
+
+def _is_pipe(number: str) -> bool:
+    try:
+        return os.readlink(f"/proc/self/fd/{number}").startswith("pipe:")
+    except OSError:
+        return False
+
+
+@needs_fork
+def test_an_exception_of_ours_is_told_with_its_place() -> None:
+    def perform(job: Json) -> Json:
+        raise LookupError("no such thing")
+
+    [found] = results(perform)
+    assert found.ours
+    assert re.fullmatch(r"LookupError: no such thing \(test_worker.py:\d+ in perform\)", found.why)
+
+
+@needs_fork
+def test_a_worker_sees_only_the_environment_it_is_given(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SECRET_TOKEN", "xyz")
+    [found] = results(lambda job: dict(os.environ), Limits(20.0, 2 << 30, {"ROS_DISTRO": "noetic"}))
+    assert found == {"ROS_DISTRO": "noetic"}
+
+
+@needs_fork
+def test_workers_end_with_the_run_that_no_longer_wants_them() -> None:
+    def perform(job: Json) -> Json:
+        if job["number"] == 0:
+            return {"pid": os.getpid()}
+        time.sleep(30)
+        return job
+
+    running = run([{"number": 0}, {"number": 1}], perform, GENEROUS, 2)
+    next(running)
+    before = time.monotonic()
+    running.close()
+    assert time.monotonic() - before < 2
+
+
+# -- where there is no fork ------------------------------------------------------------------------------------------
+
+ROBOT = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:arg name="base" default="base"/>
+  <link name="$(arg base)"/>
+  <xacro:wheel/>
+</robot>
+"""
+
+
+@pytest.fixture
+def without_fork(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(worker, "CAN_FORK", False)
+
+
+def test_without_fork_the_findings_are_the_same(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> None:
+    folder.write({"a.xacro": ROBOT, "b.xacro": ROBOT.replace("wheel", "arm")})
+    targets = [Target("a.xacro"), Target("b.xacro", (("base", "foot"),))]
+    settings = Settings(distro="noetic", package_paths=(".",), started=("arm",))
+    forked = list(lint_all(targets, settings, Selection(ignore=("UC1",))))
+    monkeypatch.setattr(worker, "CAN_FORK", False)
+    assert list(lint_all(targets, settings, Selection(ignore=("UC1",)))) == forked
+    assert [[d.code for d in linted.outcome.diagnostics] for linted in forked] == [["UC008"], ["UC008"]]
+
+
+def test_without_fork_a_file_is_expanded_all_the_same(folder: Folder, without_fork: None) -> None:
+    folder.write({"a.xacro": ROBOT.replace("<xacro:wheel/>", "")})
+    expanded = expand_one("a.xacro", {"base": "foot"}, Settings())
+    assert not expanded.problems
+    assert '<link name="foot"/>' in (expanded.text or "")
+
+
+def test_without_fork_nothing_is_imported_from_the_current_folder(folder: Folder, without_fork: None) -> None:
+    spy = "import pathlib; pathlib.Path('was_run').touch()"
+    folder.write({"a.xacro": ROBOT, "yaml.py": spy, "json.py": spy, "xacro/__init__.py": spy, "xacro/xmlutils.py": spy})
+    [linted] = lint_all([Target("a.xacro")], Settings(), Selection())
+    assert [diagnostic.code for diagnostic in linted.outcome.diagnostics] == ["UC008"]
+    assert not (folder.path / "was_run").exists()
+
+
+def test_without_fork_a_job_past_its_time_is_ended(
+    folder: Folder, without_fork: None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(worker, "GRACE", 0.0)
+    folder.write({"a.xacro": ROBOT})
+    [linted] = lint_all([Target("a.xacro")], Settings(timeout=0.001), Selection())
+    assert [diagnostic.code for diagnostic in linted.outcome.diagnostics] == ["UC014"]
+
+
+def test_without_fork_an_exception_of_ours_is_told(folder: Folder, without_fork: None) -> None:
+    [found] = run([{"target": "of the wrong form"}], dict, GENEROUS, 1, fresh="urdfctl.load:perform")
+    assert isinstance(found, Died)
+    assert found.ours
+    assert "load.py" in found.why
+
+
+def test_without_fork_a_worker_sees_only_the_environment_it_is_given(
+    folder: Folder, without_fork: None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("SECRET_TOKEN", "xyz")
+    folder.write({"a.xacro": ROBOT.replace("<xacro:wheel/>", '<link name="$(env SECRET_TOKEN)"/>')})
+    expanded = expand_one("a.xacro", {}, Settings())
+    assert expanded.text is None
+    assert [problem.message for problem in expanded.problems] == [
+        "the environment variable 'SECRET_TOKEN' is not set, or not passed on"
+    ]
