@@ -12,7 +12,7 @@ from urdfctl.lint import Selection, joined
 from urdfctl.load import Loader, Target
 from urdfctl.rule import Rule
 from urdfctl.rules import CRASHED, RULES
-from urdfctl.rules.examples import unmarked
+from urdfctl.rules.examples import options_of, unmarked
 from urdfctl.settings import Settings
 
 WITH_EXAMPLES = [rule for rule in RULES if rule is not CRASHED]
@@ -24,9 +24,9 @@ def findings(folder: Path, rule: Rule, files: Mapping[str, str]) -> list[Diagnos
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
-    options = dict(option.removeprefix("--").split("=") for option in rule.options)
+    options, arguments = options_of(rule)
     settings = Settings(workspace=str(folder), **options)
-    linted = Loader(settings, Selection()).lint(Target(str(folder / next(iter(files)))))
+    linted = Loader(settings, Selection()).lint(Target(str(folder / next(iter(files))), arguments))
     return joined([linted.outcome], Selection())
 
 

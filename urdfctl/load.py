@@ -76,7 +76,7 @@ class Loader:
         arguments = dict(target.arguments)
         expander = self.expander(path, LibraryExpander if target.fragment else Expander)
         expansion = _expansion(expander, path, arguments)
-        if expander.defines_macros and not expansion.library and _is_bare(expansion):
+        if expander.macros and not expansion.library and _is_bare(expansion):
             expander = self.expander(path, LibraryExpander)
             expansion = _expansion(expander, path, arguments)
         project = self._project(path, expansion, expander.packages)

@@ -17,7 +17,7 @@ from urdfctl.report.common import Report
 from urdfctl.report.text import render
 from urdfctl.rule import Rule
 from urdfctl.rules import RULES
-from urdfctl.rules.examples import unmarked
+from urdfctl.rules.examples import options_of, unmarked
 from urdfctl.settings import Settings
 from urdfctl.suggest import did_you_mean
 
@@ -91,12 +91,12 @@ def _output(rule: Rule) -> str:
             os.makedirs(os.path.dirname(path), exist_ok=True)
             with open(path, "w", encoding="utf-8") as file:
                 file.write(text)
-        options = dict(option.removeprefix("--").split("=") for option in rule.options)
+        options, arguments = options_of(rule)
         try:
             os.chdir(folder)
             selection = Selection(select=(rule.code,))
             settings = Settings(workspace=os.getcwd(), **options)  # type: ignore[arg-type]
-            linted = Loader(settings, selection).lint(Target(next(iter(files))))
+            linted = Loader(settings, selection).lint(Target(next(iter(files)), arguments))
             report = Report((), tuple(joined([linted.outcome], selection)))
             return textwrap.indent("\n".join(render(report).splitlines()[:-1]), "  ")
         finally:

@@ -11,6 +11,8 @@ import textwrap
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from urdfctl.rule import Rule
+
 _LINK = """\
 <link name="{name}">
   <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
@@ -46,6 +48,13 @@ def completed(name: str, text: str) -> str:
     namespace = ' xmlns:xacro="http://www.ros.org/wiki/xacro"' if name.endswith(".xacro") else ""
     inside = textwrap.indent(_ARM + text, "  ")
     return f'<?xml version="1.0"?>\n<robot name="arm"{namespace}>\n{inside}</robot>\n'
+
+
+def options_of(rule: Rule) -> tuple[dict[str, str], tuple[tuple[str, str], ...]]:
+    """What a rule's examples are linted with: settings by name, and `name:=value` arguments."""
+    settings = dict(option.removeprefix("--").split("=", 1) for option in rule.options if ":=" not in option)
+    arguments = [option.split(":=", 1) for option in rule.options if ":=" in option]
+    return settings, tuple((name, value) for name, value in arguments)
 
 
 def unmarked(files: Mapping[str, str]) -> tuple[dict[str, str], list[Mark]]:

@@ -8,6 +8,7 @@ from typing import Any
 
 from urdfctl.source.dom import Document, Element, Node
 from urdfctl.source.expressions import ForbiddenExpression
+from urdfctl.source.leftovers import leftovers
 from urdfctl.source.opaque import UNKNOWN, AnyArgument, NotKnown, Opaque
 from urdfctl.source.problem import ProblemKind
 from urdfctl.source.span import Call
@@ -44,7 +45,6 @@ class LibraryExpander(Expander):
         module.get_boolean_value = lambda value, condition: self._decided(decide, value, condition)
         self._guard: Element | None = None
         self._tables: tuple[Any, Any] | None = None
-        self._macros: dict[str, Element] = {}
         self._used: set[str] = set()
 
     def expand(self, path: str, arguments: Mapping[str, str]) -> Expansion:
@@ -54,7 +54,7 @@ class LibraryExpander(Expander):
     def _arguments(self, given: Mapping[str, str]) -> dict[str, str]:
         return AnyArgument(given)
 
-    def _processed(self, document: Document) -> None:
+    def _processed(self, document: Document, given: Mapping[str, str]) -> None:
         """Call the macros that this file defines and nothing calls, until none is left."""
         root = document.documentElement
         if self._tables is None or root is None:
@@ -62,13 +62,15 @@ class LibraryExpander(Expander):
         self.module.substitution_args_context["arg"] = AnyArgument()
         for _ in range(_MOST_ROUNDS):
             uncalled = [
-                body for name, body in self._macros.items() if name not in self._used and body.source is root.source
+                body for name, body in self.macros.items() if name not in self._used and body.source is root.source
             ]
             if not uncalled:
-                return
+                break
             for body in uncalled:
                 root.appendChild(_call_of(body, self._tables[0]))
             self._eval_all(root, *self._tables)
+        for problem in leftovers(document, self.files.sources(), self.macros, self._properties):
+            self._add(problem)
 
     # -- the replaced helpers ----------------------------------------------------------------------------------------
 
@@ -76,10 +78,6 @@ class LibraryExpander(Expander):
         if self._tables is None:
             self._tables = macros, symbols
         super()._eval_all(node, macros, symbols)
-
-    def _grab_macro(self, node: Element, macros: Any) -> None:
-        super()._grab_macro(node, macros)
-        self._macros[node.attrs.get("name", "").removeprefix("xacro:")] = node
 
     def _handle_macro_call(self, node: Element, macros: object, symbols: object) -> bool:
         self._used.add(node.tagName.removeprefix("xacro:"))
@@ -96,7 +94,7 @@ class LibraryExpander(Expander):
 
     def _call(self, kind: str, node: Element) -> Call:
         name = node.tagName.removeprefix("xacro:")
-        body = self._macros.get(name)
+        body = self.macros.get(name)
         made_here = body is not None and body.source is node.source and body.start == node.start
         return super()._call("uncalled macro" if made_here else kind, node)
 

@@ -30,6 +30,9 @@ class ProblemKind(Enum):
     OUTSIDE_WORKSPACE = auto()
     DUPLICATE_MACRO = auto()
     UNUSED_ARGUMENT = auto()
+    UNKNOWN_ARGUMENT = auto()
+    PREFIX_MISSING = auto()
+    BRACES = auto()
 
 
 class Problem(NamedTuple):

@@ -15,6 +15,7 @@ from urdfctl.source import engine, xacro_hooks
 from urdfctl.source.budget import MAX_CALL_DEPTH, MAX_CALLS, MAX_ELEMENTS, MAX_PROBLEMS, OverBudget
 from urdfctl.source.dom import COMMENT, Cloning, Document, Element, Node, Text
 from urdfctl.source.files import FileProblem, Files
+from urdfctl.source.leftovers import leftovers, unused_arguments
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.packages import Packages
 from urdfctl.source.problem import Problem, ProblemKind
@@ -44,7 +45,14 @@ class Expansion(NamedTuple):
         return self.document is not None and not self.library and all(p.kind in _HARMLESS for p in self.problems)
 
 
-_HARMLESS = {ProblemKind.XACRO_WARNING, ProblemKind.DUPLICATE_MACRO, ProblemKind.UNUSED_ARGUMENT}
+_HARMLESS = {
+    ProblemKind.XACRO_WARNING,
+    ProblemKind.DUPLICATE_MACRO,
+    ProblemKind.UNUSED_ARGUMENT,
+    ProblemKind.UNKNOWN_ARGUMENT,
+    ProblemKind.PREFIX_MISSING,
+    ProblemKind.BRACES,
+}
 
 
 class Expander:
@@ -65,7 +73,11 @@ class Expander:
         self.cloning = Cloning()
         self.calls: list[Call] = []
         self.module: ModuleType = engine.load()
-        self._called = self._defined = 0
+        self._called = 0
+        self.macros: dict[str, Element] = {}
+        """The macros that were defined on the way, each by its last definition."""
+        self._properties: set[str] = set()
+        self._declared: dict[str, Element] = {}
         self._seen: set[tuple[ProblemKind, str, str]] = set()
         self._include_failed = False
         self._originals: dict[str, Callable[..., Any]] = {}
@@ -80,7 +92,7 @@ class Expander:
         try:
             document = parse(self.files.read(path), self.cloning, declarations=self.trust)
             module.process_doc(document, mappings=self._arguments(arguments), verbosity=1)
-            self._processed(document)
+            self._processed(document, arguments)
         except FileProblem as error:
             self.problems.append(error.at(Place(SourceText(path, b""), 0, end=0)))
         except Exception as error:  # noqa: BLE001 (whatever the description made xacro raise)
@@ -93,13 +105,16 @@ class Expander:
     def _arguments(self, given: Mapping[str, str]) -> dict[str, str]:
         return dict(given)
 
-    def _processed(self, document: Document) -> None:
-        """What is left to do when xacro is done."""
-
-    @property
-    def defines_macros(self) -> bool:
-        """Whether a macro was defined on the way."""
-        return self._defined > 0
+    def _processed(self, document: Document, given: Mapping[str, str]) -> None:
+        """What is left to do when xacro is done: to look for what it passed over."""
+        root = document.documentElement
+        if self.strict or root is None:
+            return
+        sources = self.files.sources()
+        for problem in leftovers(document, sources, self.macros, self._properties):
+            self._add(problem)
+        for problem in unused_arguments(self._declared, given, sources, Place(root.source, root.start)):
+            self._add(problem)
 
     # -- the replaced helpers of xacro -------------------------------------------------------------------------------
 
@@ -179,6 +194,10 @@ class Expander:
     def _check_attrs(self, node: Element, required: list[str], optional: list[str]) -> Any:
         if node.tagName == "xacro:insert_block":
             self.cloning.insertion = node
+        elif node.tagName == "xacro:property":
+            self._properties.add(node.attrs.get("name", ""))
+        elif node.tagName == "xacro:arg":
+            self._declared.setdefault(node.attrs.get("name", ""), node)
         return self._originals["check_attrs"](node, required, optional)
 
     def _replace_node(self, node: Node, by: object, content_only: bool = False) -> None:  # noqa: FBT001, FBT002 (xacro's signature)
@@ -207,7 +226,7 @@ class Expander:
         name = node.attrs.get("name", "").removeprefix("xacro:")
         before = macros[name].body if name and dict.__contains__(macros, name) else None
         self._originals["grab_macro"](node, macros)
-        self._defined += 1
+        self.macros[name] = node
         if before is not None and (before.source.path, before.start) != (node.source.path, node.start):
             position = before.source.position(before.start)
             message = f"macro '{name}' is defined again; its definition at {before.source.path}:{position.line} is lost"

@@ -31,7 +31,7 @@ from urdfctl.source.problem import ProblemKind
     },
 )
 def xacro_fails(project: Project) -> Iterator[Finding]:
-    """xacro cannot work with an element.
+    """Xacro cannot work with an element.
 
     A missing attribute, a name that is no identifier, two values for one property: xacro stops there.
     """

@@ -31,7 +31,7 @@ from urdfctl.source.problem import ProblemKind
     },
 )
 def xacro_warns(project: Project) -> Iterator[Finding]:
-    """xacro prints a warning about an element.
+    """Xacro prints a warning about an element.
 
     It goes on, and what it does may not be what was meant: an attribute that it does not know is ignored, a
     redefined symbol hides another.

@@ -1,0 +1,80 @@
+"""What xacro passes over without a word: tags without its prefix, braces without the dollar, arguments that nobody asks for."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Iterator, Mapping
+
+from urdfctl.source.dom import Document, Element
+from urdfctl.source.problem import Problem, ProblemKind
+from urdfctl.source.span import Place, SourceText
+from urdfctl.suggest import did_you_mean
+
+_DIRECTIVES = frozenset("arg attribute call element if include insert_block macro property unless".split())
+_OF_URDF = frozenset(
+    "actuator axis box calibration capsule child collision color command_interface contact cylinder dynamics gazebo geometry "
+    "gpio group hardware hardwareInterface inertia inertial joint limit link mass material mechanicalReduction mesh mimic "
+    "offset origin param parent plugin robot role ros2_control safety_controller sensor sphere state_interface texture "
+    "transmission type verbose visual".split()
+)
+_ANYTHING_GOES = frozenset({"gazebo", "sensor", "plugin"})
+_BRACES = r"(?<!\$)\{\s*(\w+)\s*\}"
+
+
+def leftovers(
+    document: Document, sources: Iterable[SourceText], macros: Collection[str], properties: Collection[str]
+) -> Iterator[Problem]:
+    """The problems of an expanded tree, given the names of the macros and properties that were defined on the way."""
+    known = {source.path for source in sources}
+    suspects = (_DIRECTIVES | set(macros)) - _OF_URDF
+    pending = [document.documentElement] if document.documentElement is not None else []
+    while pending:
+        element = pending.pop()
+        for child in element.elements():
+            if child.tagName in suspects and child.source.path in known:
+                yield _without_prefix(child, child.tagName in macros)
+            elif child.tagName not in _ANYTHING_GOES:
+                pending.append(child)
+        yield from _braces(element, properties)
+
+
+def _without_prefix(element: Element, is_macro: bool) -> Problem:  # noqa: FBT001 (one call)
+    name = element.tagName
+    what = f"<{name}> is a macro's name" if is_macro else f"<{name}> is a word of xacro's"
+    message = f"{what}, and without the prefix 'xacro:' it is not expanded"
+    return Problem(ProblemKind.PREFIX_MISSING, element.at, message, name, f"write <xacro:{name}>")
+
+
+def _braces(element: Element, properties: Collection[str]) -> Iterator[Problem]:
+    for attribute, value in element.attrs.items():
+        if "{" not in value:
+            continue
+        for match in re.finditer(_BRACES, value):
+            name = match.group(1)
+            if name in properties:
+                message = f"'{match.group(0)}' stays as it is: an expression begins with a dollar, '${{{name}}}'"
+                hint = f"write ${{{name}}}"
+                yield Problem(ProblemKind.BRACES, element.at[attribute], message, name, hint)
+
+
+def unused_arguments(
+    declared: Mapping[str, Element], given: Collection[str], sources: Iterable[SourceText], at: Place
+) -> Iterator[Problem]:
+    """The arguments that are declared, or given, and that none of the texts asks for."""
+    texts = [source.data for source in sources]
+    for name, element in declared.items():
+        if not _asked(name, texts):
+            message = f"argument '{name}' is declared, and none of the files that were read uses it"
+            yield Problem(ProblemKind.UNUSED_ARGUMENT, element.at["name"], message, name)
+    for name in given:
+        if name not in declared and not _asked(name, texts):
+            message = f"argument '{name}' is given, and the description has none of that name"
+            yield Problem(ProblemKind.UNKNOWN_ARGUMENT, at, message + did_you_mean(name, declared), name)
+
+
+def _asked(name: str, texts: Iterable[bytes]) -> bool:
+    escaped = re.escape(name.encode())
+    wanted = re.compile(
+        rb"\$\(\s*(?:arg\s+" + escaped + rb"\s*\)|eval\b[^)]*\b" + escaped + rb"\b)|\barg\(\s*['\"]" + escaped
+    )
+    return any(name.encode() in text and wanted.search(text) for text in texts)
