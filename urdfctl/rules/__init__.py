@@ -50,6 +50,25 @@ from urdfctl.rules.transmissions.transmission_without_actuator import transmissi
 from urdfctl.rules.transmissions.transmission_without_joint import transmission_without_joint
 from urdfctl.rules.transmissions.transmission_without_name import transmission_without_name
 from urdfctl.rules.transmissions.transmission_without_type import transmission_without_type
+from urdfctl.rules.urdf.duplicate_joint import duplicate_joint
+from urdfctl.rules.urdf.duplicate_link import duplicate_link
+from urdfctl.rules.urdf.duplicate_material import duplicate_material
+from urdfctl.rules.urdf.joint_without_name import joint_without_name
+from urdfctl.rules.urdf.joint_without_parent_or_child import joint_without_parent_or_child
+from urdfctl.rules.urdf.link_with_two_parents import link_with_two_parents
+from urdfctl.rules.urdf.link_without_name import link_without_name
+from urdfctl.rules.urdf.links_in_a_circle import links_in_a_circle
+from urdfctl.rules.urdf.mimic_without_joint import mimic_without_joint
+from urdfctl.rules.urdf.mimics_in_a_circle import mimics_in_a_circle
+from urdfctl.rules.urdf.name_of_link_and_joint import name_of_link_and_joint
+from urdfctl.rules.urdf.reserved_name import reserved_name
+from urdfctl.rules.urdf.robot_version_unsupported import robot_version_unsupported
+from urdfctl.rules.urdf.robot_without_links import robot_without_links
+from urdfctl.rules.urdf.robot_without_name import robot_without_name
+from urdfctl.rules.urdf.root_element_not_robot import root_element_not_robot
+from urdfctl.rules.urdf.several_root_links import several_root_links
+from urdfctl.rules.urdf.unknown_link import unknown_link
+from urdfctl.rules.urdf.unknown_mimic_joint import unknown_mimic_joint
 
 CRASHED = rule_crashed
 OVER_BUDGET = over_budget
@@ -75,6 +94,25 @@ RULES: tuple[Rule, ...] = (
     outside_workspace,
     macro_defined_twice,
     suppression_unused,
+    root_element_not_robot,
+    robot_without_name,
+    robot_version_unsupported,
+    robot_without_links,
+    several_root_links,
+    links_in_a_circle,
+    link_with_two_parents,
+    link_without_name,
+    joint_without_name,
+    duplicate_link,
+    duplicate_joint,
+    duplicate_material,
+    name_of_link_and_joint,
+    reserved_name,
+    joint_without_parent_or_child,
+    unknown_link,
+    unknown_mimic_joint,
+    mimics_in_a_circle,
+    mimic_without_joint,
     transmission_joint_without_interface,
     hardware_interface_without_prefix,
     hardware_interface_unknown,

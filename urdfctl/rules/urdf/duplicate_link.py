@@ -1,0 +1,35 @@
+"""UC110."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.urdf.common import duplicates, robot_in
+
+
+@rule(
+    "UC110",
+    severity=Severity.ERROR,
+    authority="urdfdom urdf_parser/src/model.cpp parseURDF(): \"link '...' is not unique.\"",
+    whole_robot=True,
+    bad={
+        "robot.urdf": """
+            <link name="«fore»"/>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <link name="tool"/>
+            <joint name="flange" type="fixed"><parent link="fore"/><child link="tool"/></joint>
+        """,
+    },
+)
+def duplicate_link(project: Project) -> Iterator[Finding]:
+    """Two links have the same name.
+
+    urdfdom gives no model then.
+    """
+    robot = robot_in(project)
+    if robot is not None:
+        yield from duplicates("link", ((part.name, part.at) for part in robot.links))

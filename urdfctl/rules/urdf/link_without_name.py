@@ -1,0 +1,37 @@
+"""UC108."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.urdf.common import robot_in
+
+
+@rule(
+    "UC108",
+    severity=Severity.ERROR,
+    authority="urdfdom urdf_parser/src/link.cpp: 'No name given for the link.', then model.h: 'Two root links found: [] and [a]'",
+    bad={
+        "robot.urdf": """
+            «<link/>»
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <link name="tool"/>
+            <joint name="flange" type="fixed"><parent link="fore"/><child link="tool"/></joint>
+        """,
+    },
+)
+def link_without_name(project: Project) -> Iterator[Finding]:
+    """A link has no name, or an empty one.
+
+    urdfdom keeps it under the empty name. No joint can name it, so it is a second root, and there is no model.
+    """
+    robot = robot_in(project)
+    for link in robot.links if robot else ():
+        if not link.name:
+            severity = Severity.WARNING if robot and len(robot.links) == 1 else None
+            what = "<link> has no 'name'" if link.name is None else "the name of <link> is empty"
+            yield Finding(link.at["name"], f"{what}; no joint can refer to it", severity=severity)

@@ -1,0 +1,56 @@
+"""UC106."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.urdf.common import in_words, whole_robot_in
+from urdfctl.rules.urdf.tree import Tree, parent_of
+
+
+@rule(
+    "UC106",
+    severity=Severity.ERROR,
+    authority="urdfdom_headers urdf_model/model.h initRoot(): 'No root link found. The robot xml is not a valid tree.'",
+    whole_robot=True,
+    bad={
+        "robot.urdf": """
+            <robot name="ring">
+              <link name="a"/>
+              <link name="b"/>
+              <joint name="there" type="fixed"><parent link="a"/><child link="«b»"/></joint>
+              <joint name="back" type="fixed"><parent link="b"/><child link="a"/></joint>
+            </robot>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <robot name="row">
+              <link name="a"/>
+              <link name="b"/>
+              <joint name="there" type="fixed"><parent link="a"/><child link="b"/></joint>
+            </robot>
+        """,
+    },
+)
+def links_in_a_circle(project: Project) -> Iterator[Finding]:
+    """Links are each other's children in a circle.
+
+    Where every link is a child there is no root, and urdfdom gives no model. A circle beside a sound tree it does not
+    notice: those links are then part of the model, and hang off nothing.
+    """
+    robot = whole_robot_in(project)
+    if robot is None:
+        return
+    tree = Tree(robot)
+    no_root = not tree.roots
+    for circle in tree.circles():
+        names = [parent_of(joint) for joint in circle]
+        what = f"link '{names[0]}' is its own child"
+        if len(names) > 1:
+            what = f"links {in_words(names)} are children of each other in a circle"
+        told = "so the robot has no root" if no_root else "and nothing joins the circle to the rest of the robot"
+        end = circle[0].child
+        if end is not None:
+            yield Finding(end.at, f"{what}, {told}", severity=None if no_root else Severity.WARNING)

@@ -1,0 +1,48 @@
+"""UC119."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.urdf.common import label, robot_in
+
+
+@rule(
+    "UC119",
+    severity=Severity.ERROR,
+    authority="urdfdom urdf_parser/src/joint.cpp parseJointMimic(): 'joint mimic: no mimic joint specified'",
+    bad={
+        "robot.urdf": """
+            <link name="finger"/>
+            <joint name="finger_joint" type="prismatic">
+              <parent link="fore"/><child link="finger"/>
+              <limit lower="0" upper="0.1" effort="1" velocity="1"/>
+              «<mimic multiplier="-1"/>»
+            </joint>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <link name="finger">
+              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+            </link>
+            <joint name="finger_joint" type="prismatic">
+              <parent link="fore"/><child link="finger"/>
+              <limit lower="0" upper="0.1" effort="1" velocity="1"/>
+              <mimic joint="elbow" multiplier="-1"/>
+            </joint>
+        """,
+    },
+)
+def mimic_without_joint(project: Project) -> Iterator[Finding]:
+    """A <mimic> names no joint.
+
+    urdfdom gives no model for the whole robot.
+    """
+    robot = robot_in(project)
+    for joint in robot.joints if robot else ():
+        if joint.mimic and joint.mimic.joint is None:
+            yield Finding(
+                joint.mimic.at, f"<mimic> of {label('joint', joint.name)} has no 'joint': the joint that it follows"
+            )

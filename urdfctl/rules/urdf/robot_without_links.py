@@ -1,0 +1,38 @@
+"""UC104."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.urdf.common import whole_robot_in
+
+
+@rule(
+    "UC104",
+    severity=Severity.ERROR,
+    authority="urdfdom urdf_parser/src/model.cpp parseURDF(): 'No link elements found in urdf file'",
+    whole_robot=True,
+    bad={
+        "robot.urdf": """
+            «<robot name="arm">»
+              <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
+            </robot>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <robot name="arm">
+              <link name="base"/>
+            </robot>
+        """,
+    },
+)
+def robot_without_links(project: Project) -> Iterator[Finding]:
+    """A robot has no link.
+
+    urdfdom gives no model for it. A xacro file without links is taken for a part that others include.
+    """
+    robot = whole_robot_in(project)
+    if robot is not None and not robot.links:
+        yield Finding(robot.at, "the robot has no <link>; it needs at least one")

@@ -1,0 +1,37 @@
+"""UC101."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+
+
+@rule(
+    "UC101",
+    severity=Severity.ERROR,
+    authority="urdfdom urdf_parser/src/model.cpp parseURDF(): \"Could not find the 'robot' element in the xml file\"",
+    bad={
+        "robot.urdf": """
+            «<Robot name="arm">»
+              <link name="base"/>
+            </Robot>
+            <!-- <robot -->
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <robot name="arm">
+              <link name="base"/>
+            </robot>
+        """,
+    },
+)
+def root_element_not_robot(project: Project) -> Iterator[Finding]:
+    """The root element of a description is not <robot>.
+
+    urdfdom looks for <robot>, spelt just so, and finds no model in anything else.
+    """
+    robot = project.robot
+    if robot is not None and robot.element != "robot":
+        yield Finding(robot.at, f"the root element is <{robot.element}>; a description's is <robot>")

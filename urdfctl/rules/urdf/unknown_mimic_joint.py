@@ -1,0 +1,56 @@
+"""UC117."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.urdf.common import is_alike, is_known, label, replaced, whole_robot_in
+
+
+@rule(
+    "UC117",
+    severity=Severity.WARNING,
+    authority="urdfdom urdf_parser/src/joint.cpp parseJointMimic() takes any name; joint_state_publisher and ros2_control look it up",
+    whole_robot=True,
+    bad={
+        "robot.urdf": """
+            <link name="finger"/>
+            <joint name="finger_joint" type="prismatic">
+              <parent link="fore"/><child link="finger"/>
+              <limit lower="0" upper="0.1" effort="1" velocity="1"/>
+              <mimic joint="«elbo»"/>
+            </joint>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <link name="finger">
+              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+            </link>
+            <joint name="finger_joint" type="prismatic">
+              <parent link="fore"/><child link="finger"/>
+              <limit lower="0" upper="0.1" effort="1" velocity="1"/>
+              <mimic joint="elbow"/>
+            </joint>
+        """,
+    },
+)
+def unknown_mimic_joint(project: Project) -> Iterator[Finding]:
+    """A joint mimics one that the robot does not have.
+
+    urdfdom does not look. Whoever moves the joint finds nothing to follow: it stays where it is, or ros2_control refuses
+    the description.
+    """
+    robot = whole_robot_in(project)
+    if robot is None:
+        return
+    joints = {joint.name for joint in robot.joints if joint.name}
+    for joint in robot.joints:
+        mimic = joint.mimic
+        if mimic is None or not mimic.joint or mimic.joint in joints or not is_known(mimic.joint):
+            continue
+        meant = is_alike(mimic.joint, joints - {joint.name or ""})
+        message = f"{label('joint', joint.name)} mimics '{mimic.joint}', which is no joint"
+        fix = replaced(mimic.at["joint"], mimic.joint, meant) if meant else None
+        yield Finding(mimic.at["joint"], message + (f"; did you mean '{meant}'?" if meant else ""), fix=fix)
