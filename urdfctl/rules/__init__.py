@@ -50,11 +50,22 @@ from urdfctl.rules.transmissions.transmission_without_actuator import transmissi
 from urdfctl.rules.transmissions.transmission_without_joint import transmission_without_joint
 from urdfctl.rules.transmissions.transmission_without_name import transmission_without_name
 from urdfctl.rules.transmissions.transmission_without_type import transmission_without_type
+from urdfctl.rules.urdf.axis_zero import axis_zero
 from urdfctl.rules.urdf.duplicate_joint import duplicate_joint
 from urdfctl.rules.urdf.duplicate_link import duplicate_link
 from urdfctl.rules.urdf.duplicate_material import duplicate_material
+from urdfctl.rules.urdf.dynamics_empty import dynamics_empty
+from urdfctl.rules.urdf.dynamics_negative import dynamics_negative
+from urdfctl.rules.urdf.joint_number_malformed import joint_number_malformed
+from urdfctl.rules.urdf.joint_type_not_moved import joint_type_not_moved
+from urdfctl.rules.urdf.joint_type_unknown import joint_type_unknown
+from urdfctl.rules.urdf.joint_without_limit import joint_without_limit
 from urdfctl.rules.urdf.joint_without_name import joint_without_name
 from urdfctl.rules.urdf.joint_without_parent_or_child import joint_without_parent_or_child
+from urdfctl.rules.urdf.joint_without_type import joint_without_type
+from urdfctl.rules.urdf.limit_incomplete import limit_incomplete
+from urdfctl.rules.urdf.limits_leave_no_range import limits_leave_no_range
+from urdfctl.rules.urdf.limits_reversed import limits_reversed
 from urdfctl.rules.urdf.link_with_two_parents import link_with_two_parents
 from urdfctl.rules.urdf.link_without_name import link_without_name
 from urdfctl.rules.urdf.links_in_a_circle import links_in_a_circle
@@ -66,9 +77,11 @@ from urdfctl.rules.urdf.robot_version_unsupported import robot_version_unsupport
 from urdfctl.rules.urdf.robot_without_links import robot_without_links
 from urdfctl.rules.urdf.robot_without_name import robot_without_name
 from urdfctl.rules.urdf.root_element_not_robot import root_element_not_robot
+from urdfctl.rules.urdf.safety_without_k_velocity import safety_without_k_velocity
 from urdfctl.rules.urdf.several_root_links import several_root_links
 from urdfctl.rules.urdf.unknown_link import unknown_link
 from urdfctl.rules.urdf.unknown_mimic_joint import unknown_mimic_joint
+from urdfctl.rules.urdf.velocity_limit_zero import velocity_limit_zero
 
 CRASHED = rule_crashed
 OVER_BUDGET = over_budget
@@ -113,6 +126,19 @@ RULES: tuple[Rule, ...] = (
     unknown_mimic_joint,
     mimics_in_a_circle,
     mimic_without_joint,
+    joint_without_type,
+    joint_type_unknown,
+    joint_type_not_moved,
+    joint_without_limit,
+    limit_incomplete,
+    limits_reversed,
+    axis_zero,
+    joint_number_malformed,
+    dynamics_empty,
+    dynamics_negative,
+    safety_without_k_velocity,
+    velocity_limit_zero,
+    limits_leave_no_range,
     transmission_joint_without_interface,
     hardware_interface_without_prefix,
     hardware_interface_unknown,

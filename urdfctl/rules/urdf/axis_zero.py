@@ -1,0 +1,57 @@
+"""UC126."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.urdf.common import is_known, label, robot_in
+from urdfctl.rules.urdf.numbers import VECTOR, Field
+
+
+@rule(
+    "UC126",
+    severity=Severity.WARNING,
+    authority="sdformat src/JointAxis.cc: 'The norm of the xyz vector cannot be zero'; urdfdom takes it",
+    bad={
+        "robot.urdf": """
+            <link name="tool">
+              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+            </link>
+            <joint name="wrist" type="continuous">
+              <parent link="fore"/><child link="tool"/>
+              <axis xyz="«0 0 0»"/>
+            </joint>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <link name="tool">
+              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+            </link>
+            <joint name="wrist" type="continuous">
+              <parent link="fore"/><child link="tool"/>
+              <axis xyz="0 0 1"/>
+            </joint>
+        """,
+    },
+)
+def axis_zero(project: Project) -> Iterator[Finding]:
+    """A joint that moves has the axis 0 0 0.
+
+    urdfdom takes it, and reads an <axis> without `xyz` as just that (without <axis> it is 1 0 0). The joint has no
+    direction: it does not move, and Gazebo refuses the model.
+    """
+    robot = robot_in(project)
+    for joint in robot.joints if robot else ():
+        if not joint.moves or joint.type == "floating":
+            continue
+        axis = next(joint.tag.named("axis"), None)
+        if axis is None:
+            continue
+        text = axis.attributes.get("xyz")
+        if text is None:
+            message = f"<axis> of {label('joint', joint.name)} has no 'xyz', and is read as 0 0 0"
+            yield Finding(axis.at, message)
+        elif is_known(text) and Field(axis, "xyz", text, VECTOR).values == [0.0, 0.0, 0.0]:
+            yield Finding(axis.at["xyz"], f"the axis of {label('joint', joint.name)} is zero; it needs a direction")

@@ -1,0 +1,52 @@
+"""UC129."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.urdf.common import label, robot_in
+from urdfctl.rules.urdf.numbers import Numbers
+
+
+@rule(
+    "UC129",
+    severity=Severity.WARNING,
+    authority="wiki.ros.org urdf/XML/joint: damping and friction are physical values of the joint; urdfdom joint.cpp compares nothing",
+    bad={
+        "robot.urdf": """
+            <link name="tool">
+              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+            </link>
+            <joint name="wrist" type="continuous">
+              <parent link="fore"/><child link="tool"/>
+              <dynamics damping="«-0.1»"/>
+            </joint>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <link name="tool">
+              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+            </link>
+            <joint name="wrist" type="continuous">
+              <parent link="fore"/><child link="tool"/>
+              <dynamics damping="0.1"/>
+            </joint>
+        """,
+    },
+)
+def dynamics_negative(project: Project) -> Iterator[Finding]:
+    """A joint's damping or friction is negative.
+
+    urdfdom takes it. In a simulation such a joint speeds itself up until the robot flies apart.
+    """
+    robot = robot_in(project)
+    if robot is None:
+        return
+    numbers = Numbers(robot)
+    for joint in robot.joints:
+        for field in numbers.of_joint(joint):
+            if field.element.name == "dynamics" and field.values and field.values[0] < 0:
+                message = f"{field.label} of {label('joint', joint.name)} is negative: {field.text}"
+                yield Finding(field.element.at[field.attribute], message)

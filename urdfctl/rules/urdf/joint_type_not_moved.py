@@ -1,0 +1,49 @@
+"""UC122."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.urdf.common import label, robot_in
+
+
+@rule(
+    "UC122",
+    severity=Severity.WARNING,
+    authority="kdl_parser kdl_parser.cpp: \"Converting unknown joint type of joint '...' into a fixed joint\"; "
+    "sdformat 12 src/parser_urdf.cc CreateJoint() makes no joint",
+    bad={
+        "robot.urdf": """
+            <link name="tool">
+              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+            </link>
+            <joint name="wrist" type="«planar»">
+              <parent link="fore"/><child link="tool"/>
+            </joint>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <link name="tool">
+              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+            </link>
+            <joint name="wrist" type="continuous">
+              <parent link="fore"/><child link="tool"/>
+            </joint>
+        """,
+    },
+)
+def joint_type_not_moved(project: Project) -> Iterator[Finding]:
+    """A joint is floating or planar, which urdfdom takes and hardly anything else.
+
+    robot_state_publisher makes a fixed joint of it. Gazebo makes none, and from sdformat 12 on refuses the model.
+    """
+    robot = robot_in(project)
+    for joint in robot.joints if robot else ():
+        if joint.type in ("floating", "planar"):
+            message = f"{label('joint', joint.name)} is {joint.type}: robot_state_publisher holds it fixed"
+            if project.may_be_simulated:
+                message += ", and Gazebo makes no joint of it"
+            severity = None if project.may_be_simulated else Severity.INFO
+            yield Finding(joint.at["type"], message, severity=severity)

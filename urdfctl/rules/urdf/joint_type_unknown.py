@@ -1,0 +1,68 @@
+"""UC121."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Fix, Project, Severity, rule
+from urdfctl.rules.urdf.common import is_known, label, replaced, robot_in
+from urdfctl.suggest import nearest
+
+TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
+OTHER_WORDS = {
+    "rotational": "revolute",
+    "rotary": "revolute",
+    "hinge": "revolute",
+    "linear": "prismatic",
+    "slider": "prismatic",
+}
+
+
+@rule(
+    "UC121",
+    severity=Severity.ERROR,
+    authority="urdfdom urdf_parser/src/joint.cpp parseJoint(): 'Joint [...] has no known type [...]'",
+    bad={
+        "robot.urdf": """
+            <link name="tool">
+              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+            </link>
+            <joint name="wrist" type="«Revolute»">
+              <parent link="fore"/><child link="tool"/>
+              <limit lower="-1" upper="1" effort="10" velocity="2"/>
+            </joint>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <link name="tool">
+              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+            </link>
+            <joint name="wrist" type="revolute">
+              <parent link="fore"/><child link="tool"/>
+              <limit lower="-1" upper="1" effort="10" velocity="2"/>
+            </joint>
+        """,
+    },
+)
+def joint_type_unknown(project: Project) -> Iterator[Finding]:
+    """A joint's type is none of URDF's.
+
+    urdfdom knows revolute, continuous, prismatic, fixed, floating and planar, in lower case, and gives no model for
+    anything else.
+    """
+    robot = robot_in(project)
+    for joint in robot.joints if robot else ():
+        written = joint.type
+        if written is None or written in TYPES or not is_known(written):
+            continue
+        meant = OTHER_WORDS.get(written.strip().lower()) or nearest(written.strip(), (*TYPES, ""))
+        if written.strip().lower() in TYPES:
+            meant = written.strip().lower()
+        told = f"did you mean '{meant}'?" if meant else f"URDF knows {', '.join(TYPES)}"
+        fix: Fix | None = None
+        if meant:
+            fix = replaced(joint.at["type"], written, meant, safe=written.strip().lower() == meant)
+        yield Finding(
+            joint.at["type"], f"{label('joint', joint.name)} has the unknown type '{written}'; {told}", fix=fix
+        )

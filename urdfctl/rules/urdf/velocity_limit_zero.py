@@ -1,0 +1,61 @@
+"""UC131."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.urdf.common import commanded_joints, label, robot_in
+
+
+@rule(
+    "UC131",
+    severity=Severity.WARNING,
+    authority="joint_limits_interface bounds every command by the URDF's velocity; "
+    "ros2_control_demos#787: carlikebot's steering did not move in Gazebo",
+    bad={
+        "robot.urdf": """
+            <link name="tool">
+              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+            </link>
+            <joint name="wrist" type="revolute">
+              <parent link="fore"/><child link="tool"/>
+              <limit lower="-1" upper="1" effort="10" velocity="«0»"/>
+            </joint>
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="wrist"><command_interface name="position"/><state_interface name="position"/></joint>
+            </ros2_control>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <link name="tool">
+              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+            </link>
+            <joint name="wrist" type="revolute">
+              <parent link="fore"/><child link="tool"/>
+              <limit lower="-1" upper="1" effort="10" velocity="2"/>
+            </joint>
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="wrist"><command_interface name="position"/><state_interface name="position"/></joint>
+            </ros2_control>
+        """,
+    },
+)
+def velocity_limit_zero(project: Project) -> Iterator[Finding]:
+    """A joint that is commanded has the velocity limit 0.
+
+    Everything loads, and the joint never moves: no message tells why. An effort limit of 0 is another matter: many
+    well-kept robots have it, and position control does not ask for it.
+    """
+    robot = robot_in(project)
+    if robot is None:
+        return
+    commanded = commanded_joints(robot)
+    for joint in robot.joints:
+        velocity = joint.limit.velocity if joint.limit else None
+        if velocity and velocity.value == 0 and joint.moves and joint.name in commanded and not joint.mimic:
+            message = f"the velocity limit of {label('joint', joint.name)} is 0, so it never moves, and it is commanded"
+            yield Finding(velocity.at, message)
