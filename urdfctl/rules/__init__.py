@@ -56,6 +56,9 @@ from urdfctl.rules.urdf.duplicate_link import duplicate_link
 from urdfctl.rules.urdf.duplicate_material import duplicate_material
 from urdfctl.rules.urdf.dynamics_empty import dynamics_empty
 from urdfctl.rules.urdf.dynamics_negative import dynamics_negative
+from urdfctl.rules.urdf.inertia_impossible import inertia_impossible
+from urdfctl.rules.urdf.inertia_out_of_proportion import inertia_out_of_proportion
+from urdfctl.rules.urdf.inertial_incomplete import inertial_incomplete
 from urdfctl.rules.urdf.joint_number_malformed import joint_number_malformed
 from urdfctl.rules.urdf.joint_type_not_moved import joint_type_not_moved
 from urdfctl.rules.urdf.joint_type_unknown import joint_type_unknown
@@ -66,17 +69,21 @@ from urdfctl.rules.urdf.joint_without_type import joint_without_type
 from urdfctl.rules.urdf.limit_incomplete import limit_incomplete
 from urdfctl.rules.urdf.limits_leave_no_range import limits_leave_no_range
 from urdfctl.rules.urdf.limits_reversed import limits_reversed
+from urdfctl.rules.urdf.link_number_malformed import link_number_malformed
 from urdfctl.rules.urdf.link_with_two_parents import link_with_two_parents
 from urdfctl.rules.urdf.link_without_name import link_without_name
 from urdfctl.rules.urdf.links_in_a_circle import links_in_a_circle
+from urdfctl.rules.urdf.mass_not_positive import mass_not_positive
 from urdfctl.rules.urdf.mimic_without_joint import mimic_without_joint
 from urdfctl.rules.urdf.mimics_in_a_circle import mimics_in_a_circle
+from urdfctl.rules.urdf.moving_link_without_inertial import moving_link_without_inertial
 from urdfctl.rules.urdf.name_of_link_and_joint import name_of_link_and_joint
 from urdfctl.rules.urdf.reserved_name import reserved_name
 from urdfctl.rules.urdf.robot_version_unsupported import robot_version_unsupported
 from urdfctl.rules.urdf.robot_without_links import robot_without_links
 from urdfctl.rules.urdf.robot_without_name import robot_without_name
 from urdfctl.rules.urdf.root_element_not_robot import root_element_not_robot
+from urdfctl.rules.urdf.root_link_with_inertial import root_link_with_inertial
 from urdfctl.rules.urdf.safety_without_k_velocity import safety_without_k_velocity
 from urdfctl.rules.urdf.several_root_links import several_root_links
 from urdfctl.rules.urdf.unknown_link import unknown_link
@@ -139,6 +146,13 @@ RULES: tuple[Rule, ...] = (
     safety_without_k_velocity,
     velocity_limit_zero,
     limits_leave_no_range,
+    moving_link_without_inertial,
+    inertial_incomplete,
+    mass_not_positive,
+    inertia_impossible,
+    inertia_out_of_proportion,
+    root_link_with_inertial,
+    link_number_malformed,
     transmission_joint_without_interface,
     hardware_interface_without_prefix,
     hardware_interface_unknown,

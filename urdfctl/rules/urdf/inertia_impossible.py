@@ -1,0 +1,73 @@
+"""UC136."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.urdf.bodies import inertial_of
+from urdfctl.rules.urdf.common import label, may_be_ros2, robot_in
+from urdfctl.rules.urdf.inertia import Moments, moments_of, principal_moments
+
+TOLERANCE_OF_SDFORMAT = 1e-6
+TOLERANCE_ELSEWHERE = 1e-2
+
+
+@rule(
+    "UC136",
+    severity=Severity.WARNING,
+    authority="gz-math MassMatrix3::IsValid(), sdformat src/Link.cc: 'A link named ... has invalid inertia.'",
+    bad={
+        "robot.urdf": """
+            <link name="tool">
+              <inertial>
+                <mass value="1"/>
+                «<inertia ixx="1" ixy="0" ixz="0" iyy="2.5" iyz="0" izz="0.5"/>»
+              </inertial>
+            </link>
+            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <link name="tool">
+              <inertial>
+                <mass value="1"/>
+                <inertia ixx="1" ixy="0" ixz="0" iyy="1.5" iyz="0" izz="0.5"/>
+              </inertial>
+            </link>
+            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+        """,
+    },
+)
+def inertia_impossible(project: Project) -> Iterator[Finding]:
+    """An inertia is one that no body can have.
+
+    Its principal moments must not be negative, and none may be greater than the other two together. urdfdom compares
+    nothing; Gazebo refuses the robot from sdformat 9 on, and other engines become unstable.
+    """
+    robot = robot_in(project)
+    if robot is None:
+        return
+    tolerance = TOLERANCE_OF_SDFORMAT if may_be_ros2(project) else TOLERANCE_ELSEWHERE
+    for link in robot.links:
+        inertial = inertial_of(link)
+        moments = moments_of(inertial)
+        if inertial is None or inertial.inertia_at is None or moments is None:
+            continue
+        fault = _fault(moments, tolerance)
+        if fault:
+            yield Finding(inertial.inertia_at, f"the inertia of {label('link', link.name)} is impossible: {fault}")
+
+
+def _fault(moments: Moments, tolerance: float) -> str:
+    least, middle, most = principal_moments(moments)
+    aligned = not (moments[1] or moments[2] or moments[4])
+    if least < -tolerance * max(abs(least), abs(most)):
+        return (
+            f"the moment {least:g} is negative" if aligned else f"not positive definite, its least moment is {least:g}"
+        )
+    if least + middle < most * (1 - tolerance):
+        what = "the moment" if aligned else "the principal moment"
+        return f"{what} {most:g} is greater than the other two together, {least:g} and {middle:g}"
+    return ""

@@ -1,0 +1,59 @@
+"""UC135."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.urdf.bodies import LEAST_MASS, inertial_of, vanishing
+from urdfctl.rules.urdf.common import label, whole_robot_in
+
+
+@rule(
+    "UC135",
+    severity=Severity.WARNING,
+    authority="sdformat src/parser_urdf.cc CreateSDF(): 'a mass value of less than or equal to zero'; "
+    "src/Link.cc: 'A link named ... has invalid inertia.'",
+    whole_robot=True,
+    bad={
+        "robot.urdf": """
+            <link name="tool">
+              <inertial>
+                <mass value="«0»"/>
+                <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+              </inertial>
+            </link>
+            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <link name="tool">
+              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+            </link>
+            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+        """,
+    },
+)
+def mass_not_positive(project: Project) -> Iterator[Finding]:
+    """A mass is negative, or a link that moves weighs nothing.
+
+    Gazebo drops a moving link of no mass (less than 1e-6 kg is none) with everything below it, and refuses a robot with
+    a negative mass. A link of no mass that is fixed to one with mass does no harm.
+    """
+    robot = whole_robot_in(project)
+    if robot is None or not project.may_be_simulated:
+        return
+    vanished = {id(link): body for body in vanishing(robot) for link in body.links}
+    for link in robot.links:
+        inertial = inertial_of(link)
+        mass = inertial.mass if inertial else None
+        value = mass.value if mass else None
+        if mass is None or value is None:
+            continue
+        if value < 0:
+            yield Finding(mass.at, f"the mass of {label('link', link.name)} is negative: {mass.text}")
+        elif value <= LEAST_MASS and id(link) in vanished:
+            told = "nothing" if value == 0 else f"no more than {mass.text} kg"
+            message = f"{label('link', link.name)} moves and weighs {told}: Gazebo drops it, and what hangs on it"
+            yield Finding(mass.at, message)

@@ -1,0 +1,51 @@
+"""UC133."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.urdf.bodies import inertial_of, vanishing
+from urdfctl.rules.urdf.common import whole_robot_in
+
+
+@rule(
+    "UC133",
+    severity=Severity.WARNING,
+    authority="sdformat src/parser_urdf.cc CreateSDF(): 'link[...] has no <inertial> block defined', 'parent joint[...] ignored'",
+    whole_robot=True,
+    bad={
+        "robot.urdf": """
+            <link name="«tool»"/>
+            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <link name="tool">
+              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+            </link>
+            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+            <link name="tip"/>
+            <joint name="tip_joint" type="fixed"><parent link="tool"/><child link="tip"/></joint>
+        """,
+    },
+)
+def moving_link_without_inertial(project: Project) -> Iterator[Finding]:
+    """A link that moves has no <inertial>, and none of the links that are fixed to it has one.
+
+    Gazebo drops the link, its joint and everything below it, older versions without a word. Its control plugin then
+    knows no such joint. On real hardware nothing is lost.
+    """
+    robot = whole_robot_in(project)
+    if robot is None or not project.may_be_simulated:
+        return
+    lost = [body for body in vanishing(robot) if not any(inertial_of(link) for link in body.links)]
+    if lost and not any(link.inertials for link in robot.links):
+        yield Finding(robot.at, "no link of the robot has an <inertial>: Gazebo drops all that moves")
+        return
+    for body in lost:
+        told = f"with the {body.lost} joints from here on" if body.lost > 1 else "with its joint"
+        joint = body.joint.name if body.joint else None
+        message = f"link '{body.head.name}' of joint '{joint}' has no <inertial>: Gazebo drops it, {told}"
+        yield Finding(body.head.at["name"], message)
