@@ -51,11 +51,16 @@ from urdfctl.rules.transmissions.transmission_without_joint import transmission_
 from urdfctl.rules.transmissions.transmission_without_name import transmission_without_name
 from urdfctl.rules.transmissions.transmission_without_type import transmission_without_type
 from urdfctl.rules.urdf.axis_zero import axis_zero
+from urdfctl.rules.urdf.colour_malformed import colour_malformed
 from urdfctl.rules.urdf.duplicate_joint import duplicate_joint
 from urdfctl.rules.urdf.duplicate_link import duplicate_link
 from urdfctl.rules.urdf.duplicate_material import duplicate_material
 from urdfctl.rules.urdf.dynamics_empty import dynamics_empty
 from urdfctl.rules.urdf.dynamics_negative import dynamics_negative
+from urdfctl.rules.urdf.geometry_incomplete import geometry_incomplete
+from urdfctl.rules.urdf.geometry_missing import geometry_missing
+from urdfctl.rules.urdf.geometry_not_positive import geometry_not_positive
+from urdfctl.rules.urdf.geometry_unknown import geometry_unknown
 from urdfctl.rules.urdf.inertia_impossible import inertia_impossible
 from urdfctl.rules.urdf.inertia_out_of_proportion import inertia_out_of_proportion
 from urdfctl.rules.urdf.inertial_incomplete import inertial_incomplete
@@ -74,6 +79,12 @@ from urdfctl.rules.urdf.link_with_two_parents import link_with_two_parents
 from urdfctl.rules.urdf.link_without_name import link_without_name
 from urdfctl.rules.urdf.links_in_a_circle import links_in_a_circle
 from urdfctl.rules.urdf.mass_not_positive import mass_not_positive
+from urdfctl.rules.urdf.material_defined_otherwise import material_defined_otherwise
+from urdfctl.rules.urdf.material_undefined import material_undefined
+from urdfctl.rules.urdf.material_without_colour import material_without_colour
+from urdfctl.rules.urdf.material_without_name import material_without_name
+from urdfctl.rules.urdf.mesh_path_of_one_machine import mesh_path_of_one_machine
+from urdfctl.rules.urdf.mesh_path_relative import mesh_path_relative
 from urdfctl.rules.urdf.mimic_without_joint import mimic_without_joint
 from urdfctl.rules.urdf.mimics_in_a_circle import mimics_in_a_circle
 from urdfctl.rules.urdf.moving_link_without_inertial import moving_link_without_inertial
@@ -153,6 +164,17 @@ RULES: tuple[Rule, ...] = (
     inertia_out_of_proportion,
     root_link_with_inertial,
     link_number_malformed,
+    geometry_missing,
+    geometry_unknown,
+    geometry_incomplete,
+    geometry_not_positive,
+    material_without_name,
+    material_undefined,
+    material_without_colour,
+    colour_malformed,
+    material_defined_otherwise,
+    mesh_path_of_one_machine,
+    mesh_path_relative,
     transmission_joint_without_interface,
     hardware_interface_without_prefix,
     hardware_interface_unknown,

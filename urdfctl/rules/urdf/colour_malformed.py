@@ -1,0 +1,50 @@
+"""UC147."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Fix, Project, Severity, rule
+from urdfctl.rules.urdf.common import is_known, replaced, robot_in
+from urdfctl.rules.urdf.materials import materials_of
+from urdfctl.rules.urdf.numbers import Field, fault_of, refusing
+
+RGBA = 4
+BYTE = 255
+
+
+@rule(
+    "UC147",
+    severity=Severity.WARNING,
+    authority="urdfdom_headers urdf_model/color.h Color::init(); urdfdom: 'Material [...] has malformed color rgba values'",
+    bad={
+        "robot.urdf": """
+            <material name="grey"><color rgba="«128 128 128 255»"/></material>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
+        """,
+    },
+)
+def colour_malformed(project: Project) -> Iterator[Finding]:
+    """A colour's `rgba` is not four numbers from 0 to 1.
+
+    urdfdom prints an error and drops the colour. One of three numbers it replaces by its own without a word. Before
+    noetic it took numbers above 1, and the link is white then.
+    """
+    robot = robot_in(project)
+    for material in materials_of(robot) if robot else ():
+        colour = material.colour
+        text = colour.attributes["rgba"] if colour else ""
+        if colour is None or not is_known(text):
+            continue
+        field, at = Field(colour, "rgba", text, RGBA), colour.at["rgba"]
+        if set(refusing(field)) & set(project.distros):
+            yield Finding(at, f"'rgba' of {material.label} is '{field.shown}': it {fault_of(field)}")
+        elif any(not 0 <= value <= 1 for value in field.values):
+            fix: Fix | None = None
+            if all(value in range(BYTE + 1) for value in field.values):
+                fix = replaced(at, text, " ".join(f"{value / BYTE:.3g}" for value in field.values))
+            yield Finding(at, f"'rgba' of {material.label} is '{text}'; each number is from 0 to 1", fix=fix)

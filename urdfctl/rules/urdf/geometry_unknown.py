@@ -1,0 +1,54 @@
+"""UC141."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.urdf.common import label, robot_in
+from urdfctl.suggest import did_you_mean
+
+SHAPES = ("box", "cylinder", "sphere", "mesh")
+
+
+@rule(
+    "UC141",
+    severity=Severity.WARNING,
+    authority="urdfdom urdf_parser/src/link.cpp parseGeometry(): \"Unknown geometry type '...'\"",
+    bad={
+        "robot.urdf": """
+            <link name="tool">
+              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+              <visual>
+                <geometry>«<capsule radius="0.1" length="0.2"/>»</geometry>
+              </visual>
+            </link>
+            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <link name="tool">
+              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+              <visual>
+                <geometry><cylinder radius="0.1" length="0.2"/></geometry>
+              </visual>
+            </link>
+            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+        """,
+    },
+)
+def geometry_unknown(project: Project) -> Iterator[Finding]:
+    """A shape is none of URDF's.
+
+    urdfdom knows box, cylinder, sphere and mesh. At anything else it prints an error, drops the visual or collision and
+    what follows in the link, and goes on.
+    """
+    robot = robot_in(project)
+    for link in robot.links if robot else ():
+        for geometry in link.geometries:
+            shape = geometry.shape
+            if shape is not None and shape.name not in SHAPES:
+                told = did_you_mean(shape.name, SHAPES) or f"; URDF knows {', '.join(SHAPES)}"
+                message = f"<{geometry.role}> of {label('link', link.name)} has the unknown shape <{shape.name}>{told}"
+                yield Finding(shape.at, message)

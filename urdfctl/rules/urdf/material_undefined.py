@@ -1,0 +1,65 @@
+"""UC145."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.urdf.common import is_alike, is_known, replaced, whole_robot_in
+from urdfctl.rules.urdf.materials import materials_of
+
+
+@rule(
+    "UC145",
+    severity=Severity.WARNING,
+    authority="urdfdom urdf_parser/src/model.cpp assignMaterial(): \"link '...' material '...' undefined.\"",
+    whole_robot=True,
+    bad={
+        "robot.urdf": """
+            <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
+            <link name="tool">
+              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+              <visual>
+                <geometry><box size="0.1 0.1 0.1"/></geometry>
+                <material name="«gray»"/>
+              </visual>
+            </link>
+            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
+            <link name="tool">
+              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+              <visual>
+                <geometry><box size="0.1 0.1 0.1"/></geometry>
+                <material name="grey"/>
+              </visual>
+            </link>
+            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+        """,
+    },
+)
+def material_undefined(project: Project) -> Iterator[Finding]:
+    """A visual's material is defined nowhere before it.
+
+    Materials of the robot are known everywhere, those that a visual defines in the links after it. urdfdom warns, and the
+    link has no colour.
+    """
+    robot = whole_robot_in(project)
+    if robot is None:
+        return
+    materials = list(materials_of(robot))
+    defined = {material.name for material in materials if material.link is None}
+    for material in materials:
+        name = material.name
+        if material.colour or material.texture:
+            defined.add(name)
+        elif name and name not in defined and is_known(name) and not material.tag.children:
+            later = any(other.name == name and (other.colour or other.texture) for other in materials)
+            meant = None if later else is_alike(name, defined)
+            told = " before it; it is defined further down" if later else f"; did you mean '{meant}'?" if meant else ""
+            at = material.tag.at["name"]
+            fix = replaced(at, name, meant) if meant else None
+            yield Finding(at, f"{material.label} is not defined{told}", fix=fix)

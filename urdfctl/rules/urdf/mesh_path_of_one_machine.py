@@ -1,0 +1,63 @@
+"""UC151."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.urdf.common import is_known, label, robot_in
+
+_OF_ONE_MACHINE = re.compile(r"(file:)?/|[A-Za-z]:[\\/]|~")
+
+
+@rule(
+    "UC151",
+    severity=Severity.WARNING,
+    authority="wiki.ros.org urdf/XML/link: a mesh is named by package://<packagename>/<path>",
+    bad={
+        "robot.urdf": """
+            <link name="tool">
+              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+              <visual>
+                <geometry><mesh filename="«file:///home/me/ws/src/arm_description/meshes/tool.stl»"/></geometry>
+              </visual>
+            </link>
+            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+        """,
+    },
+    good={
+        "robot.xacro": """
+            <link name="tool">
+              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+              <visual>
+                <geometry><mesh filename="file://$(find arm_description)/meshes/tool.stl"/></geometry>
+              </visual>
+            </link>
+            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+        """,
+        "package.xml": """
+            <package format="3"><name>arm_description</name></package>
+        """,
+        "meshes/tool.stl": """
+            solid tool
+            endsolid tool
+        """,
+    },
+)
+def mesh_path_of_one_machine(project: Project) -> Iterator[Finding]:
+    """A mesh is named by an absolute path.
+
+    It is found on the machine where it was written and on no other. RViz takes package:// and file:// addresses only.
+    """
+    robot = robot_in(project)
+    found = [
+        mesh
+        for mesh in (robot.meshes if robot else ())
+        if _OF_ONE_MACHINE.match(mesh.filename) and is_known(mesh.filename) and mesh.at.span.text == mesh.filename
+    ]
+    if found:
+        first = found[0]
+        more = f", and {len(found) - 1} more" if len(found) > 1 else ""
+        what = f"the mesh of {label('link', first.link)} is the absolute path '{first.filename}'{more}"
+        yield Finding(first.at, f"{what}; write package://PACKAGE/PATH")
