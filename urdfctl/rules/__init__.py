@@ -50,6 +50,7 @@ from urdfctl.rules.transmissions.transmission_without_actuator import transmissi
 from urdfctl.rules.transmissions.transmission_without_joint import transmission_without_joint
 from urdfctl.rules.transmissions.transmission_without_name import transmission_without_name
 from urdfctl.rules.transmissions.transmission_without_type import transmission_without_type
+from urdfctl.rules.urdf.attribute_misspelt import attribute_misspelt
 from urdfctl.rules.urdf.axis_zero import axis_zero
 from urdfctl.rules.urdf.colour_malformed import colour_malformed
 from urdfctl.rules.urdf.duplicate_joint import duplicate_joint
@@ -57,6 +58,9 @@ from urdfctl.rules.urdf.duplicate_link import duplicate_link
 from urdfctl.rules.urdf.duplicate_material import duplicate_material
 from urdfctl.rules.urdf.dynamics_empty import dynamics_empty
 from urdfctl.rules.urdf.dynamics_negative import dynamics_negative
+from urdfctl.rules.urdf.element_given_twice import element_given_twice
+from urdfctl.rules.urdf.element_misspelt import element_misspelt
+from urdfctl.rules.urdf.gazebo_reference_unknown import gazebo_reference_unknown
 from urdfctl.rules.urdf.geometry_incomplete import geometry_incomplete
 from urdfctl.rules.urdf.geometry_missing import geometry_missing
 from urdfctl.rules.urdf.geometry_not_positive import geometry_not_positive
@@ -175,6 +179,10 @@ RULES: tuple[Rule, ...] = (
     material_defined_otherwise,
     mesh_path_of_one_machine,
     mesh_path_relative,
+    element_given_twice,
+    element_misspelt,
+    attribute_misspelt,
+    gazebo_reference_unknown,
     transmission_joint_without_interface,
     hardware_interface_without_prefix,
     hardware_interface_unknown,

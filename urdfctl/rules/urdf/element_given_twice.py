@@ -1,0 +1,58 @@
+"""UC153."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.model.parts import Tag
+from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rules.urdf.common import robot_in
+from urdfctl.rules.urdf.grammar import ONCE, read_tags
+
+
+@rule(
+    "UC153",
+    severity=Severity.WARNING,
+    authority="urdfdom urdf_parser/src/joint.cpp, link.cpp: FirstChildElement(...), and no further one",
+    whole_robot=True,
+    bad={
+        "robot.urdf": """
+            <link name="tool">
+              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+              «<inertial>»<mass value="2"/></inertial>
+            </link>
+            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <link name="tool">
+              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+              <visual><geometry><sphere radius="0.1"/></geometry></visual>
+              <visual><geometry><sphere radius="0.2"/></geometry></visual>
+            </link>
+            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+        """,
+    },
+)
+def element_given_twice(project: Project) -> Iterator[Finding]:
+    """An element that is read once is given twice.
+
+    urdfdom reads the first <inertial> of a link, the first <limit> of a joint, the first shape of a <geometry>, and so
+    on. The second one is ignored without a word. A link may have many visuals and collisions.
+    """
+    robot = robot_in(project)
+    for tag, owner in read_tags(robot) if robot else ():
+        if tag.name == "geometry":
+            shapes = tag.children
+            for shape in shapes[1:]:
+                message = f"a <geometry> of {owner} holds one shape; <{shape.name}> is ignored"
+                yield Finding(shape.at, message, (Note(f"<{shapes[0].name}> is read", shapes[0].at),))
+            continue
+        once = ONCE.get(tag.name, ())
+        first: dict[str, Tag] = {}
+        for child in tag.children if once else ():
+            before = first.setdefault(child.name, child)
+            if child.name in once and before is not child:
+                message = f"<{child.name}> of {owner} is given twice; the second one is ignored"
+                yield Finding(child.at, message, (Note("this one is read", before.at),))

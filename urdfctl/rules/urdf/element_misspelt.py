@@ -1,0 +1,65 @@
+"""UC154."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.model.parts import Tag
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.urdf.common import robot_in
+from urdfctl.rules.urdf.grammar import ELEMENTS, read_tags
+from urdfctl.suggest import nearest
+
+OF_OTHERS = frozenset(
+    {"sensor", "self_collision_checking", "contact", "contact_coefficients", "linkage", "joints", "links"}
+)
+"""What other readers of URDF take, and what is near to none of URDF's own by meaning."""
+
+
+@rule(
+    "UC154",
+    severity=Severity.WARNING,
+    authority='urdfdom urdf_parser: FirstChildElement("...") by exact names; unknown elements are ignored without a word',
+    bad={
+        "robot.urdf": """
+            <link name="tool">
+              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+              «<colision>»<geometry><sphere radius="0.1"/></geometry></colision>
+            </link>
+            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <link name="tool">
+              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+              <collision><geometry><sphere radius="0.1"/></geometry></collision>
+              <contact><friction_anchor/></contact>
+            </link>
+            <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+        """,
+    },
+)
+def element_misspelt(project: Project) -> Iterator[Finding]:
+    """An element is spelt nearly like one of URDF's.
+
+    urdfdom ignores what it does not know, so nobody tells of the slip: the part is just not there.
+    """
+    robot = robot_in(project)
+    if robot is None:
+        return
+    for tag in robot.others:
+        yield from _finding(tag, "robot", "the robot")
+    for tag, owner in read_tags(robot):
+        known = ELEMENTS.get(tag.name, ())
+        for child in tag.children if known and tag.name != "geometry" else ():
+            yield from _finding(child, tag.name, owner)
+
+
+def _finding(tag: Tag, parent: str, owner: str) -> Iterator[Finding]:
+    known = ELEMENTS[parent]
+    if tag.name in known or tag.name in OF_OTHERS or ":" in tag.name:
+        return
+    meant = nearest(tag.name, known)
+    if meant:
+        yield Finding(tag.at, f"<{tag.name}> of {owner} is ignored; did you mean <{meant}>?")

@@ -1,0 +1,44 @@
+"""UC156."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.urdf.common import is_alike, is_known, replaced, whole_robot_in
+
+
+@rule(
+    "UC156",
+    severity=Severity.WARNING,
+    authority="sdformat src/parser_urdf.cc InsertSDFExtensionLink(), InsertSDFExtensionJoint(): looked up by link and joint",
+    whole_robot=True,
+    bad={
+        "robot.urdf": """
+            <gazebo reference="«fore_link»"><mu1>0.9</mu1></gazebo>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <gazebo reference="fore"><mu1>0.9</mu1></gazebo>
+        """,
+    },
+)
+def gazebo_reference_unknown(project: Project) -> Iterator[Finding]:
+    """A <gazebo> element refers to no link and no joint of the robot.
+
+    Gazebo leaves its content out without a word: the sensor, the friction or the colour is just not there.
+    """
+    robot = whole_robot_in(project)
+    if robot is None:
+        return
+    names = {part for part in (*(link.name for link in robot.links), *robot.joint_names) if part}
+    for gazebo in robot.gazebos:
+        reference = gazebo.reference
+        if not reference or reference in names or not is_known(reference):
+            continue
+        meant = is_alike(reference, names)
+        hint = f"; did you mean '{meant}'?" if meant else ""
+        at = gazebo.at["reference"]
+        fix = replaced(at, reference, meant) if meant else None
+        yield Finding(at, f"<gazebo> refers to '{reference}', which is no link and no joint{hint}", fix=fix)
