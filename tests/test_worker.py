@@ -27,7 +27,7 @@ needs_fork = pytest.mark.skipif(not worker.CAN_FORK, reason="this system cannot 
 
 
 def results(perform: Callable[[Json], Json], limits: Limits = GENEROUS, jobs: int = 1, parallel: int = 1) -> list[Any]:
-    return list(run([{"number": number} for number in range(jobs)], perform, limits, parallel))
+    return list(run([{"number": number} for number in range(jobs)], perform, limits, parallel, fresh=""))
 
 
 @pytest.fixture
@@ -172,7 +172,7 @@ def test_workers_end_with_the_run_that_no_longer_wants_them() -> None:
         time.sleep(30)
         return job
 
-    running = run([{"number": 0}, {"number": 1}], perform, GENEROUS, 2)
+    running = run([{"number": 0}, {"number": 1}], perform, GENEROUS, 2, fresh="")
     next(running)
     before = time.monotonic()
     running.close()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from urdfctl.catalog.distros import in_words
@@ -12,7 +12,8 @@ from urdfctl.errors import UserError
 from urdfctl.model.project import Project
 from urdfctl.rule import Rule
 from urdfctl.rules import CRASHED, RULES, UNUSED_SUPPRESSION
-from urdfctl.source.span import Place, SourceText
+from urdfctl.source.budget import OverBudget
+from urdfctl.source.span import Place, SourceSpan, SourceText
 from urdfctl.source.suppressions import Suppressed
 
 
@@ -76,31 +77,44 @@ class Linted(NamedTuple):
 
 
 def lint(
-    project: Project, sources: Sequence[SourceText], selection: Selection, rules: Iterable[Rule] = RULES
+    project: Project,
+    sources: Sequence[SourceText],
+    selection: Selection,
+    rules: Iterable[Rule] = RULES,
+    reached: Callable[[SourceSpan], bool] = lambda _: True,
 ) -> Outcome:
-    """What the rules find in a project. A rule that crashes is a finding too, and the others go on."""
+    """What the rules find in a project. A rule that crashes is a finding too, and the others go on. `reached` tells
+    whether the robot has anything of the part of a source that a span lies in."""
     found: list[Diagnostic] = []
     crashed = False
     suppressed = Suppressed(list(sources))
-    for rule in rules:
-        if not selection.admits(rule.code) or not _applies(rule, project):
-            continue
+    asked = [rule for rule in rules if selection.admits(rule.code) and _applies(rule, project)]
+    for rule in asked:
         try:
-            for finding in rule.check(project):
-                if not suppressed.covers(rule.code, finding.at):
-                    found.append(_diagnostic(rule, project, finding))
+            found.extend(
+                _diagnostic(rule, project, finding)
+                for finding in rule.check(project)
+                if not suppressed.covers(rule.code, finding.at)
+            )
+        except (OverBudget, MemoryError):
+            raise
         except Exception as error:  # noqa: BLE001 (one broken rule must not hide what the others find)
             crashed = True
             found.append(_crash(rule, project, error))
-    return Outcome(found, list(_uses(suppressed, selection)), crashed)
+    silent = {rule.code for rule in RULES} - {rule.code for rule in asked if project.complete}
+    return Outcome(found, list(_uses(suppressed, silent, reached)), crashed)
 
 
-def _uses(suppressed: Suppressed, selection: Selection) -> Iterator[SuppressionUse]:
+def _uses(
+    suppressed: Suppressed, silent: Collection[str], reached: Callable[[SourceSpan], bool]
+) -> Iterator[SuppressionUse]:
+    """What the comments were good for. Of a code it cannot be told where one of its rules kept silent, because it was
+    not asked or the robot is not whole; of none where the comment stands in a macro that this robot does not call."""
     for index, item in enumerate(suppressed.all):
+        told = [code for code in item.codes if not any(rule.startswith(code) for rule in silent)]
+        used = index in suppressed.used or (bool(item.codes) and not told) or not reached(item.span)
         excerpt = item.span.source.line(item.span.source.position(item.span.start).line)
-        asked = [code for code in item.codes if selection.admits(code)]
-        used = index in suppressed.used or not asked
-        yield SuppressionUse(located(item.span), tuple(asked) or item.codes, used, excerpt)
+        yield SuppressionUse(located(item.span), tuple(told), used, excerpt)
 
 
 def _applies(rule: Rule, project: Project) -> bool:

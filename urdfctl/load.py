@@ -21,6 +21,7 @@ from urdfctl.source.library import LibraryExpander
 from urdfctl.source.packages import PackageIndex, Packages
 from urdfctl.source.problem import Problem, ReadError
 from urdfctl.source.span import Place, SourceText
+from urdfctl.source.suppressions import is_reached
 from urdfctl.source.xacro import Expander, Expansion
 from urdfctl.source.xml import parse
 from urdfctl.worker import Died, Limits, run
@@ -92,8 +93,12 @@ class Loader:
             robot.name if robot else None,
             len(robot.links) if robot else None,
             tuple(expander.files.read_paths()),
-            lint(project, expander.files.sources(), self.selection),
+            self._outcome(project, expander.files.sources(), expansion),
         )
+
+    def _outcome(self, project: Project, sources: list[SourceText], expansion: Expansion) -> Outcome:
+        root = expansion.document.documentElement if expansion.document else None
+        return lint(project, sources, self.selection, reached=lambda span: root is None or is_reached(span, root))
 
     def _project(self, path: str, expansion: Expansion, packages: Packages) -> Project:
         root = expansion.document.documentElement if expansion.document else None
@@ -151,14 +156,14 @@ def lint_all(
         loader.survey(targets)
     jobs = [_job(target, settings, selection) for target in targets]
     limits = Limits(settings.timeout, settings.memory, settings.environ)
-    results = run(jobs, partial(_perform_with, loader), limits, parallel or os.cpu_count() or 1)
+    parallel = parallel or os.cpu_count() or 1
+    results = run(jobs, partial(_perform_with, loader), limits, parallel, fresh="urdfctl.load:perform")
     for target, result in zip(targets, results, strict=True):
         yield linted_from_json(result) if isinstance(result, dict) else dead(target, settings, result)
 
 
 def _job(target: Target, settings: Settings, selection: Selection) -> dict[str, Any]:
-    plain = settings._asdict() | {"environ": dict(settings.environ)}
-    return {"target": target._asdict(), "settings": plain, "selection": selection._asdict()}
+    return {"target": target._asdict(), "settings": settings.to_json(), "selection": selection._asdict()}
 
 
 def _perform_with(loader: Loader, job: dict[str, Any]) -> dict[str, Any]:
@@ -172,11 +177,8 @@ def _target_of(job: dict[str, Any]) -> Target:
 
 def perform(job: dict[str, Any]) -> dict[str, Any]:
     """Lint the target of a job that came as JSON."""
-    plain: dict[str, Any] = {
-        name: tuple(value) if isinstance(value, list) else value for name, value in job["settings"].items()
-    }
     selection = Selection(**{name: tuple(value) for name, value in job["selection"].items()})
-    return _perform_with(Loader(Settings(**plain), selection), job)
+    return _perform_with(Loader(Settings.from_json(job["settings"]), selection), job)
 
 
 def dead(target: Target, settings: Settings, death: Died) -> Linted:

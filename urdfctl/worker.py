@@ -44,11 +44,7 @@ Result = Json | Died
 
 
 def run(
-    jobs: Sequence[Json],
-    perform: Callable[[Json], Json],
-    limits: Limits,
-    parallel: int,
-    fresh: str = "urdfctl.load:perform",
+    jobs: Sequence[Json], perform: Callable[[Json], Json], limits: Limits, parallel: int, *, fresh: str
 ) -> Iterator[Result]:
     """The result of each job, in their order; as many at once as `parallel` says. `fresh` names what performs a job in
     a process that knows nothing of this one: `package.module:function`."""

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from typing import NamedTuple
 
+from urdfctl.source.dom import Element
 from urdfctl.source.span import Call, Place, SourceSpan, SourceText
 
+_GUARD = rb"""<!--.*?-->|<(/?)xacro:(?:macro|if|unless)\b(?:[^>"']|"[^"]*"|'[^']*')*>"""
 _COMMENT = rb"urdfctl:\s*ignore\[([A-Za-z0-9_, \t-]*)\]"
 
 
@@ -71,3 +74,35 @@ class Suppressed:
 
 def _spans_of(call: Call) -> list[SourceSpan]:
     return [call.span, *([call.definition] if call.definition else [])]
+
+
+def is_reached(span: SourceSpan, root: Element) -> bool:
+    """Whether a tree holds anything of the innermost macro or condition that a span lies in: else the macro was not
+    called, or the condition did not hold."""
+    around = _guard_around(span)
+    if around is None:
+        return True
+    return any(
+        element.source.path == span.file and around[0] <= element.start < around[1] for element in _elements(root)
+    )
+
+
+def _guard_around(span: SourceSpan) -> tuple[int, int] | None:
+    """Where the innermost `<xacro:macro>`, `<xacro:if>` or `<xacro:unless>` around a span begins and ends."""
+    opened: list[int] = []
+    for tag in re.compile(_GUARD, re.DOTALL).finditer(span.source.data):
+        if tag.group(1) is None or tag.group().endswith(b"/>"):
+            continue
+        if tag.group(1) == b"":
+            opened.append(tag.end())
+        elif opened:
+            start = opened.pop()
+            if start <= span.start < tag.start():
+                return start, tag.start()
+    return None
+
+
+def _elements(root: Element) -> Iterator[Element]:
+    yield root
+    for child in root.elements():
+        yield from _elements(child)
