@@ -6,8 +6,10 @@ import os
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from fnmatch import fnmatchcase
+from functools import lru_cache
 
 from urdfctl.errors import UserError
+from urdfctl.source.packages import package_name
 from urdfctl.suggest import did_you_mean
 
 _DESCRIPTIONS = (".urdf", ".xacro")
@@ -88,8 +90,8 @@ def _descriptions_in(folder: str) -> dict[str, bytes]:
 
 def roots(texts: Mapping[str, bytes]) -> list[str]:
     """The descriptions that no other one includes, in order. Whether one is a robot shows when it is read."""
-    included = {tail for path, text in texts.items() for tail in _included(path, text)}
-    return [path for path in texts if not any(_is(path, tail) for tail in included)]
+    included = {(tail, package) for path, text in texts.items() for tail, package in _included(path, text)}
+    return [path for path in texts if not any(_is(path, tail, package) for tail, package in included)]
 
 
 def _descriptions(folder: str) -> Iterator[str]:
@@ -113,17 +115,31 @@ def _text(path: str) -> bytes:
         return b"<robot "
 
 
-def _included(path: str, text: bytes) -> Iterator[str]:
-    """The files that a description includes: a path where it is relative, else the end of one."""
+def _included(path: str, text: bytes) -> Iterator[tuple[str, str]]:
+    """The files that a description includes, but for itself: a path where it is relative, else the end of one and the
+    package it is in, where that is named."""
     for match in re.finditer(_INCLUDE, re.sub(_COMMENT, b"", text)):
         name = match.group(1).decode("utf-8", "replace")
-        if "$" not in name and not os.path.isabs(name):
-            yield os.path.normpath(os.path.join(os.path.dirname(path), name))
-        else:
-            yield "*" + re.sub(r"\$\{[^}]*\}|\$\([^)]*\)", "*", name)
+        if "$" in name or os.path.isabs(name):
+            found = re.match(r"\$\(find ([^)$]+)\)", name)
+            yield "*" + re.sub(r"\$\{[^}]*\}|\$\([^)]*\)", "*", name), found.group(1).strip() if found else ""
+        elif (relative := os.path.normpath(os.path.join(os.path.dirname(path), name))) != os.path.normpath(path):
+            yield relative, ""
 
 
-def _is(path: str, included: str) -> bool:
-    if included.startswith("*"):
-        return bool(included.strip("*/")) and fnmatchcase(os.path.abspath(path).replace(os.sep, "/"), included)
-    return os.path.normpath(path) == included
+def _is(path: str, included: str, package: str) -> bool:
+    if not included.startswith("*"):
+        return os.path.normpath(path) == included
+    if not included.strip("*/") or not fnmatchcase(os.path.abspath(path).replace(os.sep, "/"), included):
+        return False
+    return not package or _package_of(os.path.dirname(os.path.abspath(path))) in (package, None)
+
+
+@lru_cache(4096)
+def _package_of(folder: str) -> str | None:
+    """The name of the package that a folder lies in; None where it lies in none."""
+    manifest = os.path.join(folder, "package.xml")
+    if os.path.exists(manifest):
+        return package_name(manifest)
+    above = os.path.dirname(folder)
+    return None if above == folder else _package_of(above)
