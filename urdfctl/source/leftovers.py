@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
 
-from urdfctl.source.dom import Document, Element
+from urdfctl.source.dom import COMMENT, Document, Element, Text
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import Place, SourceText
-from urdfctl.suggest import did_you_mean
+from urdfctl.suggest import did_you_mean, nearest
 
 _DIRECTIVES = frozenset("arg attribute call element if include insert_block macro property unless".split())
 _OF_URDF = frozenset(
@@ -57,15 +57,37 @@ def _braces(element: Element, properties: Collection[str]) -> Iterator[Problem]:
                 yield Problem(ProblemKind.BRACES, element.at[attribute], message, name, hint)
 
 
+def repeated_condition(node: Element) -> Iterator[Problem]:
+    """The problem of an `<xacro:if>` that is followed by one of the same condition and the same content: one of the two
+    is meant to be an `<xacro:unless>`."""
+    following = node.nextSibling
+    while isinstance(following, Text) and (following.nodeType == COMMENT or not following.data.strip()):
+        following = following.nextSibling
+    if not isinstance(following, Element) or following.tagName != node.tagName:
+        return
+    ours, theirs = [c.tagName for c in node.elements()], [c.tagName for c in following.elements()]
+    if (
+        "".join(node.attrs.get("value", "").split()) == "".join(following.attrs.get("value", "").split())
+        and ours == theirs
+    ):
+        other = "xacro:unless" if node.tagName == "xacro:if" else "xacro:if"
+        message = f"two <{node.tagName}> of the same condition follow each other, and each brings <{'>, <'.join(ours)}>"
+        yield Problem(ProblemKind.CONDITION_REPEATED, following.at, message, hint=f"one of them may be an <{other}>")
+
+
 def unused_arguments(
     declared: Mapping[str, Element], given: Collection[str], sources: Iterable[SourceText], at: Place
 ) -> Iterator[Problem]:
     """The arguments that are declared, or given, and that none of the texts asks for."""
     texts = [source.data for source in sources]
+    asked = {match.decode() for text in texts for match in re.findall(rb"\$\(\s*arg\s+(\w+)\s*\)", text)}
     for name, element in declared.items():
         if not _asked(name, texts):
             message = f"argument '{name}' is declared, and none of the files that were read uses it"
-            yield Problem(ProblemKind.UNUSED_ARGUMENT, element.at["name"], message, name)
+            missing = nearest(name, asked - set(declared))
+            also = f"; '{missing}' is used, and not declared" if missing else ""
+            hint = f"is '{missing}' meant?" if missing else ""
+            yield Problem(ProblemKind.UNUSED_ARGUMENT, element.at["name"], message + also, name, hint)
     for name in given:
         if name not in declared and not _asked(name, texts):
             message = f"argument '{name}' is given, and the description has none of that name"

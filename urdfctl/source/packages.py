@@ -133,6 +133,8 @@ class Packages:
         self._folder = os.path.dirname(os.path.abspath(file))
         self._index = index
         self._found: dict[str, str] = {}
+        self.assumed: set[str] = set()
+        """The names for which only a folder without a package.xml was found."""
 
     def own(self) -> str | None:
         """The folder of the package that the file lies in, within the workspace."""
@@ -140,8 +142,11 @@ class Packages:
 
     def find(self, name: str) -> str:
         """The folder of a package. PackageNotFound where there is none."""
+        if name in ("", os.curdir, os.pardir) or os.sep in name:  # a path would lead anywhere
+            raise PackageNotFound(name, self.known())
         if name not in self._found:
             folder = self._from_environment(name) or self._from_nearby(name) or self._from_walk(name)
+            folder = folder or self._without_manifest(name)
             if folder is None:
                 raise PackageNotFound(name, self.known())
             self._found[name] = folder
@@ -190,6 +195,15 @@ class Packages:
             folders = crawl.packages().get(name)
             if folders:
                 return min(folders, key=self._distance)
+        return None
+
+    def _without_manifest(self, name: str) -> str | None:
+        """A folder of that name on the way up, though it has no package.xml: half a checkout, or one to be."""
+        for folder in self._ancestors():
+            for candidate in (folder, os.path.join(folder, name)):
+                if os.path.basename(candidate) == name and os.path.isdir(candidate):
+                    self.assumed.add(name)
+                    return candidate
         return None
 
     def _distance(self, folder: str) -> tuple[int, str]:

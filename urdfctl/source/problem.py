@@ -31,6 +31,8 @@ class ProblemKind(Enum):
     DUPLICATE_MACRO = auto()
     UNUSED_ARGUMENT = auto()
     UNKNOWN_ARGUMENT = auto()
+    MANIFEST_MISSING = auto()
+    CONDITION_REPEATED = auto()
     PREFIX_MISSING = auto()
     BRACES = auto()
 

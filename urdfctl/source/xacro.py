@@ -15,7 +15,7 @@ from urdfctl.source import engine, xacro_hooks
 from urdfctl.source.budget import MAX_CALL_DEPTH, MAX_CALLS, MAX_ELEMENTS, MAX_PROBLEMS, OverBudget
 from urdfctl.source.dom import COMMENT, Cloning, Document, Element, Node, Text
 from urdfctl.source.files import FileProblem, Files
-from urdfctl.source.leftovers import leftovers, unused_arguments
+from urdfctl.source.leftovers import leftovers, repeated_condition, unused_arguments
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.packages import Packages
 from urdfctl.source.problem import Problem, ProblemKind
@@ -50,6 +50,8 @@ _HARMLESS = {
     ProblemKind.DUPLICATE_MACRO,
     ProblemKind.UNUSED_ARGUMENT,
     ProblemKind.UNKNOWN_ARGUMENT,
+    ProblemKind.MANIFEST_MISSING,
+    ProblemKind.CONDITION_REPEATED,
     ProblemKind.PREFIX_MISSING,
     ProblemKind.BRACES,
 }
@@ -194,6 +196,9 @@ class Expander:
     def _check_attrs(self, node: Element, required: list[str], optional: list[str]) -> Any:
         if node.tagName == "xacro:insert_block":
             self.cloning.insertion = node
+        elif node.tagName in ("xacro:if", "xacro:unless"):
+            for problem in repeated_condition(node):
+                self._add(problem)
         elif node.tagName == "xacro:property":
             self._properties.add(node.attrs.get("name", ""))
         elif node.tagName == "xacro:arg":
@@ -298,6 +303,10 @@ class Expander:
         """The folder of a package, which may be read from then on. PackageNotFound where there is none."""
         folder = self.packages.find(name)
         self.files.allow(folder)
+        node = _node_being_evaluated()
+        if name in self.packages.assumed and node is not None:
+            message = f"package '{name}' has no package.xml: ROS will not find it; its folder is taken to be '{folder}'"
+            self._add(Problem(ProblemKind.MANIFEST_MISSING, node.at, message, name))
         return folder
 
 

@@ -36,4 +36,5 @@ def argument_unused(project: Project) -> Iterator[Finding]:
     Whoever sets it expects something to change. The name may be misspelt where it is used, or where it is
     declared.
     """
-    yield from findings_of(project, ProblemKind.UNUSED_ARGUMENT)
+    for finding in findings_of(project, ProblemKind.UNUSED_ARGUMENT):
+        yield finding._replace(severity=Severity.WARNING) if finding.fix else finding
