@@ -11,6 +11,7 @@ def main() -> None:
     """Run a command, and turn what it raises into its exit status: 2 for the user's errors, 3 for ours."""
     from urdfctl.errors import UserError
 
+    _open_what_is_closed()
     try:
         status = _run(sys.argv[1:])
     except UserError as error:
@@ -27,6 +28,13 @@ def main() -> None:
         sys.stderr.write(report_crash())
         status = 3
     _leave(status)
+
+
+def _open_what_is_closed() -> None:
+    """`urdfctl lint >&-` has no standard output; what is said then is said to nobody."""
+    if sys.stdout is None or sys.stderr is None:
+        nowhere = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115 (open until the end)
+        sys.stdout, sys.stderr = sys.stdout or nowhere, sys.stderr or nowhere
 
 
 def _leave(status: int) -> None:

@@ -50,7 +50,7 @@ def find(paths: Sequence[str]) -> Found:
     found = Found()
     for path in paths or (_enclosing_package(),):
         if not os.path.lexists(path):
-            raise UserError(f"no such file or folder: '{path}'{_nearest(path)}")
+            raise UserError(f"no such file or folder: '{path}'{nearest_path(path)}")
         if os.path.isdir(path):
             texts = _descriptions_in(path)
             found.others += texts
@@ -74,7 +74,8 @@ def _enclosing_package() -> str:
     return os.path.relpath(folder)
 
 
-def _nearest(path: str) -> str:
+def nearest_path(path: str) -> str:
+    """Did-you-mean for a path that does not exist."""
     folder = os.path.dirname(path) or os.curdir
     try:
         return did_you_mean(os.path.basename(path), os.listdir(folder))

@@ -6,7 +6,8 @@ import os
 import sys
 
 from urdfctl.cli.words import split_arguments
-from urdfctl.cli.writing import write_file
+from urdfctl.cli.writing import is_in_the_way, print_text, write_file
+from urdfctl.discover import nearest_path
 from urdfctl.errors import UserError
 from urdfctl.expand import expand_one
 from urdfctl.report.common import Report
@@ -20,8 +21,8 @@ def run_expand(file: str, words: list[str], settings: Settings, output: str | No
     if paths:
         raise UserError(f"one file at a time: what is '{paths[0]}'? Arguments are written name:=value")
     if not os.path.lexists(file):
-        raise UserError(f"no such file: '{file}'")
-    if output is not None and os.path.lexists(output) and not force:
+        raise UserError(f"no such file: '{file}'{nearest_path(file)}")
+    if output is not None and is_in_the_way(output) and not force:
         raise UserError(f"'{output}' exists; --force overwrites it")
     expanded = expand_one(file, arguments, settings)
     if expanded.text is None:
@@ -33,7 +34,5 @@ def run_expand(file: str, words: list[str], settings: Settings, output: str | No
     if output is not None:
         write_file(output, expanded.text, force=force)
     else:
-        sys.stdout.flush()
-        sys.stdout.buffer.write(expanded.text.encode("utf-8", "surrogateescape"))
-        sys.stdout.buffer.flush()
+        print_text(expanded.text)
     return 0

@@ -7,7 +7,7 @@ import sys
 from typing import NamedTuple
 
 from urdfctl.cli.words import codes, settings_from, split_arguments
-from urdfctl.cli.writing import write_file
+from urdfctl.cli.writing import print_text, write_file
 from urdfctl.diagnostic import Severity
 from urdfctl.discover import Found, find
 from urdfctl.errors import UserError
@@ -84,7 +84,7 @@ def run_lint(wanted: Wanted, settings: Settings) -> int:
 def _linted(
     found: Found, arguments: tuple[tuple[str, str], ...], settings: Settings, wanted: Wanted
 ) -> tuple[list[Linted], list[Linted]]:
-    """The robots, and all that was looked at: with folders also the macro libraries and fragments that no robot uses."""
+    """The robots, and all that was looked at: in folders also the macro libraries and fragments that no robot uses."""
     descriptions = found.descriptions()
     targets = [Target(path, arguments) for path, _ in descriptions]
     linted = lint_all(targets, settings, wanted.selection, wanted.jobs or None)
@@ -123,10 +123,4 @@ def _tell(report: Report, name: str, file: str | None) -> None:
     elif name == "text" and sys.stdout.isatty() and not os.environ.get("NO_COLOR"):
         print_coloured(report)
     else:
-        _print(FORMATS[name](report))
-
-
-def _print(text: str) -> None:
-    sys.stdout.flush()
-    sys.stdout.buffer.write(text.encode("utf-8", "surrogateescape"))
-    sys.stdout.buffer.flush()
+        print_text(FORMATS[name](report))

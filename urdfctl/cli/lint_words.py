@@ -1,7 +1,7 @@
 """Reads the words of `urdfctl lint` without typer, whose import alone would cost a third of a run.
 
-It knows the plain forms only; for anything else (`--help`, an unknown option, a missing value) it steps aside, and typer
-says what is to be said. A test keeps this table and typer's options the same.
+It knows the plain forms only; for anything else (`--help`, an unknown option, a missing value) it steps aside, and
+typer says what is to be said. A test keeps this table and typer's options the same.
 """
 
 from __future__ import annotations

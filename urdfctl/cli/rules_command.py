@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import json
 import os
-import sys
 import tempfile
 import textwrap
 
 from urdfctl.catalog.distros import in_words
+from urdfctl.cli.writing import print_text
 from urdfctl.errors import UserError
 from urdfctl.lint import Selection, joined
 from urdfctl.lint import selection as checked_selection
@@ -27,10 +27,11 @@ def run_rules(output_format: str, prefixes: tuple[str, ...]) -> int:
     selection = checked_selection(prefixes)
     wanted = [rule for rule in RULES if selection.admits(rule.code)]
     if output_format == "json":
-        sys.stdout.write(json.dumps([_plain(rule) for rule in wanted], indent=1) + "\n")
+        print_text(json.dumps([_plain(rule) for rule in wanted], indent=1) + "\n")
     elif output_format == "text":
-        for rule in wanted:
-            sys.stdout.write(f"{rule.code}  {rule.severity.value:<8} {rule.name:<44} {rule.summary}\n")
+        print_text(
+            "".join(f"{rule.code}  {rule.severity.value:<8} {rule.name:<44} {rule.summary}\n" for rule in wanted)
+        )
     else:
         raise UserError(f"unknown format '{output_format}'; known are text, json")
     return 0
@@ -54,7 +55,7 @@ def run_explain(what: str) -> int:
     if rule is None:
         known = [name for one in RULES for name in (one.code, one.name)]
         raise UserError(f"no rule '{what}'{did_you_mean(what, known)}; see urdfctl rules")
-    sys.stdout.write(explanation(rule))
+    print_text(explanation(rule))
     return 0
 
 

@@ -1,27 +1,58 @@
-"""Writes files whole or not at all."""
+"""Writes to files, whole or not at all, and to standard output."""
 
 from __future__ import annotations
 
 import os
+import sys
 
 from urdfctl.errors import UserError
+
+
+def print_text(text: str) -> None:
+    """Print a text as UTF-8, whatever the locale. UserError where there is no room for it."""
+    try:
+        sys.stdout.flush()
+        sys.stdout.buffer.write(encoded(text))
+        sys.stdout.buffer.flush()
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        raise UserError(f"standard output cannot be written: {error.strerror}") from None
+
+
+def encoded(text: str) -> bytes:
+    """A text as UTF-8; the bytes of file names that are none stay as they are."""
+    try:
+        return text.encode("utf-8", "surrogateescape")
+    except UnicodeEncodeError:
+        return text.encode("utf-8", "backslashreplace")
+
+
+def is_in_the_way(path: str) -> bool:
+    """Whether something stands at a path that writing there would destroy: anything but a device or a pipe."""
+    return os.path.lexists(path) and not _is_device(path)
 
 
 def write_file(path: str, text: str, *, force: bool) -> None:
     """Write a text beside its place first, then rename. UserError where a file stands there already (unless `force`) or
     it cannot be written."""
-    if os.path.lexists(path) and not force:
-        raise UserError(f"'{path}' exists; --force overwrites it")
     if os.path.isdir(path):
         raise UserError(f"'{path}' is a folder")
+    if is_in_the_way(path) and not force:
+        raise UserError(f"'{path}' exists; --force overwrites it")
     try:
-        if os.path.exists(path) and not os.path.isfile(path):  # a device or a pipe, such as /dev/stdout
+        if _is_device(path):
             with open(path, "wb") as file:
-                file.write(text.encode())
+                file.write(encoded(text))
             return
-        _write_beside(os.path.realpath(path), text.encode())
+        _write_beside(os.path.realpath(path), encoded(text))
     except OSError as error:
         raise UserError(f"'{path}' cannot be written: {error.strerror}") from None
+
+
+def _is_device(path: str) -> bool:
+    """Whether a path is a device or a pipe, such as /dev/stdout."""
+    return os.path.exists(path) and not os.path.isfile(path) and not os.path.isdir(path)
 
 
 def _write_beside(path: str, data: bytes) -> None:
