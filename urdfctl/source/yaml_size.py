@@ -1,0 +1,38 @@
+"""How large a YAML text is with its aliases written out: a small one may be endless, or crash its reader."""
+
+from __future__ import annotations
+
+from urdfctl.source.budget import OverBudget
+
+_MOST_DEPTH = 64
+_MOST_NODES = 200_000
+_CHARACTERS_A_NODE = 64
+_HARMLESS_BYTES = 4096
+
+
+def check_size(text: bytes) -> None:
+    """OverBudget where a text is nested deeper than 64, or stands for more than 200 000 nodes."""
+    if len(text) < _HARMLESS_BYTES and b"*" not in text:
+        return
+    import yaml
+
+    total = 0
+    sizes: dict[str | None, int] = {}
+    opened: list[tuple[str | None, int]] = []
+    for event in yaml.parse(text, getattr(yaml, "CSafeLoader", yaml.SafeLoader)):
+        if isinstance(event, yaml.AliasEvent):
+            total += sizes.get(event.anchor, 1)
+        elif isinstance(event, yaml.ScalarEvent):
+            size = 1 + len(event.value) // _CHARACTERS_A_NODE
+            total += size
+            sizes[event.anchor] = size
+        elif isinstance(event, yaml.CollectionStartEvent):
+            opened.append((event.anchor, total))
+            total += 1
+        elif isinstance(event, yaml.CollectionEndEvent):
+            anchor, before = opened.pop()
+            sizes[anchor] = total - before
+        if len(opened) > _MOST_DEPTH:
+            raise OverBudget(f"the YAML file is nested more than {_MOST_DEPTH} deep")
+        if total > _MOST_NODES:
+            raise OverBudget(f"the YAML file stands for more than {_MOST_NODES} nodes")
