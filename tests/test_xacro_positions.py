@@ -110,7 +110,7 @@ def test_an_inserted_block_stands_where_it_is_written(tmp_path: Path) -> None:
 
 
 def test_a_call_inside_a_block_belongs_to_who_wrote_the_block(tmp_path: Path) -> None:
-    body = """<xacro:macro name="leaf"><leaf/></xacro:macro>
+    body = """<xacro:macro name="leaf"><l/></xacro:macro>
 <xacro:macro name="wrap" params="**all"><w><xacro:insert_block name="all"/></w></xacro:macro>
 <xacro:wrap><all><xacro:leaf/></all></xacro:wrap>"""
     wrap, leaf = robot_of(tmp_path, body)

@@ -1,15 +1,20 @@
 """What an expression in `${...}` or `$(eval ...)` may do: an allow-list over its syntax tree.
 
 xacro's own check looks at the top-level names only; a lambda, a comprehension, `$(eval ...)` or `str.format` escape it.
-Here no attribute that begins with an underscore can be reached, nor one that leads from a value to the interpreter.
+Here no attribute that begins with an underscore can be reached, nor one that leads from a value to the interpreter; and
+operators that can make a small expression endless become calls of `guards`.
 """
 
 from __future__ import annotations
 
 import ast
-import re
+from collections.abc import Iterator
 from functools import lru_cache
 from types import CodeType
+
+from urdfctl.source.guards import MOST_PLACES, ForbiddenExpression, check_places
+
+__all__ = ["OPERATORS", "ForbiddenExpression", "compile_checked"]
 
 _ALLOWED: tuple[type[ast.AST], ...] = (
     ast.Expression, ast.BoolOp, ast.BinOp, ast.UnaryOp, ast.IfExp, ast.Compare, ast.Call, ast.keyword, ast.Starred,
@@ -20,27 +25,79 @@ _ALLOWED: tuple[type[ast.AST], ...] = (
 _FORBIDDEN_ATTRIBUTES = frozenset(
     (
         "gi_frame gi_code gi_yieldfrom cr_frame cr_code cr_await cr_origin ag_frame ag_code ag_await f_back "
-        "f_globals f_locals f_builtins f_code f_trace tb_frame tb_next tb_lasti func_globals func_code "
-        "co_code co_consts co_names mro format_map vars with_traceback"
+        "f_globals f_locals f_builtins f_code f_trace f_generator tb_frame tb_next tb_lasti func_globals func_code "
+        "co_code co_consts co_names mro format_map with_traceback"
     ).split()
 )
-_DOTTED_FIELD = r"\{[^}]*[.\[]"
+_GROWING = frozenset("append extend insert".split())
+_PADDING = frozenset("ljust rjust center zfill expandtabs".split())
+_ONLY_CALLED = frozenset("append ljust rjust zfill expandtabs format".split())
+_REPEATING = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp, ast.Lambda)
+_GUARDED: dict[type[ast.operator], str] = {ast.Mult: "*", ast.Pow: "**", ast.LShift: "<<", ast.Mod: "%"}
+"""Operators, and the names under which their guards are called; nobody can write such a name."""
+
+OPERATORS = (".", *_GUARDED.values())
 _LONGEST = 10_000
-
-
-class ForbiddenExpression(Exception):
-    """An expression does what none in a robot description needs."""
+_DEEPEST = 500
 
 
 @lru_cache(8192)
-def compile_checked(expression: str) -> CodeType:
-    """The code of an expression. ForbiddenExpression where it leaves the allow-list, SyntaxError where it is none."""
+def compile_checked(expression: str, *, function: bool = False) -> CodeType:
+    """The code of an expression; as a `function`, that of one which takes the guards of OPERATORS, in their order.
+    ForbiddenExpression where it leaves the allow-list, SyntaxError where it is no expression."""
     if len(expression) > _LONGEST:
         raise ForbiddenExpression(f"the expression is longer than {_LONGEST} characters")
     tree = ast.parse(expression, "<expression>", "eval")
-    for node in ast.walk(tree):
+    _check_depth(tree)
+    nodes = list(ast.walk(tree))
+    called = {id(node.func) for node in nodes if isinstance(node, ast.Call)}
+    for node in nodes:
         _check(node)
-    return compile(tree, "<expression>", "eval")
+        if isinstance(node, ast.Attribute) and node.attr in _ONLY_CALLED and id(node) not in called:
+            raise ForbiddenExpression(f"'{node.attr}' without a call is not allowed in an expression")
+    guarded = ast.fix_missing_locations(_Guarded().visit(tree))
+    if not function:
+        return compile(guarded, "<expression>", "eval")
+    given = [ast.arg(arg=name) for name in OPERATORS]
+    arguments = ast.arguments(posonlyargs=given, args=[], kwonlyargs=[], kw_defaults=[], defaults=[])
+    whole = ast.Expression(body=ast.Lambda(args=arguments, body=guarded.body))
+    outer = compile(ast.fix_missing_locations(whole), "<expression>", "eval")
+    return next(constant for constant in outer.co_consts if isinstance(constant, CodeType))
+
+
+class _Guarded(ast.NodeTransformer):
+    """Puts calls of guards in the place of operators."""
+
+    def visit_BinOp(self, node: ast.BinOp) -> ast.expr:
+        self.generic_visit(node)
+        guard = _GUARDED.get(type(node.op))
+        if guard is None or _is_fraction(node.left) or (guard == "*" and _is_fraction(node.right)):
+            return node
+        return _call(guard, node.left, node.right)
+
+    def visit_Attribute(self, node: ast.Attribute) -> ast.expr:
+        self.generic_visit(node)
+        return _call(".", node.value, ast.Constant(value=node.attr))
+
+
+def _call(guard: str, *arguments: ast.expr) -> ast.expr:
+    return ast.Call(func=ast.Name(id=guard, ctx=ast.Load()), args=list(arguments), keywords=[])
+
+
+def _is_fraction(node: ast.expr) -> bool:
+    """Whether a node is surely a floating point number, which neither grows nor repeats anything."""
+    if isinstance(node, ast.Constant):
+        return isinstance(node.value, float)
+    return isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div)
+
+
+def _check_depth(tree: ast.AST) -> None:
+    level: list[ast.AST] = [tree]
+    for _ in range(_DEEPEST):
+        level = [child for node in level for child in ast.iter_child_nodes(node)]
+        if not level:
+            return
+    raise ForbiddenExpression(f"the expression is nested more than {_DEEPEST} deep")
 
 
 def _check(node: ast.AST) -> None:
@@ -48,10 +105,23 @@ def _check(node: ast.AST) -> None:
         raise ForbiddenExpression(f"{type(node).__name__} is not allowed in an expression")
     if isinstance(node, ast.Attribute):
         _check_attribute(node)
-    elif isinstance(node, ast.Name) and (node.id.startswith("__") or node.id == "vars"):
-        raise ForbiddenExpression(f"the name '{node.id}' is not allowed in an expression")
+    elif isinstance(node, ast.Name):
+        _check_name(node.id)
+    elif isinstance(node, ast.arg):
+        _check_name(node.arg)
     elif isinstance(node, ast.Constant) and isinstance(node.value, str) and _is_dunder(node.value):
         raise ForbiddenExpression(f"the text '{node.value}' is not allowed in an expression")
+    elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
+        _check_method(node, node.func)
+    elif isinstance(node, ast.FormattedValue) and node.format_spec is not None:
+        _check_format_spec(node.format_spec)
+    elif isinstance(node, _REPEATING):
+        _check_repeated(node)
+
+
+def _check_name(name: str) -> None:
+    if name.startswith("__"):
+        raise ForbiddenExpression(f"the name '{name}' is not allowed in an expression")
 
 
 def _is_dunder(text: str) -> bool:
@@ -63,7 +133,51 @@ def _check_attribute(node: ast.Attribute) -> None:
     if name.startswith("_") or name in _FORBIDDEN_ATTRIBUTES:
         raise ForbiddenExpression(f"the attribute '{name}' is not allowed in an expression")
     if name == "format":
-        template = node.value
-        plain = isinstance(template, ast.Constant) and isinstance(template.value, str)
-        if not plain or re.search(_DOTTED_FIELD, template.value):  # type: ignore[attr-defined]
-            raise ForbiddenExpression("'format' of a computed or dotted format text is not allowed in an expression")
+        _check_template(node.value)
+
+
+def _check_template(template: ast.expr) -> None:
+    """`format` reaches attributes and items by names in its text: so that text must be there to be looked at."""
+    import string
+
+    if not isinstance(template, ast.Constant) or not isinstance(template.value, str):
+        raise ForbiddenExpression("'format' of a computed text is not allowed in an expression")
+    try:
+        fields = list(string.Formatter().parse(template.value))
+    except ValueError:
+        return  # it will say so itself
+    for _, name, spec, _ in fields:
+        if name and ("." in name or "[" in name):
+            raise ForbiddenExpression(f"the field '{name}' of a format is not allowed in an expression")
+        check_places(spec or "")
+        if "{" in (spec or ""):
+            raise ForbiddenExpression("a computed width is not allowed in an expression")
+
+
+def _check_format_spec(spec: ast.expr) -> None:
+    for part in ast.walk(spec):
+        if isinstance(part, ast.FormattedValue):
+            raise ForbiddenExpression("a computed width is not allowed in an expression")
+        if isinstance(part, ast.Constant):
+            check_places(str(part.value))
+
+
+def _check_method(call: ast.Call, method: ast.Attribute) -> None:
+    if method.attr not in _PADDING:
+        return
+    widths = [argument.value for argument in call.args if isinstance(argument, ast.Constant)]
+    if len(widths) < len(call.args) or call.keywords or any(isinstance(w, int) and w > MOST_PLACES for w in widths):
+        raise ForbiddenExpression(f"'{method.attr}' to a computed or large width is not allowed in an expression")
+
+
+def _check_repeated(repeated: ast.AST) -> None:
+    """A list that grows while it is walked through has no end."""
+    for node in _attributes(repeated):
+        if node.attr in _GROWING:
+            raise ForbiddenExpression(f"'{node.attr}' in what is repeated is not allowed in an expression")
+
+
+def _attributes(tree: ast.AST) -> Iterator[ast.Attribute]:
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Attribute):
+            yield node

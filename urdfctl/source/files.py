@@ -57,11 +57,15 @@ class Files:
         self._read[path] = text
         return text
 
-    def _check_bounds(self, path: str) -> None:
+    def may_read(self, path: str) -> bool:
+        """Whether a path, with its links followed, lies where the run may read."""
         if self.bounds is None:
-            return
+            return True
         real = os.path.realpath(path)
-        if not any(real == bound or real.startswith(bound.rstrip(os.sep) + os.sep) for bound in self.bounds):
+        return any(real == bound or real.startswith(bound.rstrip(os.sep) + os.sep) for bound in self.bounds)
+
+    def _check_bounds(self, path: str) -> None:
+        if self.bounds is not None and not self.may_read(path):
             message = f"'{path}' lies outside the workspace '{self.bounds[0]}' and is not read"
             hint = "name a wider --workspace, add --package-path, or --trust the file"
             raise FileProblem(ProblemKind.OUTSIDE_WORKSPACE, path, message, hint)

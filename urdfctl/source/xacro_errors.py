@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 from urdfctl.source.budget import OverBudget
 from urdfctl.source.dom import Element, Node
-from urdfctl.source.expressions import ForbiddenExpression
 from urdfctl.source.files import FileProblem
+from urdfctl.source.guards import ForbiddenExpression
 from urdfctl.source.packages import PackageNotFound
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import Place, SourceText
@@ -125,7 +125,7 @@ def _known(cause: BaseException, at: Place) -> Problem | None:
 
 
 def _by_exception(cause: BaseException, at: Place, expression: str, blame: Blame) -> Problem | None:
-    said = str(cause)
+    said = " ".join(str(cause).split())
     if isinstance(cause, NameError):
         quoted = re.search(_QUOTED, said)
         name = quoted.group(1) if quoted else said

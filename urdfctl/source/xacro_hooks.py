@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-import builtins
+import glob
 import keyword
-import math
+import os
+import re
 from collections.abc import Callable
 from functools import lru_cache, partial
-from types import ModuleType
+from types import FunctionType, ModuleType, SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
-from urdfctl.source import engine
-from urdfctl.source.expressions import compile_checked
+from urdfctl.source import engine, guards
+from urdfctl.source.expressions import OPERATORS, compile_checked
+from urdfctl.source.files import Files
+from urdfctl.source.macro_params import split_quickly
+from urdfctl.source.yaml_size import check_size
 
 if TYPE_CHECKING:
     from urdfctl.source.xacro import Expander
@@ -29,7 +33,15 @@ class MissingVariable(Exception):
 def install(expander: Expander) -> None:
     """Put the replacements into the expander's private xacro."""
     module: Any = expander.module
-    original_eval_text = module.eval_text
+    module.deepcopy = list
+    module.is_valid_name = _is_valid_name
+    module.load_yaml = _yaml_loader(expander)
+    module.eval_extension = _extension(expander, module.eval_extension)
+    module.print_location.__name__ = "print_location"  # it is exposed under its name
+    _heal_recursion(module)
+    if expander.trust:
+        module._global_symbols = module.create_global_symbols()
+        return
     lex = _lexer(module)
 
     def eval_text(text: Any, symbols: Any) -> Any:
@@ -39,27 +51,49 @@ def install(expander: Expander) -> None:
             return text
         return _evaluated(module, lex(text), symbols)
 
-    module.eval_text = eval_text if not expander.trust else original_eval_text
-    module.deepcopy = list
-    module.is_valid_name = _is_valid_name
-    if not expander.trust:
-        module.safe_eval = partial(_safe_eval, module)
-    module.load_yaml = partial(_load_yaml, expander)
-    module.eval_extension = _extension(expander, module.eval_extension)
-    _heal_recursion(module)
-    module._global_symbols = module.create_global_symbols()
+    module.eval_text = eval_text
+    module.safe_eval = _safe_eval
+    module.parse_macro_arg = split_quickly(module.parse_macro_arg)
+    module.tokenize = guards.tokenized(module.tokenize)
+    module.glob = SimpleNamespace(glob=partial(_glob, expander.files))
+    module._global_symbols = _harmless_symbols(module)
+
+
+def _harmless_symbols(module: Any) -> Any:
+    """What xacro exposes to expressions, made from guarded builtins and a guarded math."""
+    plain = module.__dict__["__builtins__"], module.math
+    module.__dict__["__builtins__"], module.math = guards.harmless_builtins(), guards.harmless_math()
+    try:
+        return module.create_global_symbols()
+    finally:
+        module.__dict__["__builtins__"], module.math = plain
+
+
+def _glob(files: Files, pattern: str) -> list[str]:
+    """The files that a pattern of an include matches, where they may be read: elsewhere nothing is even looked for."""
+    fixed = re.split(r"[*?[]", pattern, maxsplit=1)[0]
+    if not files.may_read(os.path.dirname(fixed)):
+        return []
+    return glob.glob(pattern)
 
 
 def _lexer(module: Any) -> Callable[[str], list[tuple[int, str]]]:
-    """Xacro's own lexer, remembering what it has cut."""
+    """Xacro's own lexer, remembering what it has cut, and cutting without a copy of the rest for each piece."""
+    kinds = [re.compile(pattern.pattern.removeprefix("^")) for pattern in module.LEXER.res]
 
     @lru_cache(4096)
     def lex(text: str) -> list[tuple[int, str]]:
-        quick = module.QuickLexer(module.LEXER)
-        quick.lex(text)
         pieces = []
-        while quick.peek():
-            pieces.append(quick.next())
+        position = 0
+        while position < len(text):
+            for kind, pattern in enumerate(kinds):
+                found = pattern.match(text, position)
+                if found:
+                    pieces.append((kind, found[0]))
+                    position = found.end()
+                    break
+            else:
+                raise module.XacroException("invalid expression: " + text[position:])
         return pieces
 
     return lex
@@ -78,7 +112,7 @@ def _evaluated(module: Any, pieces: list[tuple[int, str]], symbols: Any) -> Any:
             results.append(text[1:])
         else:
             results.append(text)
-    return results[0] if len(results) == 1 else "".join(map(str, results))
+    return results[0] if len(results) == 1 else guards.checked("".join(map(str, results)))
 
 
 def _expression(module: Any, text: str, symbols: Any) -> Any:
@@ -88,13 +122,10 @@ def _expression(module: Any, text: str, symbols: Any) -> Any:
         raise module.XacroException(exc=error, suffix=f"\nwhen evaluating expression '{text}'") from error
 
 
-def _safe_eval(module: Any, expression: str, symbols: Any, local: Any = None) -> Any:
-    code = compile_checked(expression.strip())
-    invalid = [name for name in code.co_names if name.startswith("__")]
-    if invalid:
-        raise module.XacroException("Use of invalid name(s): ", ", ".join(invalid))
+def _safe_eval(expression: str, symbols: Any, _local: object = None) -> Any:
     symbols.update(__builtins__={})
-    return eval(code, symbols, local)  # noqa: S307 (compile_checked lets only the allow-list through)
+    function = FunctionType(compile_checked(expression.strip(), function=True), symbols)
+    return guards.checked(function(*guards.GUARDS))
 
 
 @lru_cache(4096)
@@ -117,8 +148,17 @@ def _heal_recursion(module: Any) -> None:
     module.Table._resolve_ = healed
 
 
+def _yaml_loader(expander: Expander) -> Callable[[str], Any]:
+    """Xacro's load_yaml. A plain function: a `partial` would show expressions what it was made of."""
+
+    def load_yaml(filename: str) -> Any:
+        return _load_yaml(expander, filename)
+
+    return load_yaml
+
+
 def _load_yaml(expander: Expander, filename: str) -> Any:
-    """Xacro's load_yaml, on libyaml where it is there, reading only what may be read."""
+    """What a YAML file holds, by libyaml where it is there, reading only what may be read."""
     import yaml
 
     module: Any = expander.module
@@ -128,6 +168,7 @@ def _load_yaml(expander: Expander, filename: str) -> Any:
         loader.add_constructor(unit.value.tag, unit.constructor)  # type: ignore[attr-defined]
     path = module.abs_filename_spec(filename)
     text = expander.files.read(path).data
+    check_size(text)
     module.filestack.append(path)
     try:
         return module.YamlListWrapper.wrap(yaml.load(text, loader))  # noqa: S506 (a SafeLoader)
@@ -182,7 +223,13 @@ def _eval(module: Any, expression: str, context: dict[str, Any]) -> str:
 
     if "__" in expression:
         raise module.SubstitutionException("$(eval ...) may not contain double underscore expressions")
-    known = {"arg": arg, **{k: v for k, v in module._eval_dict.items() if k != "__builtins__"}, **vars(math)}
+    values = {**module._eval_dict, **vars(guards.harmless_math())}
+    known = {"arg": arg, **{name: value for name, value in values.items() if not name.startswith("__")}}
     code = compile_checked(expression.strip())
-    harmless = {name: getattr(builtins, name) for name in _PURE}
-    return str(eval(code, {"__builtins__": harmless}, module._DictWrapper(arguments, known)))  # noqa: S307 (as above)
+    return str(guards.checked(eval(code, _harmless_globals(), module._DictWrapper(arguments, known))))  # noqa: S307 (only the allow-list comes so far)
+
+
+def _harmless_globals() -> dict[str, Any]:
+    named = guards.harmless_builtins()
+    operators = zip(OPERATORS, guards.GUARDS, strict=True)
+    return {"__builtins__": {**{name: named[name] for name in _PURE}, **dict(operators)}}
