@@ -25,7 +25,17 @@ class Report(NamedTuple):
 def shown(path: str) -> str:
     """A path as reports show it: relative to the current folder where it lies in it, with forward slashes."""
     current = os.getcwd().rstrip(os.sep) + os.sep
-    return (path[len(current) :] if path.startswith(current) else path).replace(os.sep, "/")
+    return path.removeprefix(current).replace(os.sep, "/")
+
+
+def visible(text: str) -> str:
+    """A text whose control characters are shown, not obeyed: a stranger's file must not speak to the terminal, and one
+    finding is one line."""
+    return text.translate(_ESCAPES) if not text.isprintable() else text
+
+
+_CONTROLS = (*range(0x20), *range(0x7F, 0xA0), *range(0x202A, 0x202F), *range(0x2066, 0x206A))
+_ESCAPES = {code: repr(chr(code))[1:-1] for code in _CONTROLS}
 
 
 def relative(diagnostic: Diagnostic) -> Diagnostic:

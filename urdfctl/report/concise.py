@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from urdfctl.diagnostic import Diagnostic
-from urdfctl.report.common import Report, relative
+from urdfctl.report.common import Report, relative, visible
 
 
 def render(report: Report) -> str:
@@ -13,5 +13,10 @@ def render(report: Report) -> str:
 
 def line(diagnostic: Diagnostic) -> str:
     """The one line of a finding."""
+    return f"{place(diagnostic)}: {diagnostic.severity.value} {diagnostic.code} {visible(diagnostic.message)}"
+
+
+def place(diagnostic: Diagnostic) -> str:
+    """`file:line:column`."""
     at = diagnostic.at
-    return f"{at.file}:{at.line}:{at.column}: {diagnostic.severity.value} {diagnostic.code} {diagnostic.message}"
+    return f"{visible(at.file)}:{at.line}:{at.column}"

@@ -12,7 +12,13 @@ from urdfctl.report.common import Report, relative, shown
 
 def render(report: Report) -> str:
     """The report as one JSON document."""
-    return json.dumps(document(report), indent=1, ensure_ascii=False) + "\n"
+    whole = document(report)
+    text = json.dumps(whole, indent=1, ensure_ascii=False)
+    try:
+        text.encode()
+    except UnicodeEncodeError:  # a file name that is no text
+        text = json.dumps(whole, indent=1)
+    return text + "\n"
 
 
 def document(report: Report) -> dict[str, Any]:

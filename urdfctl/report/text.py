@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from urdfctl.diagnostic import Diagnostic, Severity, Step
-from urdfctl.report.common import Report, relative, shown
-from urdfctl.report.concise import line
+from urdfctl.report.common import Report, relative, shown, visible
+from urdfctl.report.concise import place
 
 MOST_CHAINS = 4
 _WIDEST = 160
@@ -33,7 +33,7 @@ def print_coloured(report: Report) -> None:
 
     text = Text()
     for piece in pieces(report):
-        text.append(piece.text, piece.style)
+        text.append(piece.text.encode("utf-8", "surrogateescape").decode("utf-8", "replace"), piece.style)
     Console(highlight=False, soft_wrap=True).print(text, end="")
 
 
@@ -46,22 +46,21 @@ def pieces(report: Report) -> Iterator[Piece]:
 
 def _finding(diagnostic: Diagnostic) -> Iterator[Piece]:
     at = diagnostic.at
-    place, _, rest = line(diagnostic).partition(f": {diagnostic.severity.value} ")
-    yield Piece(f"{place}: ", "bold")
+    yield Piece(f"{place(diagnostic)}: ", "bold")
     yield Piece(f"{diagnostic.severity.value} {diagnostic.code}", _COLOURS[diagnostic.severity])
-    yield Piece(f" {rest.removeprefix(diagnostic.code).lstrip()}\n")
+    yield Piece(f" {visible(diagnostic.message)}\n")
     if diagnostic.excerpt.strip():
         yield from _excerpt(diagnostic)
     for chain in diagnostic.expanded_from[:MOST_CHAINS]:
-        yield Piece(f"  note: {_way(chain)}\n")
+        yield Piece(visible(f"  note: {_way(chain)}") + "\n")
     if len(diagnostic.expanded_from) > MOST_CHAINS:
         yield Piece(f"  note: and in {len(diagnostic.expanded_from) - MOST_CHAINS} more calls\n")
     for note in diagnostic.notes:
         where = f" ({_where(note.at.file, note.at.line, note.at.column, at.file)})" if note.at else ""
-        yield Piece(f"  note: {note.message}{where}\n")
+        yield Piece(visible(f"  note: {note.message}{where}") + "\n")
     if diagnostic.fix:
         yield Piece("  fix: ", "green")
-        yield Piece(f"{diagnostic.fix.title}\n")
+        yield Piece(f"{visible(diagnostic.fix.title)}\n")
 
 
 def _where(file: str, line_number: int, column: int, current: str) -> str:
@@ -70,7 +69,7 @@ def _where(file: str, line_number: int, column: int, current: str) -> str:
 
 def _excerpt(diagnostic: Diagnostic) -> Iterator[Piece]:
     at = diagnostic.at
-    text, start = diagnostic.excerpt.replace("\t", " "), at.column - 1
+    text, start = _of_one_column_each(diagnostic.excerpt), at.column - 1
     cut = max(0, start - _WIDEST // 2) if len(text) > _WIDEST else 0
     text, start = text[cut : cut + _WIDEST], start - cut
     end = at.end_column - 1 - cut if at.end_line == at.line else len(text.rstrip())
@@ -80,6 +79,12 @@ def _excerpt(diagnostic: Diagnostic) -> Iterator[Piece]:
     yield Piece(f"{text}\n")
     yield Piece(f"  {margin} | ", "dim")
     yield Piece(f"{' ' * start}{'^' * max(min(end, len(text)) - start, 1)}\n", _COLOURS[diagnostic.severity])
+
+
+def _of_one_column_each(text: str) -> str:
+    """A line whose tabs and control characters take one column each, so that the caret stands where it should."""
+    text = text.replace("\t", " ")
+    return text if text.isprintable() else "".join(c if visible(c) == c else "\ufffd" for c in text)
 
 
 def _way(chain: tuple[Step, ...]) -> str:
@@ -105,7 +110,8 @@ def _summary(report: Report) -> Iterator[Piece]:
         for severity in Severity
         if (number := report.count(severity))
     ]
-    yield Piece(f"{', '.join(counts) or 'no findings'} in {_what(report)}{_about(report)}\n", "bold")
+    told = f"{', '.join(counts) or 'no findings'} in {_what(report)}{_about(report)}"
+    yield Piece(visible(told) + "\n", "bold")
 
 
 def _what(report: Report) -> str:
