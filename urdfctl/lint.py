@@ -118,7 +118,7 @@ def _uses(
 
 
 def _applies(rule: Rule, project: Project) -> bool:
-    if rule.whole_robot and not project.complete:
+    if (rule.whole_robot and not project.complete) or (project.library and not rule.in_library):
         return False
     return bool(set(rule.distros) & set(project.distros))
 

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 from urdfctl.diagnostic import Finding, diagnosed
 from urdfctl.evidence import judged
 from urdfctl.lint import Linted, Outcome, Selection, lint
+from urdfctl.meshes import mesh_finder
 from urdfctl.model.build_robot import TOP_LEVEL, robot_of
 from urdfctl.model.project import Project
 from urdfctl.rules import CRASHED, OVER_BUDGET
@@ -19,10 +20,10 @@ from urdfctl.source.dom import Document
 from urdfctl.source.files import FileProblem, Files
 from urdfctl.source.library import LibraryExpander
 from urdfctl.source.packages import PackageIndex, Packages
-from urdfctl.source.problem import Problem, ReadError
+from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.suppressions import is_reached
-from urdfctl.source.xacro import Expander, Expansion
+from urdfctl.source.xacro import HARMLESS, Expander, Expansion
 from urdfctl.source.xml import parse
 from urdfctl.worker import Died, Limits, run
 from urdfctl.workspace import workspace_of
@@ -77,7 +78,7 @@ class Loader:
         arguments = dict(target.arguments)
         expander = self.expander(path, LibraryExpander if target.fragment else Expander)
         expansion = _expansion(expander, path, arguments)
-        if expander.macros and not expansion.library and _is_bare(expansion):
+        if expander.macros and not expansion.library and _is_library(expansion):
             expander = self.expander(path, LibraryExpander)
             expansion = _expansion(expander, path, arguments)
         project = self._project(path, expansion, expander.packages)
@@ -102,7 +103,8 @@ class Loader:
 
     def _project(self, path: str, expansion: Expansion, packages: Packages) -> Project:
         root = expansion.document.documentElement if expansion.document else None
-        robot = robot_of(root, whole=expansion.complete) if root is not None else None
+        find_mesh = mesh_finder(packages, path)
+        robot = robot_of(root, find_mesh, whole=expansion.complete) if root is not None else None
         evidence = judged(robot, packages.own(), self.settings)
         return Project(
             robot,
@@ -114,6 +116,7 @@ class Loader:
             self.settings.started,
             tuple(expansion.problems),
             expansion.complete,
+            expansion.library,
         )
 
 
@@ -133,10 +136,15 @@ def _expansion(expander: Expander, path: str, arguments: Mapping[str, str]) -> E
     return Expansion(document, problems, library=isinstance(expander, LibraryExpander))
 
 
-def _is_bare(expansion: Expansion) -> bool:
-    """Whether nothing of a robot is in what a file expands to."""
+_OF_INCLUDES = {ProblemKind.FILE_NOT_FOUND, ProblemKind.PACKAGE_NOT_FOUND, ProblemKind.FILE_UNREADABLE}
+
+
+def _is_library(expansion: Expansion) -> bool:
+    """Whether nothing of a robot is in what a file expands to, and no fault of its own is why."""
     root = expansion.document.documentElement if expansion.document else None
-    return root is not None and not any(child.tagName in TOP_LEVEL for child in root.elements())
+    if root is None or any(child.tagName in TOP_LEVEL for child in root.elements()):
+        return False
+    return all(problem.kind in HARMLESS | _OF_INCLUDES for problem in expansion.problems)
 
 
 def is_xacro(source: SourceText) -> bool:

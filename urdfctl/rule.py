@@ -19,7 +19,7 @@ class Rule(NamedTuple):
 
     In the texts of `bad_as_written` the place of the expected finding stands between « and ». `options` are those of the
     command line that the examples are linted with. A rule with `whole_robot` is silent where a part of the robot could
-    not be expanded.
+    not be expanded; one that is not `in_library` where conditions are not decided, and alternatives stand side by side.
     """
 
     code: str
@@ -30,6 +30,7 @@ class Rule(NamedTuple):
     good_as_written: Example
     distros: tuple[str, ...] = ALL
     whole_robot: bool = False
+    in_library: bool = True
     options: tuple[str, ...] = ()
 
     @property
@@ -76,12 +77,13 @@ def rule(  # noqa: PLR0913 (each is a thing to be known of a rule)
     good: Example,
     distros: Iterable[str] = ALL,
     whole_robot: bool = False,
+    in_library: bool = True,
     options: Iterable[str] = (),
 ) -> Callable[[Check], Rule]:
     """Make a rule of a function: its name is the function's, its summary and reason are the docstring's."""
 
     def made(check: Check) -> Rule:
-        return Rule(code, check, severity, authority, bad, good, tuple(distros), whole_robot, tuple(options))
+        return Rule(code, check, severity, authority, bad, good, tuple(distros), whole_robot, in_library, tuple(options))
 
     return made
 

@@ -14,7 +14,8 @@ class Project(NamedTuple):
 
     `distro` is None where neither the user nor the files tell it; `distros` are those that it may be. `started` are the
     controllers started together, None where nothing tells. `complete` is False where a part of the robot could not be
-    expanded: then nothing may be claimed to be absent.
+    expanded: then nothing may be claimed to be absent. In a macro `library` what conditions guard stands side by side:
+    then nothing may be claimed to be there twice.
     """
 
     robot: Robot | None
@@ -26,6 +27,7 @@ class Project(NamedTuple):
     started: tuple[str, ...] | None = None
     problems: tuple[Problem, ...] = ()
     complete: bool = True
+    library: bool = False
 
     @property
     def ros(self) -> int | None:

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from urdfctl.rule import Rule
+from urdfctl.rules.reading.argument_unknown import argument_unknown
+from urdfctl.rules.reading.argument_unused import argument_unused
+from urdfctl.rules.reading.braces_without_dollar import braces_without_dollar
 from urdfctl.rules.reading.condition_not_boolean import condition_not_boolean
 from urdfctl.rules.reading.doctype_with_declarations import doctype_with_declarations
 from urdfctl.rules.reading.expression_fails import expression_fails
@@ -14,13 +17,16 @@ from urdfctl.rules.reading.macro_defined_twice import macro_defined_twice
 from urdfctl.rules.reading.outside_workspace import outside_workspace
 from urdfctl.rules.reading.over_budget import over_budget
 from urdfctl.rules.reading.package_not_found import package_not_found
+from urdfctl.rules.reading.package_without_manifest import package_without_manifest
 from urdfctl.rules.reading.rule_crashed import rule_crashed
 from urdfctl.rules.reading.suppression_unused import suppression_unused
 from urdfctl.rules.reading.undefined_argument import undefined_argument
 from urdfctl.rules.reading.undefined_name import undefined_name
 from urdfctl.rules.reading.unknown_macro import unknown_macro
+from urdfctl.rules.reading.xacro_condition_repeated import xacro_condition_repeated
 from urdfctl.rules.reading.xacro_fails import xacro_fails
 from urdfctl.rules.reading.xacro_warns import xacro_warns
+from urdfctl.rules.reading.xacro_prefix_missing import xacro_prefix_missing
 from urdfctl.rules.reading.xml_not_well_formed import xml_not_well_formed
 from urdfctl.rules.transmissions.actuator_interface_differs import actuator_interface_differs
 from urdfctl.rules.transmissions.actuator_name_twice import actuator_name_twice
@@ -87,6 +93,8 @@ from urdfctl.rules.urdf.material_defined_otherwise import material_defined_other
 from urdfctl.rules.urdf.material_undefined import material_undefined
 from urdfctl.rules.urdf.material_without_colour import material_without_colour
 from urdfctl.rules.urdf.material_without_name import material_without_name
+from urdfctl.rules.urdf.mesh_not_found import mesh_not_found
+from urdfctl.rules.urdf.mesh_package_not_found import mesh_package_not_found
 from urdfctl.rules.urdf.mesh_path_of_one_machine import mesh_path_of_one_machine
 from urdfctl.rules.urdf.mesh_path_relative import mesh_path_relative
 from urdfctl.rules.urdf.mimic_without_joint import mimic_without_joint
@@ -128,6 +136,12 @@ RULES: tuple[Rule, ...] = (
     forbidden_expression,
     outside_workspace,
     macro_defined_twice,
+    xacro_prefix_missing,
+    argument_unused,
+    braces_without_dollar,
+    argument_unknown,
+    xacro_condition_repeated,
+    package_without_manifest,
     suppression_unused,
     root_element_not_robot,
     robot_without_name,
@@ -177,6 +191,8 @@ RULES: tuple[Rule, ...] = (
     material_without_colour,
     colour_malformed,
     material_defined_otherwise,
+    mesh_not_found,
+    mesh_package_not_found,
     mesh_path_of_one_machine,
     mesh_path_relative,
     element_given_twice,

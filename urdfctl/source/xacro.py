@@ -31,6 +31,19 @@ _CONSEQUENCES = {
 }
 
 
+HARMLESS = {
+    ProblemKind.XACRO_WARNING,
+    ProblemKind.DUPLICATE_MACRO,
+    ProblemKind.UNUSED_ARGUMENT,
+    ProblemKind.UNKNOWN_ARGUMENT,
+    ProblemKind.MANIFEST_MISSING,
+    ProblemKind.CONDITION_REPEATED,
+    ProblemKind.PREFIX_MISSING,
+    ProblemKind.BRACES,
+}
+"""The kinds of problems that cost nothing of the robot."""
+
+
 class Expansion(NamedTuple):
     """What became of one file: the expanded tree, what was met on the way, and whether it is a macro library, whose
     macros were called with values that are not known."""
@@ -42,19 +55,9 @@ class Expansion(NamedTuple):
     @property
     def complete(self) -> bool:
         """False where a problem cost a part of the robot."""
-        return self.document is not None and not self.library and all(p.kind in _HARMLESS for p in self.problems)
+        return self.document is not None and not self.library and all(p.kind in HARMLESS for p in self.problems)
 
 
-_HARMLESS = {
-    ProblemKind.XACRO_WARNING,
-    ProblemKind.DUPLICATE_MACRO,
-    ProblemKind.UNUSED_ARGUMENT,
-    ProblemKind.UNKNOWN_ARGUMENT,
-    ProblemKind.MANIFEST_MISSING,
-    ProblemKind.CONDITION_REPEATED,
-    ProblemKind.PREFIX_MISSING,
-    ProblemKind.BRACES,
-}
 
 
 class Expander:

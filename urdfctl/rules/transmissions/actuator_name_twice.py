@@ -13,7 +13,7 @@ from urdfctl.source.span import Place
 @rule(
     "UC210",
     severity=Severity.WARNING,
-    whole_robot=True,
+    in_library=False,
     distros=ROS1,
     authority="ros_control transmission_interface/src/transmission_interface_loader.cpp asks the robot for an "
     "actuator by its name: 'Actuator '<name>' does not expose the required hardware interface'",

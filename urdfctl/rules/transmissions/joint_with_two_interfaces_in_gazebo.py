@@ -12,7 +12,7 @@ from urdfctl.rules.transmissions.common import in_gazebo, named_joints
 @rule(
     "UC217",
     severity=Severity.WARNING,
-    whole_robot=True,
+    in_library=False,
     distros=since("indigo"),
     authority="gazebo_ros_pkgs gazebo_ros_control/src/default_robot_hw_sim.cpp: 'specifies multiple hardware "
     "interfaces. Currently the default robot hardware simulation interface only supports one. Using the "

@@ -13,7 +13,7 @@ from urdfctl.source.span import Place
 @rule(
     "UC209",
     severity=Severity.WARNING,
-    whole_robot=True,
+    in_library=False,
     distros=ROS1,
     authority="ros_control transmission_interface/src/transmission_parser.cpp keeps both: all that it and its "
     "loaders say of a transmission names it by its name, as in 'Failed to load transmission'",

@@ -39,7 +39,7 @@ def attribute_misspelt(project: Project) -> Iterator[Finding]:
     urdfdom ignores what it does not know, so nobody tells of the slip: where it may, it takes the default.
     """
     robot = robot_in(project)
-    for tag, owner in read_tags(robot) if robot else ():
+    for tag, _, owner in read_tags(robot) if robot else ():
         known = ATTRIBUTES.get(tag.name, ())
         for name in tag.attributes if known else ():
             if name in known or ":" in name:

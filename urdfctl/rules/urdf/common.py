@@ -12,6 +12,8 @@ from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
 from urdfctl.suggest import nearest
 
+_MOST_COMPARED = 20
+
 
 def is_known(*texts: str | None) -> bool:
     """Whether all of some texts could be worked out."""
@@ -58,11 +60,24 @@ def is_fragment(robot: Robot) -> bool:
     return outward and (rootless or robot.name is None)
 
 
-def is_alike(name: str, known: Iterable[str]) -> str | None:
-    """The known name that differs in blanks around it, or is the most like it."""
-    names = list(known)
-    stripped = name.strip()
-    return next((other for other in names if other.strip() == stripped), None) or nearest(name, names)
+class Names:
+    """The names that a reference may mean. Only the first slips are compared with each of them: that takes long."""
+
+    def __init__(self, names: Iterable[str | None]) -> None:
+        self._names = {name for name in names if name}
+        self._stripped = {name.strip(): name for name in self._names}
+        self._left = _MOST_COMPARED
+
+    def __contains__(self, name: str) -> bool:
+        return name in self._names
+
+    def meant_by(self, name: str) -> str | None:
+        """The name that differs from this one in blanks around it, or is the most like it; None where none is."""
+        found = self._stripped.get(name.strip())
+        if found is None and self._left:
+            self._left -= 1
+            found = nearest(name, self._names)
+        return found
 
 
 def replaced(at: Place, old: str, new: str, *, safe: bool = False, title: str | None = None) -> Fix:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.model.parts import Number
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.urdf.common import label, robot_in
-from urdfctl.rules.urdf.numbers import Numbers
 
 
 @rule(
@@ -42,11 +42,10 @@ def dynamics_negative(project: Project) -> Iterator[Finding]:
     urdfdom takes it. In a simulation such a joint speeds itself up until the robot flies apart.
     """
     robot = robot_in(project)
-    if robot is None:
-        return
-    numbers = Numbers(robot)
-    for joint in robot.joints:
-        for field in numbers.of_joint(joint):
-            if field.element.name == "dynamics" and field.values and field.values[0] < 0:
-                message = f"{field.label} of {label('joint', joint.name)} is negative: {field.text}"
-                yield Finding(field.element.at[field.attribute], message)
+    for joint in robot.joints if robot else ():
+        dynamics = next(joint.tag.named("dynamics"), None)
+        for name in ("damping", "friction") if dynamics else ():
+            text = dynamics.attributes.get(name, "") if dynamics else ""
+            if dynamics and (Number(text, dynamics.at, name).value or 0) < 0:
+                message = f"'{name}' of <dynamics> of {label('joint', joint.name)} is negative: {text}"
+                yield Finding(dynamics.at[name], message)

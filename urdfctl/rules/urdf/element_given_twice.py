@@ -42,16 +42,15 @@ def element_given_twice(project: Project) -> Iterator[Finding]:
     on. The second one is ignored without a word. A link may have many visuals and collisions.
     """
     robot = robot_in(project)
-    for tag, owner in read_tags(robot) if robot else ():
+    for tag, children, owner in read_tags(robot) if robot else ():
         if tag.name == "geometry":
-            shapes = tag.children
-            for shape in shapes[1:]:
+            for shape in children[1:]:
                 message = f"a <geometry> of {owner} holds one shape; <{shape.name}> is ignored"
-                yield Finding(shape.at, message, (Note(f"<{shapes[0].name}> is read", shapes[0].at),))
+                yield Finding(shape.at, message, (Note(f"<{children[0].name}> is read", children[0].at),))
             continue
         once = ONCE.get(tag.name, ())
         first: dict[str, Tag] = {}
-        for child in tag.children if once else ():
+        for child in children if once else ():
             before = first.setdefault(child.name, child)
             if child.name in once and before is not child:
                 message = f"<{child.name}> of {owner} is given twice; the second one is ignored"

@@ -50,9 +50,8 @@ def element_misspelt(project: Project) -> Iterator[Finding]:
         return
     for tag in robot.others:
         yield from _finding(tag, "robot", "the robot")
-    for tag, owner in read_tags(robot):
-        known = ELEMENTS.get(tag.name, ())
-        for child in tag.children if known and tag.name != "geometry" else ():
+    for tag, children, owner in read_tags(robot):
+        for child in children if tag.name != "geometry" else ():
             yield from _finding(child, tag.name, owner)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.urdf.common import is_alike, is_known, replaced, whole_robot_in
+from urdfctl.rules.urdf.common import Names, is_known, replaced, whole_robot_in
 
 
 @rule(
@@ -32,12 +32,12 @@ def gazebo_reference_unknown(project: Project) -> Iterator[Finding]:
     robot = whole_robot_in(project)
     if robot is None:
         return
-    names = {part for part in (*(link.name for link in robot.links), *robot.joint_names) if part}
+    names = Names([*(link.name for link in robot.links), *robot.joint_names])
     for gazebo in robot.gazebos:
         reference = gazebo.reference
         if not reference or reference in names or not is_known(reference):
             continue
-        meant = is_alike(reference, names)
+        meant = names.meant_by(reference)
         hint = f"; did you mean '{meant}'?" if meant else ""
         at = gazebo.at["reference"]
         fix = replaced(at, reference, meant) if meant else None

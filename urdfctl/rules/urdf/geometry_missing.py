@@ -12,6 +12,7 @@ from urdfctl.rules.urdf.common import label, robot_in
     "UC140",
     severity=Severity.WARNING,
     authority="urdfdom urdf_parser/src/link.cpp parseGeometry(): 'Geometry tag contains no child element.'",
+    whole_robot=True,
     bad={
         "robot.urdf": """
             <link name="tool">

@@ -6,7 +6,15 @@ from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.urdf.common import label, robot_in
-from urdfctl.rules.urdf.numbers import Numbers
+from urdfctl.rules.urdf.numbers import VECTOR, Field
+
+MEASURES = {
+    "box": (("size", VECTOR),),
+    "cylinder": (("length", 1), ("radius", 1)),
+    "sphere": (("radius", 1),),
+    "mesh": (("scale", VECTOR),),
+}
+"""The attributes that give a shape's measures, and how many numbers each has."""
 
 
 @rule(
@@ -43,13 +51,12 @@ def geometry_not_positive(project: Project) -> Iterator[Finding]:
     negative scale, which mirrors it.
     """
     robot = robot_in(project)
-    if robot is None:
-        return
-    numbers = Numbers(robot)
-    for link in robot.links:
-        for field, part in numbers.of_link(link):
-            shape = field.element.name
-            flat = shape == "mesh" and field.attribute == "scale" and 0.0 in field.values
-            if flat or (shape in ("box", "cylinder", "sphere") and any(value <= 0 for value in field.values)):
-                message = f"{field.label} in a <{part}> of {label('link', link.name)} is '{field.shown}', not positive"
-                yield Finding(field.element.at[field.attribute], message)
+    for link in robot.links if robot else ():
+        for geometry in link.geometries:
+            shape = geometry.shape
+            for name, size in MEASURES.get(shape.name, ()) if shape else ():
+                text = shape.attributes.get(name, "") if shape else ""
+                values = Field(shape, name, text, size).values if shape else []
+                if any(value == 0 if name == "scale" else value <= 0 for value in values) and shape:
+                    part = f"a <{geometry.role}> of {label('link', link.name)}"
+                    yield Finding(shape.at[name], f"'{name}' of <{shape.name}> in {part} is '{text}', not positive")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Robot
@@ -62,21 +63,24 @@ ONCE = {
 """Children of which only the first is read, by their parent; of <geometry> only the first child whatsoever."""
 
 
-def read_tags(robot: Robot) -> Iterator[tuple[Tag, str]]:
-    """The elements of links, joints and materials that are read, each with the name of the link or joint it is of."""
-    for top in (*(link.tag for link in robot.links), *(joint.tag for joint in robot.joints)):
+class ReadTag(NamedTuple):
+    """An element that is read, the elements in it, and the link, joint or material that it is of."""
+
+    tag: Tag
+    children: tuple[Tag, ...]
+    owner: str
+
+
+def read_tags(robot: Robot) -> Iterator[ReadTag]:
+    """The elements of links, joints and materials that are read."""
+    tops = [link.tag for link in robot.links] + [joint.tag for joint in robot.joints]
+    tops += [tag for tag in robot.others if tag.name == "material"]
+    for top in tops:
         owner = label(top.name, top.attributes.get("name"))
-        for tag in _below(top):
-            yield tag, owner
-    for tag in robot.others:
-        if tag.name == "material":
-            for inner in _below(tag):
-                yield inner, f"material '{tag.attributes.get('name', '')}'"
-
-
-def _below(tag: Tag) -> Iterator[Tag]:
-    yield tag
-    known = ELEMENTS.get(tag.name, ())
-    for child in tag.children if known else ():
-        if child.name in known:
-            yield from _below(child)
+        pending = [top]
+        while pending:
+            tag = pending.pop()
+            known = ELEMENTS.get(tag.name, ())
+            children = tag.children if known else ()
+            yield ReadTag(tag, children, owner)
+            pending += [child for child in reversed(children) if child.name in known]

@@ -45,6 +45,8 @@ def inertial_incomplete(project: Project) -> Iterator[Finding]:
         for name, attributes in (("mass", ("value",)), ("inertia", MOMENTS)):
             element = next(inertial.named(name), None)
             if element is None:
+                if not project.complete:
+                    continue  # what could not be expanded may bring it
                 yield Finding(inertial.at, f"<inertial> of {label('link', link.name)} has no <{name}>, and is dropped")
             elif missing := lacking(element, attributes):
                 message = f"<{name}> of {label('link', link.name)} has no {missing}; the whole <inertial> is dropped"

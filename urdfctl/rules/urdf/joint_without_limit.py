@@ -12,6 +12,7 @@ from urdfctl.rules.urdf.common import label, robot_in
     "UC123",
     severity=Severity.ERROR,
     authority="urdfdom urdf_parser/src/joint.cpp parseJoint(): 'Joint [...] is of type REVOLUTE but it does not specify limits'",
+    whole_robot=True,
     bad={
         "robot.urdf": """
             <link name="tool">

@@ -12,6 +12,7 @@ from urdfctl.rules.urdf.common import robot_in
     "UC109",
     severity=Severity.ERROR,
     authority="urdfdom urdf_parser/src/joint.cpp parseJoint(): 'unnamed joint found'",
+    whole_robot=True,
     bad={
         "robot.urdf": """
             <link name="tool"/>

@@ -12,6 +12,7 @@ from urdfctl.rules.urdf.common import label, robot_in
     "UC115",
     severity=Severity.ERROR,
     authority="urdfdom_headers urdf_model/model.h initTree(): 'Joint [...] is missing a parent and/or child link specification.'",
+    whole_robot=True,
     bad={
         "robot.urdf": """
             «<joint name="flange" type="fixed">»

@@ -12,6 +12,7 @@ from urdfctl.rules.urdf.common import label, robot_in
     "UC120",
     severity=Severity.ERROR,
     authority="urdfdom urdf_parser/src/joint.cpp parseJoint(): 'joint [...] has no type, check to see if it's a reference.'",
+    whole_robot=True,
     bad={
         "robot.urdf": """
             <link name="tool">

@@ -12,6 +12,7 @@ from urdfctl.rules.urdf.common import robot_in
     "UC108",
     severity=Severity.ERROR,
     authority="urdfdom urdf_parser/src/link.cpp: 'No name given for the link.', then model.h: 'Two root links found: [] and [a]'",
+    whole_robot=True,
     bad={
         "robot.urdf": """
             «<link/>»

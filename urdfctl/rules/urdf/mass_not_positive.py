@@ -44,16 +44,15 @@ def mass_not_positive(project: Project) -> Iterator[Finding]:
     robot = whole_robot_in(project)
     if robot is None or not project.may_be_simulated:
         return
-    vanished = {id(link): body for body in vanishing(robot) for link in body.links}
-    for link in robot.links:
-        inertial = inertial_of(link)
-        mass = inertial.mass if inertial else None
-        value = mass.value if mass else None
-        if mass is None or value is None:
-            continue
+    masses = [(link, inertial.mass) for link in robot.links if (inertial := inertial_of(link)) and inertial.mass]
+    suspects = [
+        (link, mass, value) for link, mass in masses if (value := mass.value) is not None and value <= LEAST_MASS
+    ]
+    vanished = {id(link) for body in vanishing(robot) for link in body.links} if suspects else set()
+    for link, mass, value in suspects:
         if value < 0:
             yield Finding(mass.at, f"the mass of {label('link', link.name)} is negative: {mass.text}")
-        elif value <= LEAST_MASS and id(link) in vanished:
+        elif id(link) in vanished:
             told = "nothing" if value == 0 else f"no more than {mass.text} kg"
             message = f"{label('link', link.name)} moves and weighs {told}: Gazebo drops it, and what hangs on it"
             yield Finding(mass.at, message)

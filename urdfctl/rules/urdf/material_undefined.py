@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.urdf.common import is_alike, is_known, replaced, whole_robot_in
+from urdfctl.rules.urdf.common import Names, is_known, replaced, whole_robot_in
 from urdfctl.rules.urdf.materials import materials_of
 
 
@@ -52,14 +52,15 @@ def material_undefined(project: Project) -> Iterator[Finding]:
         return
     materials = list(materials_of(robot))
     defined = {material.name for material in materials if material.link is None}
+    names = Names(material.name for material in materials if material.is_definition)
     for material in materials:
         name = material.name
-        if material.colour or material.texture:
+        if material.is_definition:
             defined.add(name)
         elif name and name not in defined and is_known(name) and not material.tag.children:
-            later = any(other.name == name and (other.colour or other.texture) for other in materials)
-            meant = None if later else is_alike(name, defined)
-            told = " before it; it is defined further down" if later else f"; did you mean '{meant}'?" if meant else ""
+            meant = None if name in names else names.meant_by(name)
+            hint = f"; did you mean '{meant}'?" if meant else ""
+            told = " before it; it is defined further down" if name in names else hint
             at = material.tag.at["name"]
             fix = replaced(at, name, meant) if meant else None
             yield Finding(at, f"{material.label} is not defined{told}", fix=fix)

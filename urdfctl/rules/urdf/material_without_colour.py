@@ -14,6 +14,7 @@ from urdfctl.rules.urdf.materials import materials_of
     severity=Severity.WARNING,
     authority="urdfdom urdf_parser/src/model.cpp parseMaterial(): 'Material [...] color has no rgba', "
     "'Material [...] not defined in file'",
+    whole_robot=True,
     bad={
         "robot.urdf": """
             «<material name="grey">»<color value="0.5 0.5 0.5 1"/></material>

@@ -29,6 +29,11 @@ class Material(NamedTuple):
         return texture if texture is not None and "filename" in texture.attributes else None
 
     @property
+    def is_definition(self) -> bool:
+        """Whether it says what it looks like, and does not just refer to another by its name."""
+        return self.link is None or self.looks != (None, None)
+
+    @property
     def looks(self) -> tuple[str | None, str | None]:
         """What it looks like, as it is written: colour and texture."""
         colour, texture = self.colour, self.texture

@@ -12,6 +12,7 @@ from urdfctl.rules.urdf.common import label, robot_in
     "UC119",
     severity=Severity.ERROR,
     authority="urdfdom urdf_parser/src/joint.cpp parseJointMimic(): 'joint mimic: no mimic joint specified'",
+    whole_robot=True,
     bad={
         "robot.urdf": """
             <link name="finger"/>
@@ -38,11 +39,14 @@ from urdfctl.rules.urdf.common import label, robot_in
 def mimic_without_joint(project: Project) -> Iterator[Finding]:
     """A <mimic> names no joint.
 
-    urdfdom gives no model for the whole robot.
+    urdfdom gives no model for the whole robot. An empty name it takes, and the joint follows nothing.
     """
     robot = robot_in(project)
     for joint in robot.joints if robot else ():
-        if joint.mimic and joint.mimic.joint is None:
+        if joint.mimic and joint.mimic.joint == "":
+            message = f"<mimic> of {label('joint', joint.name)} names no joint that it follows"
+            yield Finding(joint.mimic.at["joint"], message, severity=Severity.WARNING)
+        elif joint.mimic and joint.mimic.joint is None:
             yield Finding(
                 joint.mimic.at, f"<mimic> of {label('joint', joint.name)} has no 'joint': the joint that it follows"
             )

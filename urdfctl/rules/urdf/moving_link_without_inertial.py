@@ -40,6 +40,8 @@ def moving_link_without_inertial(project: Project) -> Iterator[Finding]:
     robot = whole_robot_in(project)
     if robot is None or not project.may_be_simulated:
         return
+    if all(link.inertials for link in robot.links):
+        return
     lost = [body for body in vanishing(robot) if not any(inertial_of(link) for link in body.links)]
     if lost and not any(link.inertials for link in robot.links):
         yield Finding(robot.at, "no link of the robot has an <inertial>: Gazebo drops all that moves")

@@ -19,6 +19,9 @@ STREAM = tuple(distro for distro in ALL if distro not in LEXICAL_CAST)
 VECTOR = 3
 SMALLEST_NORMAL = 2.2250738585072014e-308
 _DECIMAL = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
+_PLAIN = re.compile(r"[+-]?[0-9]{1,40}(?:\.[0-9]{0,40})?(?:[eE][+-]?[0-9]{1,2})?")
+_PLAIN_VECTOR = re.compile(f"{_PLAIN.pattern} {_PLAIN.pattern} {_PLAIN.pattern}")
+_BROKEN_ATTRIBUTE = re.compile(rb"""=\s*(?:"[^"<>]*[\t\n\r]|'[^'<>]*[\t\n\r])""")
 _NOT_FINITE = re.compile(r"[+-]?(?:inf(?:inity)?|nan)", re.IGNORECASE)
 _BLANKS = " \t\n\v\f\r"
 
@@ -41,6 +44,11 @@ class Field(NamedTuple):
     attribute: str
     text: str
     size: int
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether there is nothing to be said of it: most are like that, and this is the quick way to know."""
+        return bool((_PLAIN if self.size == 1 else _PLAIN_VECTOR).fullmatch(self.text))
 
     @property
     def label(self) -> str:
@@ -132,7 +140,7 @@ class Numbers:
     """Gives the attributes of one robot that are read as numbers."""
 
     def __init__(self, robot: Robot) -> None:
-        self._raw = not is_xacro(robot)
+        self._raw = not is_xacro(robot) and bool(_BROKEN_ATTRIBUTE.search(robot.at.source.data))
 
     def of_joint(self, joint: Joint) -> Iterator[Field]:
         """Those of a joint: urdfdom gives up the whole robot where it cannot read one."""

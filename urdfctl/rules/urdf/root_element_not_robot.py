@@ -11,6 +11,7 @@ from urdfctl.rule import Finding, Project, Severity, rule
     "UC101",
     severity=Severity.ERROR,
     authority="urdfdom urdf_parser/src/model.cpp parseURDF(): \"Could not find the 'robot' element in the xml file\"",
+    whole_robot=True,
     bad={
         "robot.urdf": """
             «<Robot name="arm">»

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.urdf.common import is_alike, is_known, label, replaced, whole_robot_in
+from urdfctl.rules.urdf.common import Names, is_known, label, replaced, whole_robot_in
 
 
 @rule(
@@ -40,12 +40,12 @@ def unknown_link(project: Project) -> Iterator[Finding]:
     robot = whole_robot_in(project)
     if robot is None:
         return
-    links = {link.name for link in robot.links if link.name}
+    links = Names(link.name for link in robot.links)
     for joint in robot.joints:
         for what, end in (("parent", joint.parent), ("child", joint.child)):
             if end is None or not end.name or end.name in links or not is_known(end.name):
                 continue
-            meant = is_alike(end.name, links)
+            meant = links.meant_by(end.name)
             message = f"{what} link '{end.name}' of {label('joint', joint.name)} is not defined"
             fix = replaced(end.at, end.name, meant) if meant else None
             yield Finding(end.at, message + (f"; did you mean '{meant}'?" if meant else ""), fix=fix)

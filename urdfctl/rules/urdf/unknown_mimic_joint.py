@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.urdf.common import is_alike, is_known, label, replaced, whole_robot_in
+from urdfctl.rules.urdf.common import Names, is_known, label, replaced, whole_robot_in
 
 
 @rule(
@@ -45,12 +45,12 @@ def unknown_mimic_joint(project: Project) -> Iterator[Finding]:
     robot = whole_robot_in(project)
     if robot is None:
         return
-    joints = {joint.name for joint in robot.joints if joint.name}
+    joints = Names(joint.name for joint in robot.joints)
     for joint in robot.joints:
         mimic = joint.mimic
         if mimic is None or not mimic.joint or mimic.joint in joints or not is_known(mimic.joint):
             continue
-        meant = is_alike(mimic.joint, joints - {joint.name or ""})
+        meant = joints.meant_by(mimic.joint)
         message = f"{label('joint', joint.name)} mimics '{mimic.joint}', which is no joint"
         fix = replaced(mimic.at["joint"], mimic.joint, meant) if meant else None
         yield Finding(mimic.at["joint"], message + (f"; did you mean '{meant}'?" if meant else ""), fix=fix)

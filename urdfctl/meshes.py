@@ -1,0 +1,52 @@
+"""Looks for the files that a robot's meshes name, without reading them."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+
+from urdfctl.model.robot import MeshFile
+from urdfctl.source.packages import PackageNotFound, Packages
+from urdfctl.suggest import nearest
+
+
+def mesh_finder(packages: Packages, robot_file: str) -> Callable[[str], MeshFile | None]:
+    """What tells of each mesh address whether its file is there; None for one that is not looked for."""
+    known: dict[str, MeshFile | None] = {}
+
+    def find(address: str) -> MeshFile | None:
+        if address not in known:
+            known[address] = _found(address, packages, robot_file)
+        return known[address]
+
+    return find
+
+
+def _found(address: str, packages: Packages, robot_file: str) -> MeshFile | None:
+    if address.startswith("package://"):
+        return _in_package(address.removeprefix("package://"), packages)
+    path = address.removeprefix("file://")
+    if "://" in path or not path:
+        return None
+    if not os.path.isabs(path):
+        path = os.path.join(os.path.dirname(robot_file), path)
+    return _file(packages.source_of(path), None)
+
+
+def _in_package(address: str, packages: Packages) -> MeshFile:
+    package, _, path = address.partition("/")
+    try:
+        folder = packages.find(package)
+    except PackageNotFound as error:
+        return MeshFile(False, package, package_found=False, nearest=nearest(package, error.known))  # noqa: FBT003
+    return _file(packages.source_of(os.path.join(folder, path)), package)
+
+
+def _file(path: str, package: str | None) -> MeshFile:
+    if os.path.isfile(path):
+        return MeshFile(True, package)  # noqa: FBT003
+    try:
+        beside = os.listdir(os.path.dirname(path))
+    except OSError:
+        beside = []
+    return MeshFile(False, package, nearest=nearest(os.path.basename(path), beside))  # noqa: FBT003
