@@ -18,8 +18,8 @@ from urdfctl.settings import Settings, checked, passed_on
         (Settings(distro="xyz"), "unknown distro 'xyz'"),
         (
             Settings(simulator="gazebo_classic"),
-            "unknown simulator 'gazebo_classic'; did you mean 'gazebo-classic'?"
-            "; known are gz, gazebo-classic, mujoco, none",
+            "unknown simulator 'gazebo_classic'; did you mean 'gazebo-classic'?; "
+             "known are gz, gazebo-classic, mujoco, none",
         ),
         (Settings(workspace="nowhere"), "no such folder: 'nowhere'"),
         (Settings(package_paths=(".", "nowhere")), "no such folder: 'nowhere'"),

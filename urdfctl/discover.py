@@ -55,10 +55,10 @@ def find(paths: Sequence[str]) -> Found:
             texts = _descriptions_in(path)
             found.others += texts
             found.candidates += roots(texts)
-        elif path.endswith(_CONTROLLERS):
-            found.controllers.append(path)
         elif path.endswith(_LAUNCHES):
             found.launches.append(path)
+        elif path.endswith(_CONTROLLERS):
+            found.controllers.append(path)
         else:
             found.robots.append(path)
     return found

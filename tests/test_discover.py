@@ -1,0 +1,150 @@
+"""Paths mean robots, folders mean the robots in them, and no path means the package around the current folder."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+from folder import Folder
+
+from urdfctl.discover import Found, find
+from urdfctl.errors import UserError
+
+ROBOT = '<robot name="r"><link name="a"/></robot>'
+INCLUDES = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:include filename="{}"/></robot>'
+
+
+def package(name: str) -> str:
+    return f"<package><name>{name}</name></package>"
+
+
+def roots(*paths: str) -> list[str]:
+    return [os.path.normpath(path) for path in find(paths or (".",)).candidates]
+
+
+def test_each_kind_of_file_is_known_by_its_name(folder: Folder) -> None:
+    names = "a.urdf b.xacro c.urdf.xacro d.yaml e.yml f.launch g.launch.xml h.launch.py i.launch.yaml j".split()
+    folder.write(dict.fromkeys(names, ""))
+    found = find(names)
+    assert found.robots == ["a.urdf", "b.xacro", "c.urdf.xacro", "j"]
+    assert found.controllers == ["d.yaml", "e.yml"]
+    assert found.launches == ["f.launch", "g.launch.xml", "h.launch.py", "i.launch.yaml"]
+
+
+def test_a_path_that_does_not_exist_is_an_error_that_names_the_nearest(folder: Folder) -> None:
+    folder.write({"urdf/robot.xacro": ROBOT})
+    with pytest.raises(UserError) as missing:
+        find(["urdf/robto.xacro"])
+    assert str(missing.value) == "no such file or folder: 'urdf/robto.xacro'; did you mean 'robot.xacro'?"
+    with pytest.raises(UserError) as missing:
+        find(["nowhere/robot.xacro"])
+    assert str(missing.value) == "no such file or folder: 'nowhere/robot.xacro'"
+
+
+def test_a_broken_link_is_there_and_its_reading_tells_what_is_wrong(folder: Folder) -> None:
+    os.symlink("nowhere", "robot.xacro")
+    assert find(["robot.xacro"]).robots == ["robot.xacro"]
+
+
+def test_the_roots_of_a_folder_are_the_files_that_no_other_includes(folder: Folder) -> None:
+    folder.write(
+        {
+            "package.xml": package("arm"),
+            "urdf/one.xacro": INCLUDES.format("parts/wheel.xacro"),
+            "urdf/two.xacro": INCLUDES.format("$(find arm)/urdf/parts/base.xacro"),
+            "urdf/plain.urdf": ROBOT,
+            "urdf/parts/wheel.xacro": ROBOT,
+            "urdf/parts/base.xacro": ROBOT,
+            "urdf/notes.xacro": "<notes/>",
+            "urdf/other.txt": ROBOT,
+        }
+    )
+    assert roots() == ["urdf/one.xacro", "urdf/plain.urdf", "urdf/two.xacro"]
+
+
+def test_an_include_whose_path_is_worked_out_counts_for_what_it_may_mean(folder: Folder) -> None:
+    folder.write(
+        {
+            "robot.xacro": INCLUDES.format("$(find arm)/urdf/${kind}/arm.xacro"),
+            "urdf/long/arm.xacro": ROBOT,
+            "urdf/arm.xacro": ROBOT,
+            "other/arm.xacro": ROBOT,
+        }
+    )
+    assert roots() == ["other/arm.xacro", "robot.xacro", "urdf/arm.xacro"]
+
+
+def test_an_include_that_is_only_a_value_hides_nothing(folder: Folder) -> None:
+    folder.write({"robot.xacro": INCLUDES.format("$(arg description)"), "arm.xacro": ROBOT})
+    assert roots() == ["arm.xacro", "robot.xacro"]
+
+
+def test_an_include_in_a_comment_hides_nothing(folder: Folder) -> None:
+    folder.write({"robot.xacro": "<robot><!-- <xacro:include filename='arm.xacro'/> --></robot>", "arm.xacro": ROBOT})
+    assert roots() == ["arm.xacro", "robot.xacro"]
+
+
+def test_a_file_that_includes_itself_is_still_a_robot(folder: Folder) -> None:
+    folder.write({"robot.xacro": INCLUDES.format("robot.xacro")})
+    assert roots() == ["robot.xacro"]
+
+
+def test_an_include_from_another_package_hides_only_the_file_of_that_package(folder: Folder) -> None:
+    folder.write(
+        {
+            "arm/package.xml": package("arm"),
+            "arm/urdf/robot.xacro": ROBOT,
+            "cell/package.xml": package("cell"),
+            "cell/urdf/robot.xacro": INCLUDES.format("$(find arm)/urdf/robot.xacro"),
+        }
+    )
+    assert roots() == ["cell/urdf/robot.xacro"]
+
+
+def test_what_is_built_hidden_or_marked_to_be_ignored_is_passed_over(folder: Folder) -> None:
+    folder.write(
+        {
+            "src/arm.xacro": ROBOT,
+            "build/arm.xacro": ROBOT,
+            "install/arm.xacro": ROBOT,
+            ".cache/arm.xacro": ROBOT,
+            "old/COLCON_IGNORE": "",
+            "old/deep/arm.xacro": ROBOT,
+        }
+    )
+    assert roots() == ["src/arm.xacro"]
+
+
+def test_a_circle_of_linked_folders_ends(folder: Folder) -> None:
+    folder.write({"urdf/arm.xacro": ROBOT})
+    os.symlink("..", "urdf/up")
+    assert roots() == ["urdf/arm.xacro"]
+
+
+def test_without_a_path_the_package_around_the_current_folder_is_meant(
+    folder: Folder, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder.write({"arm/package.xml": package("arm"), "arm/urdf/arm.xacro": ROBOT, "arm/config/x.yaml": ""})
+    monkeypatch.chdir(folder.path / "arm/config")
+    assert find([]).candidates == ["../urdf/arm.xacro"]
+
+
+def test_without_a_path_and_a_package_the_current_folder_is_meant(folder: Folder) -> None:
+    folder.write({"urdf/arm.xacro": ROBOT})
+    assert roots() == ["urdf/arm.xacro"]
+
+
+def test_a_file_named_twice_or_named_and_found_is_one_robot_that_was_named(folder: Folder) -> None:
+    folder.write({"arm.xacro": ROBOT})
+    path = str(Path("arm.xacro").resolve())
+    assert find(["arm.xacro", "./arm.xacro"]).descriptions() == [(path, True)]
+    assert find([".", "arm.xacro"]).descriptions() == [(path, True)]
+
+
+def test_the_files_that_no_robot_has_read_are_known(folder: Folder) -> None:
+    folder.write({"robot.xacro": INCLUDES.format("used.xacro"), "used.xacro": ROBOT, "unused.xacro": ROBOT})
+    found = find(["."])
+    read = [str(folder.path / name) for name in ("robot.xacro", "used.xacro")]
+    assert found.unread(read) == [str(folder.path / "unused.xacro")]
+    assert Found().unread(read) == []
