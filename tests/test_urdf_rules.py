@@ -1,0 +1,404 @@
+"""The rules on the URDF itself, beyond their examples: severity by distro, repairs, and where they are to be silent."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from urdfctl.diagnostic import Diagnostic
+from urdfctl.lint import Selection, joined
+from urdfctl.load import Loader, Target
+from urdfctl.settings import Settings
+
+MASS = '<inertial><mass value="1"/><inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/></inertial>'
+MOUNT = '<joint name="mount" type="fixed"><parent link="world"/><child link="base"/></joint>'
+BASE = f'<link name="world"/><link name="base">{MASS}</link>{MOUNT}'
+LIMIT = '<limit lower="-1" upper="1" effort="1" velocity="1"/>'
+
+
+def findings(folder: Path, text: str, name: str = "robot.urdf", **options: str) -> list[Diagnostic]:
+    """What the family finds in one file."""
+    path = folder / name
+    path.write_bytes(text.encode())
+    selection = Selection(select=("UC1", "UC000"))
+    linted = Loader(Settings(workspace=str(folder), **options), selection).lint(Target(str(path)))
+    return joined([linted.outcome], selection)
+
+
+def told(folder: Path, text: str, name: str = "robot.urdf", **options: str) -> list[str]:
+    """Codes and severities of what the family finds."""
+    return [f"{d.code} {d.severity.value}" for d in findings(folder, text, name, **options)]
+
+
+def robot(inside: str) -> str:
+    """A robot with a base, and what is given."""
+    return f'<robot name="arm">{BASE}{inside}</robot>'
+
+
+def joint(inside: str, kind: str = "revolute", link: str = MASS) -> str:
+    """A robot whose base carries a joint `wrist` and its link `tool`."""
+    ends = '<parent link="base"/><child link="tool"/>'
+    return robot(f'<link name="tool">{link}</link><joint name="wrist" type="{kind}">{ends}{inside}</joint>')
+
+
+def hung(name: str, parent: str, kind: str = "continuous", inside: str = "") -> str:
+    """A further link with mass, and its joint."""
+    ends = f'<parent link="{parent}"/><child link="{name}"/>'
+    return f'<link name="{name}">{MASS}</link><joint name="{name}_joint" type="{kind}">{ends}{inside}</joint>'
+
+
+def with_more(text: str, more: str) -> str:
+    """A robot with further elements."""
+    return text.removesuffix("</robot>") + more + "</robot>"
+
+
+def as_xacro(text: str) -> str:
+    """The text of a robot as a xacro file has it."""
+    return text.replace("<robot ", '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" ', 1)
+
+
+def fixed(folder: Path, text: str, **options: str) -> str:
+    """The file after the edits of all fixes that the family offers."""
+    edits = [edit for d in findings(folder, text, **options) if d.fix for edit in d.fix.edits]
+    data = text.encode()
+    for edit in sorted(edits, key=lambda edit: edit.start, reverse=True):
+        data = data[: edit.start] + edit.text.encode() + data[edit.end :]
+    return data.decode()
+
+
+# -- by distro -------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("distro", "expected"),
+    [
+        ("noetic", []),
+        ("foxy", []),
+        ("galactic", ["UC103 error"]),
+        ("rolling", ["UC103 error"]),
+        (None, ["UC103 warning"]),
+    ],
+)
+def test_the_version_of_the_format_is_read_from_galactic_on(tmp_path: Path, distro: str, expected: list[str]) -> None:
+    assert told(tmp_path, f'<robot name="arm" version="2.0">{BASE}</robot>', distro=distro) == expected
+
+
+def test_the_version_is_a_warning_where_the_distro_is_not_known(tmp_path: Path) -> None:
+    assert told(tmp_path, f'<robot name="arm" version="2.0">{BASE}</robot>') == ["UC103 warning"]
+
+
+@pytest.mark.parametrize(
+    ("distro", "expected"), [("kinetic", []), ("melodic", ["UC127 error"]), ("jazzy", ["UC127 error"])]
+)
+def test_old_readers_take_inf_and_newer_ones_do_not(tmp_path: Path, distro: str, expected: list[str]) -> None:
+    text = joint('<limit lower="-inf" upper="1" effort="1" velocity="1"/>')
+    assert told(tmp_path, text, distro=distro) == expected
+
+
+def test_what_only_some_of_the_possible_distros_refuse_is_a_warning(tmp_path: Path) -> None:
+    text = joint('<limit lower="-inf" upper="1" effort="1" velocity="1"/>')
+    assert told(tmp_path, text) == ["UC127 warning"]
+
+
+@pytest.mark.parametrize(("distro", "expected"), [("kinetic", ["UC127 error"]), ("jazzy", [])])
+def test_a_blank_before_a_number_is_taken_by_newer_readers_only(
+    tmp_path: Path, distro: str, expected: list[str]
+) -> None:
+    text = joint('<limit lower=" -1" upper="1" effort="1" velocity="1"/>')
+    assert told(tmp_path, text, distro=distro) == expected
+
+
+def test_a_joint_may_have_the_name_of_a_link_in_ros_1(tmp_path: Path) -> None:
+    text = joint(LIMIT).replace('joint name="wrist"', 'joint name="tool"')
+    assert told(tmp_path, text, distro="noetic") == []
+    assert told(tmp_path, text, distro="jazzy") == ["UC113 warning"]
+    assert told(tmp_path, text.replace("revolute", "fixed"), distro="jazzy") == []
+
+
+# -- numbers ---------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("number", ["1", "+1", "1.", ".5", "-0.5e-3", "1E3", "1e-05", "0"])
+def test_decimals_are_numbers(tmp_path: Path, number: str) -> None:
+    assert (
+        told(tmp_path, joint(f'<dynamics damping="0" friction="0"/>{LIMIT}<mimic joint="mount" offset="{number}"/>'))
+        == []
+    )
+
+
+@pytest.mark.parametrize("number", ["", " ", "1 ", "1,5", "0x10", "1deg", "pi", "nan", "1e400", ".", "--1", "${pi}"])
+def test_other_texts_are_not(tmp_path: Path, number: str) -> None:
+    text = joint(f'{LIMIT}<mimic joint="mount" offset="{number}"/>')
+    assert told(tmp_path, text, distro="jazzy") == ["UC127 error"]
+
+
+@pytest.mark.parametrize("vector", ["0 0 1", " 0  0 1 ", "0 0 1e-05"])
+def test_three_numbers_between_blanks_are_a_vector(tmp_path: Path, vector: str) -> None:
+    assert told(tmp_path, joint(f'<axis xyz="{vector}"/>{LIMIT}')) == []
+
+
+@pytest.mark.parametrize("vector", ["", "0 1", "0 0 0 1", "0,0,1", "0\t0\t1", "0 0\n 1", "0 0 1\n", "0 0 z"])
+def test_other_texts_are_no_vectors(tmp_path: Path, vector: str) -> None:
+    assert told(tmp_path, joint(f'<axis xyz="{vector}"/>{LIMIT}'), distro="jazzy") == ["UC127 error"]
+
+
+def test_xacro_makes_blanks_of_tabs(tmp_path: Path) -> None:
+    text = joint(f'<axis xyz="0\t0\t1"/>{LIMIT}')
+    assert told(tmp_path, as_xacro(text), "robot.xacro") == []
+
+
+def test_a_number_too_small_for_gazebo_is_a_warning(tmp_path: Path) -> None:
+    text = joint('<limit lower="-1" upper="1e-320" effort="1" velocity="1"/>')
+    assert told(tmp_path, text) == ["UC127 warning"]
+    assert told(tmp_path, text, simulator="none") == []
+
+
+def test_an_axis_that_is_not_read_may_be_anything(tmp_path: Path) -> None:
+    assert told(tmp_path, joint('<axis xyz="0 0 0"/>', "fixed")) == []
+    assert told(tmp_path, joint('<axis xyz="nowhere"/>', "fixed")) == []
+
+
+def test_sure_repairs_of_numbers_are_safe_and_guesses_are_not(tmp_path: Path) -> None:
+    text = joint('<axis xyz="0\t0  1"/><limit lower="-1 " upper="1,5" effort="1" velocity="1"/>')
+    assert [d.fix.safe for d in findings(tmp_path, text) if d.fix] == [True, True, False]
+    mended = fixed(tmp_path, text)
+    assert mended == joint('<axis xyz="0 0 1"/><limit lower="-1" upper="1.5" effort="1" velocity="1"/>')
+    assert told(tmp_path, mended) == []
+
+
+# -- names and the tree ----------------------------------------------------------------------------------------------
+
+
+def test_a_type_in_another_case_is_repaired_safely(tmp_path: Path) -> None:
+    (found,) = findings(tmp_path, joint(LIMIT, "Revolute"))
+    assert found.fix
+    assert found.fix.safe
+    assert fixed(tmp_path, joint(LIMIT, "Revolute")) == joint(LIMIT, "revolute")
+
+
+def test_a_blank_behind_a_name_makes_it_another_name(tmp_path: Path) -> None:
+    (found,) = findings(tmp_path, joint(LIMIT).replace('child link="tool"', 'child link="tool "'))
+    assert found.message == "child link 'tool ' of joint 'wrist' is not defined; did you mean 'tool'?"
+    assert fixed(tmp_path, joint(LIMIT).replace('child link="tool"', 'child link="tool "')) == joint(LIMIT)
+
+
+def test_a_joint_from_a_link_to_itself_is_a_circle(tmp_path: Path) -> None:
+    ends = '<parent link="a"/><child link="a"/>'
+    alone = f'<robot name="r"><link name="a">{MASS}</link><joint name="j" type="fixed">{ends}</joint></robot>'
+    assert told(tmp_path, alone) == ["UC106 error"]
+
+
+def test_a_circle_beside_a_tree_is_a_warning(tmp_path: Path) -> None:
+    text = robot(
+        '<link name="x"/><link name="y"/>'
+        '<joint name="xy" type="fixed"><parent link="x"/><child link="y"/></joint>'
+        '<joint name="yx" type="fixed"><parent link="y"/><child link="x"/></joint>'
+    )
+    (found,) = findings(tmp_path, text)
+    assert found.severity.value == "warning"
+    assert found.message.startswith("links 'x' and 'y' are children of each other in a circle")
+
+
+def test_the_root_with_the_most_below_it_is_the_one_that_stays(tmp_path: Path) -> None:
+    (found,) = findings(tmp_path, f'<robot name="arm"><link name="lost"/>{BASE}</robot>')
+    assert found.message == "link 'lost' is the child of no joint, so it is a second root beside 'world'"
+
+
+def test_an_unknown_link_is_told_once_and_not_as_a_second_root_too(tmp_path: Path) -> None:
+    assert told(tmp_path, joint(LIMIT).replace('child link="tool"', 'child link="tol"')) == ["UC116 error"]
+
+
+def test_two_materials_of_the_same_colour_are_still_two(tmp_path: Path) -> None:
+    grey = '<material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>'
+    assert told(tmp_path, robot(grey + grey)) == ["UC112 error"]
+
+
+def test_joints_that_mimic_each_other_are_told_once(tmp_path: Path) -> None:
+    leader = hung("a", "base", inside='<mimic joint="b_joint"/>')
+    followers = [hung(name, "base", inside='<mimic joint="a_joint"/>') for name in "bc"]
+    (found,) = findings(tmp_path, robot(leader + "".join(followers)))
+    assert found.message == "joint 'a_joint' mimics itself by way of 'b_joint'"
+
+
+# -- parts of robots -------------------------------------------------------------------------------------------------
+
+
+def test_a_part_that_hangs_on_a_link_of_the_whole_is_no_robot(tmp_path: Path) -> None:
+    gripper = """<robot name="gripper" xmlns:xacro="http://www.ros.org/wiki/xacro">
+      <link name="palm"/><link name="finger"/>
+      <joint name="palm_joint" type="fixed"><parent link="left_hand"/><child link="palm"/></joint>
+      <joint name="finger_joint" type="fixed"><parent link="palm"/><child link="finger"/></joint>
+      <gazebo reference="left_hand"/>
+    </robot>"""
+    assert told(tmp_path, gripper, "gripper.xacro") == []
+    assert told(tmp_path, gripper, "gripper.urdf") == []
+    plain = gripper.replace(' xmlns:xacro="http://www.ros.org/wiki/xacro"', "")
+    assert told(tmp_path, plain, "gripper.urdf") == ["UC116 error", "UC156 warning"]
+
+
+def test_a_slip_in_a_whole_xacro_robot_is_told(tmp_path: Path) -> None:
+    text = joint(LIMIT).replace('parent link="base"', 'parent link="bsae"')
+    whole = as_xacro(text)
+    assert told(tmp_path, whole, "robot.xacro") == ["UC116 error"]
+
+
+def test_a_file_of_materials_is_no_robot(tmp_path: Path) -> None:
+    text = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro">{}</robot>'
+    grey = '<material name="grey"><color rgba="0 0 0 1"/></material>'
+    assert told(tmp_path, text.format(grey), "materials.xacro") == []
+
+
+def test_nothing_is_said_of_values_that_could_not_be_worked_out(tmp_path: Path) -> None:
+    text = joint('<axis xyz="${nowhere}"/><limit lower="${low}" upper="-2" effort="${e}" velocity="1"/>')
+    whole = as_xacro(text)
+    assert told(tmp_path, whole, "robot.xacro") == []
+
+
+# -- masses ----------------------------------------------------------------------------------------------------------
+
+
+def test_a_link_without_mass_is_well_where_one_with_mass_is_fixed_to_it(tmp_path: Path) -> None:
+    flange = hung("flange", "tool", "fixed")
+    assert told(tmp_path, with_more(joint(LIMIT, link=""), flange)) == []
+
+
+def test_a_kept_fixed_joint_needs_mass_on_both_sides(tmp_path: Path) -> None:
+    frame = (
+        '<link name="frame"/><joint name="f" type="fixed"><parent link="tool"/><child link="frame"/></joint>'
+        '<gazebo reference="f"><preserveFixedJoint>true</preserveFixedJoint></gazebo>'
+    )
+    text = with_more(joint(LIMIT), frame)
+    assert told(tmp_path, text) == ["UC133 warning"]
+    assert told(tmp_path, text.replace("true", "false")) == []
+
+
+def test_how_much_is_lost_with_a_link_is_told(tmp_path: Path) -> None:
+    finger = hung("finger", "tool")
+    (found,) = findings(tmp_path, with_more(joint(LIMIT, link=""), finger))
+    assert (
+        found.message
+        == "link 'tool' of joint 'wrist' has no <inertial>: Gazebo drops it, with the 2 joints from here on"
+    )
+
+
+def test_a_robot_without_any_mass_is_told_once(tmp_path: Path) -> None:
+    text = joint(LIMIT).replace(MASS, "")
+    assert told(tmp_path, text) == ["UC133 warning"]
+    assert told(tmp_path, text, simulator="none") == []
+
+
+@pytest.mark.parametrize("mass", ["0", "0.0", "1e-9"])
+def test_a_moving_link_that_weighs_nothing_is_lost(tmp_path: Path, mass: str) -> None:
+    assert told(tmp_path, joint(LIMIT, link=MASS.replace('mass value="1"', f'mass value="{mass}"'))) == [
+        "UC135 warning"
+    ]
+
+
+def test_a_frame_of_no_mass_that_is_fixed_does_no_harm(tmp_path: Path) -> None:
+    assert told(tmp_path, joint("", "fixed", MASS.replace('mass value="1"', 'mass value="0"'))) == []
+
+
+@pytest.mark.parametrize(
+    ("moments", "expected"),
+    [
+        ('ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="2"', []),  # a flat plate, just possible
+        ('ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"', []),  # a point, which sdformat takes
+        ('ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="2.1"', ["UC136 warning"]),
+        ('ixx="-1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"', ["UC136 warning"]),
+        ('ixx="1" ixy="2" ixz="0" iyy="1" iyz="0" izz="1"', ["UC136 warning"]),
+        ('ixx="1" ixy="0.9" ixz="0" iyy="1" iyz="0" izz="1"', ["UC136 warning"]),
+    ],
+)
+def test_an_inertia_is_judged_by_its_principal_moments(tmp_path: Path, moments: str, expected: list[str]) -> None:
+    inertial = f'<inertial><mass value="1"/><inertia {moments}/></inertial>'
+    assert told(tmp_path, joint(LIMIT, link=inertial), distro="jazzy") == expected
+
+
+def test_rounding_of_an_inertia_matters_to_ros_2_only(tmp_path: Path) -> None:
+    inertial = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="2.001"/></inertial>'
+    assert told(tmp_path, joint(LIMIT, link=inertial), distro="jazzy") == ["UC136 warning"]
+    assert told(tmp_path, joint(LIMIT, link=inertial), distro="noetic") == []
+
+
+# -- limits ----------------------------------------------------------------------------------------------------------
+
+COMMANDED = """<transmission name="t"><type>transmission_interface/SimpleTransmission</type>
+  <joint name="wrist"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>
+  <actuator name="m"><mechanicalReduction>1</mechanicalReduction></actuator></transmission>"""
+
+
+def test_a_velocity_limit_of_0_matters_where_the_joint_is_commanded(tmp_path: Path) -> None:
+    passive = joint('<limit lower="-1" upper="1" effort="1" velocity="0"/>')
+    assert told(tmp_path, passive) == []
+    assert told(tmp_path, with_more(passive, COMMANDED)) == ["UC131 warning"]
+
+
+def test_an_effort_limit_of_0_is_house_style(tmp_path: Path) -> None:
+    text = joint('<limit lower="-1" upper="1" effort="0" velocity="1"/>').replace("</robot>", COMMANDED + "</robot>")
+    assert told(tmp_path, text) == []
+
+
+def test_equal_limits_of_a_passive_joint_are_well(tmp_path: Path) -> None:
+    passive = joint('<limit lower="0" upper="0" effort="1" velocity="1"/>')
+    assert told(tmp_path, passive) == []
+    assert told(tmp_path, with_more(passive, COMMANDED)) == ["UC132 warning"]
+
+
+def test_reversed_limits_are_switched_on_demand(tmp_path: Path) -> None:
+    assert fixed(tmp_path, joint('<limit lower="2" upper="-1" effort="1" velocity="1"/>')) == joint(
+        '<limit lower="-1" upper="2" effort="1" velocity="1"/>'
+    )
+
+
+def test_a_limit_is_read_of_fixed_joints_too(tmp_path: Path) -> None:
+    assert told(tmp_path, joint('<limit lower="0" upper="0"/>', "fixed")) == ["UC124 error"]
+
+
+# -- looks -----------------------------------------------------------------------------------------------------------
+
+
+def shown(material: str) -> str:
+    """A robot whose tool is a box with a material."""
+    return joint(LIMIT, link=f'{MASS}<visual><geometry><box size="1 1 1"/></geometry>{material}</visual>')
+
+
+def test_colours_in_bytes_are_scaled_on_demand(tmp_path: Path) -> None:
+    text = shown('<material name="red"><color rgba="255 0 51 255"/></material>')
+    assert told(tmp_path, text) == ["UC147 warning"]
+    assert fixed(tmp_path, text) == shown('<material name="red"><color rgba="1 0 0.2 1"/></material>')
+
+
+def test_materials_without_a_name_of_their_own_are_told_apart(tmp_path: Path) -> None:
+    assert told(tmp_path, shown('<material name=""><color rgba="1 0 0 1"/></material>')) == []
+    assert told(tmp_path, shown('<material><color rgba="1 0 0 1"/></material>')) == ["UC144 warning"]
+
+
+def test_a_material_is_known_from_its_definition_on(tmp_path: Path) -> None:
+    box = '<visual><geometry><box size="1 1 1"/></geometry>{}</visual>'
+    definition, reference = (
+        box.format('<material name="red"><color rgba="1 0 0 1"/></material>'),
+        box.format('<material name="red"/>'),
+    )
+    assert told(tmp_path, joint(LIMIT, link=MASS + definition + reference)) == []
+    (found,) = findings(tmp_path, joint(LIMIT, link=MASS + reference + definition))
+    assert found.message == "material 'red' of link 'tool' is not defined before it; it is defined further down"
+
+
+def test_a_negative_scale_mirrors_a_mesh(tmp_path: Path) -> None:
+    mesh = '<visual><geometry><mesh filename="package://p/a.stl" scale="{}"/></geometry></visual>'
+    assert "UC143 warning" not in told(tmp_path, joint(LIMIT, link=MASS + mesh.format("1 -1 1")))
+    assert "UC143 warning" in told(tmp_path, joint(LIMIT, link=MASS + mesh.format("1 0 1")))
+
+
+def test_what_other_readers_take_is_no_slip(tmp_path: Path) -> None:
+    others = '<contact><lateral_friction value="1"/></contact><self_collision_checking/><contact_coefficients mu="0"/>'
+    assert told(tmp_path, joint(LIMIT + '<limits_of_ours a="1"/>', link=MASS + others)) == []
+
+
+@pytest.mark.parametrize(
+    ("written", "meant"), [("limits", "limit"), ("Axis", "axis"), ("orgin", "origin"), ("mimick", "mimic")]
+)
+def test_slips_in_elements_are_told(tmp_path: Path, written: str, meant: str) -> None:
+    (found,) = findings(tmp_path, joint(f"{LIMIT}<{written}/>"))
+    assert found.message == f"<{written}> of joint 'wrist' is ignored; did you mean <{meant}>?"
