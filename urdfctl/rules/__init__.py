@@ -93,6 +93,8 @@ from urdfctl.rules.urdf.material_defined_otherwise import material_defined_other
 from urdfctl.rules.urdf.material_undefined import material_undefined
 from urdfctl.rules.urdf.material_without_colour import material_without_colour
 from urdfctl.rules.urdf.material_without_name import material_without_name
+from urdfctl.rules.urdf.mesh_not_found import mesh_not_found
+from urdfctl.rules.urdf.mesh_package_not_found import mesh_package_not_found
 from urdfctl.rules.urdf.mesh_path_of_one_machine import mesh_path_of_one_machine
 from urdfctl.rules.urdf.mesh_path_relative import mesh_path_relative
 from urdfctl.rules.urdf.mimic_without_joint import mimic_without_joint
@@ -189,6 +191,8 @@ RULES: tuple[Rule, ...] = (
     material_without_colour,
     colour_malformed,
     material_defined_otherwise,
+    mesh_not_found,
+    mesh_package_not_found,
     mesh_path_of_one_machine,
     mesh_path_relative,
     element_given_twice,
