@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -99,7 +99,9 @@ class PackageIndex:
         self.workspace = os.path.abspath(workspace)
         self.extra = [os.path.abspath(path) for path in extra]
         self.environ = os.environ if environ is None else environ
-        self.crawls = [Crawl(path) for path in [*self.extra, self.workspace]]
+        self.named = [Crawl(path) for path in self.extra]
+        self.around = [Crawl(path) for path in [self.workspace, *self.prefixes("ROS_PACKAGE_PATH")]]
+        self.crawls = [*self.named, *self.around]
         self._names: dict[str, str | None] = {}
         self._maps: dict[str, InstallMap] = {}
 
@@ -145,8 +147,13 @@ class Packages:
         if name in ("", os.curdir, os.pardir) or os.sep in name:  # a path would lead anywhere
             raise PackageNotFound(name, self.known())
         if name not in self._found:
-            folder = self._from_environment(name) or self._from_nearby(name) or self._from_walk(name)
-            folder = folder or self._without_manifest(name)
+            folder = (
+                self._nearest(name, self._index.named)
+                or self._from_environment(name)
+                or self._from_nearby(name)
+                or self._nearest(name, self._index.around)
+                or self._without_manifest(name)
+            )
             if folder is None:
                 raise PackageNotFound(name, self.known())
             self._found[name] = folder
@@ -167,10 +174,6 @@ class Packages:
         return path
 
     def _from_environment(self, name: str) -> str | None:
-        for root in self._index.extra:
-            for folder in (root, os.path.join(root, name)):
-                if self._index.name_of(folder) == name:
-                    return folder
         for prefix in self._index.prefixes("AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "CMAKE_PREFIX_PATH"):
             share = os.path.join(prefix, "share", name)
             if os.path.exists(os.path.join(prefix, _AMENT_INDEX, name)) or self._index.name_of(share) == name:
@@ -190,8 +193,8 @@ class Packages:
                 return sibling
         return None
 
-    def _from_walk(self, name: str) -> str | None:
-        for crawl in self._index.crawls:
+    def _nearest(self, name: str, crawls: Iterable[Crawl]) -> str | None:
+        for crawl in crawls:
             folders = crawl.packages().get(name)
             if folders:
                 return min(folders, key=self._distance)
@@ -201,7 +204,7 @@ class Packages:
         """A folder of that name on the way up, though it has no package.xml: half a checkout, or one to be."""
         for folder in self._ancestors():
             for candidate in (folder, os.path.join(folder, name)):
-                if os.path.basename(candidate) == name and os.path.isdir(candidate):
+                if os.path.basename(candidate) == name and os.path.isdir(candidate) and not os.path.islink(candidate):
                     self.assumed.add(name)
                     return candidate
         return None
