@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from bisect import bisect_right
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -31,16 +32,26 @@ def suppressions(source: SourceText) -> list[Suppression]:
     found: list[Suppression] = []
     if b"urdfctl:" not in source.data:
         return found
+    comments = _xml_comments(source.data)
     for match in re.finditer(_COMMENT, source.data):
         codes = tuple(code.strip().upper() for code in match.group(1).decode("ascii").split(",") if code.strip())
-        close = source.data.find(b"-->", match.end())
-        end = close if close >= 0 and _is_xml_comment(source.data, match.start()) else match.end()
+        before = bisect_right(comments, (match.start(), 0))
+        end = max(match.end(), comments[before - 1][1] if before else 0)
         found.append(Suppression(SourceSpan(source, match.start(), match.end()), codes, source.position(end).line))
     return found
 
 
-def _is_xml_comment(data: bytes, offset: int) -> bool:
-    return data.rfind(b"<!--", 0, offset) > data.rfind(b"-->", 0, offset)
+def _xml_comments(data: bytes) -> list[tuple[int, int]]:
+    """Where each XML comment begins and where it ends."""
+    found = []
+    start = data.find(b"<!--")
+    while start >= 0:
+        end = data.find(b"-->", start)
+        if end < 0:
+            break
+        found.append((start, end))
+        start = data.find(b"<!--", end)
+    return found
 
 
 class Suppressed:
