@@ -1,4 +1,4 @@
-"""What xacro passes over without a word: tags without its prefix, braces without the dollar, arguments that nobody asks for."""
+"""What xacro passes over without a word: tags without its prefix, braces without the dollar, arguments nobody uses."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from urdfctl.suggest import did_you_mean, nearest
 
 _DIRECTIVES = frozenset("arg attribute call element if include insert_block macro property unless".split())
 _OF_URDF = frozenset(
-    "actuator axis box calibration capsule child collision color command_interface contact cylinder dynamics gazebo geometry "
-    "gpio group hardware hardwareInterface inertia inertial joint limit link mass material mechanicalReduction mesh mimic "
-    "offset origin param parent plugin robot role ros2_control safety_controller sensor sphere state_interface texture "
-    "transmission type verbose visual".split()
+    "actuator axis box calibration capsule child collision color command_interface contact cylinder dynamics gazebo "
+    "geometry gpio group hardware hardwareInterface inertia inertial joint limit link mass material "
+    "mechanicalReduction mesh mimic offset origin param parent plugin robot role ros2_control safety_controller sensor "
+    "sphere state_interface texture transmission type verbose visual".split()
 )
 _ANYTHING_GOES = frozenset({"gazebo", "sensor", "plugin"})
 _BRACES = r"(?<!\$)\{\s*(\w+)\s*\}"

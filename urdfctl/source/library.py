@@ -54,7 +54,7 @@ class LibraryExpander(Expander):
     def _arguments(self, given: Mapping[str, str]) -> dict[str, str]:
         return AnyArgument(given)
 
-    def _processed(self, document: Document, given: Mapping[str, str]) -> None:
+    def _processed(self, document: Document, given: Mapping[str, str]) -> None:  # noqa: ARG002 (the base's signature)
         """Call the macros that this file defines and nothing calls, until none is left."""
         root = document.documentElement
         if self._tables is None or root is None:

@@ -1,7 +1,7 @@
 """Values that cannot be known: what a macro's parameters are while nobody calls it.
 
-A macro library is linted by calling its macros with such values. Whatever is worked out from one is one again, so no rule
-can claim anything that depends on it.
+A macro library is linted by calling its macros with such values. Whatever is worked out from one is one again, so no
+rule can claim anything that depends on it.
 """
 
 from __future__ import annotations
@@ -36,6 +36,7 @@ class Opaque:
         return self
 
     def __call__(self, *_: object, **__: object) -> Opaque:
+        """A value that is not known either."""
         return self
 
     def _itself(self, *_: object) -> Opaque:
