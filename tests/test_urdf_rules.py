@@ -205,6 +205,24 @@ def test_the_root_with_the_most_below_it_is_the_one_that_stays(tmp_path: Path) -
     assert found.message == "link 'lost' is the child of no joint, so it is a second root beside 'world'"
 
 
+def test_a_link_with_two_parents_is_counted_once(tmp_path: Path) -> None:
+    again = '<joint name="again" type="fixed"><parent link="base"/><child link="tool"/></joint>'
+    text = with_more(joint(LIMIT), again + '<link name="lost"/>')
+    assert told(tmp_path, text) == ["UC107 warning", "UC105 error"]
+
+
+def test_of_a_long_circle_the_first_links_are_named(tmp_path: Path) -> None:
+    names = "abcdefg"
+    links = "".join(f'<link name="{name}"/>' for name in names)
+    joints = "".join(
+        f'<joint name="{a}{b}" type="fixed"><parent link="{a}"/><child link="{b}"/></joint>'
+        for a, b in zip(names, names[1:] + names[0], strict=True)
+    )
+    (found,) = findings(tmp_path, f'<robot name="ring">{links}{joints}</robot>')
+    told = "links 'a', 'b', 'c', 'd', 'e' and 2 more are children of each other in a circle, so the robot has no root"
+    assert found.message == told
+
+
 def test_an_unknown_link_is_told_once_and_not_as_a_second_root_too(tmp_path: Path) -> None:
     assert told(tmp_path, joint(LIMIT).replace('child link="tool"', 'child link="tol"')) == ["UC116 error"]
 
@@ -219,6 +237,58 @@ def test_joints_that_mimic_each_other_are_told_once(tmp_path: Path) -> None:
     followers = [hung(name, "base", inside='<mimic joint="a_joint"/>') for name in "bc"]
     (found,) = findings(tmp_path, robot(leader + "".join(followers)))
     assert found.message == "joint 'a_joint' mimics itself by way of 'b_joint'"
+
+
+def test_empty_names_are_taken_by_urdfdom_and_refused_by_gazebo(tmp_path: Path) -> None:
+    assert told(tmp_path, robot("").replace('name="arm"', 'name=""')) == ["UC102 warning"]
+    assert told(tmp_path, joint(LIMIT).replace('name="wrist"', 'name=""')) == ["UC109 warning"]
+    assert told(tmp_path, joint(LIMIT + '<mimic joint=""/>')) == ["UC119 warning"]
+
+
+def test_a_link_without_name_may_be_alone(tmp_path: Path) -> None:
+    assert told(tmp_path, '<robot name="r"><link/></robot>') == ["UC108 warning"]
+
+
+def test_a_parent_needs_the_name_of_a_link(tmp_path: Path) -> None:
+    (found,) = findings(tmp_path, joint(LIMIT).replace('parent link="base"', 'parent name="base"'))
+    assert found.message == "<parent> of joint 'wrist' has no 'link'"
+    (found,) = findings(tmp_path, joint(LIMIT).replace('parent link="base"', 'parent link=""'))
+    assert found.message == "<parent> of joint 'wrist' names no link"
+
+
+@pytest.mark.parametrize(("written", "meant"), [("hinge", "revolute"), ("slider", "prismatic"), ("fixd", "fixed")])
+def test_types_of_other_formats_are_translated(tmp_path: Path, written: str, meant: str) -> None:
+    (found,) = findings(tmp_path, joint(LIMIT, written))
+    assert found.message.endswith(f"did you mean '{meant}'?")
+    assert found.fix
+    assert not found.fix.safe
+
+
+def test_a_type_that_urdf_does_not_have_is_told_with_those_it_has(tmp_path: Path) -> None:
+    (found,) = findings(tmp_path, joint(LIMIT, "ball"))
+    assert found.message.endswith("URDF knows revolute, continuous, prismatic, fixed, floating, planar")
+
+
+def test_a_floating_joint_is_less_of_a_matter_on_hardware(tmp_path: Path) -> None:
+    assert told(tmp_path, joint("", "floating")) == ["UC122 warning"]
+    assert told(tmp_path, joint("", "floating"), simulator="none") == ["UC122 info"]
+
+
+def test_an_axis_without_xyz_is_zero(tmp_path: Path) -> None:
+    (found,) = findings(tmp_path, joint(f"<axis/>{LIMIT}"))
+    assert found.message == "<axis> of joint 'wrist' has no 'xyz', and is read as 0 0 0"
+
+
+def test_limits_that_are_not_written_are_0(tmp_path: Path) -> None:
+    (found,) = findings(tmp_path, joint('<limit upper="-1" effort="1" velocity="1"/>'))
+    assert found.message == "'lower' of joint 'wrist' is 0, above 'upper', -1 (0 where not written)"
+    assert found.fix is None
+
+
+def test_a_number_too_small_for_gazebo_is_told_of_links_too(tmp_path: Path) -> None:
+    text = joint(LIMIT, link=MASS.replace('ixy="0"', 'ixy="1e-320"'))
+    assert told(tmp_path, text) == ["UC139 warning"]
+    assert told(tmp_path, text, simulator="none") == []
 
 
 # -- parts of robots -------------------------------------------------------------------------------------------------
@@ -321,6 +391,62 @@ def test_rounding_of_an_inertia_matters_to_ros_2_only(tmp_path: Path) -> None:
     assert told(tmp_path, joint(LIMIT, link=inertial), distro="noetic") == []
 
 
+def test_a_negative_mass_is_told_of_links_that_do_not_move_too(tmp_path: Path) -> None:
+    text = joint("", "fixed", MASS.replace('mass value="1"', 'mass value="-1"'))
+    assert told(tmp_path, text) == ["UC135 warning"]
+
+
+def test_an_origin_that_cannot_be_read_costs_the_inertial(tmp_path: Path) -> None:
+    (found,) = findings(tmp_path, joint(LIMIT, link=MASS.replace("<mass", '<origin xyz="0 0"/><mass')))
+    assert found.message.endswith("'0 0': it has 2 numbers; 3 are read; the <inertial> is dropped")
+
+
+def test_what_is_not_read_may_be_malformed(tmp_path: Path) -> None:
+    assert told(tmp_path, joint(LIMIT + '<limit effort="much"/>')) == ["UC153 warning"]
+
+
+def test_an_inertial_is_whole_or_dropped(tmp_path: Path) -> None:
+    (found,) = findings(tmp_path, joint(LIMIT, link='<inertial><mass value="1"/></inertial>'))
+    assert found.message == "<inertial> of link 'tool' has no <inertia>, and is dropped"
+
+
+def test_what_a_library_leaves_open_is_not_missing(tmp_path: Path) -> None:
+    text = """<robot name="lib" xmlns:xacro="http://www.ros.org/wiki/xacro">
+      <xacro:macro name="part" params="name *inertial">
+        <link name="${name}"><inertial><xacro:insert_block name="inertial"/><xacro:from_elsewhere/></inertial></link>
+        <joint name="${name}_joint" type="revolute"><xacro:from_elsewhere/></joint>
+      </xacro:macro>
+    </robot>"""
+    assert told(tmp_path, text, "lib.xacro") == []
+
+
+def test_a_fault_in_a_library_is_found_where_it_stands(tmp_path: Path) -> None:
+    text = """<robot name="lib" xmlns:xacro="http://www.ros.org/wiki/xacro">
+      <xacro:macro name="part" params="name">
+        <link name="${name}"><inertial><mass value="1kg"/></inertial></link>
+        <joint name="${name}_joint" type="Fixed"/>
+      </xacro:macro>
+    </robot>"""
+    assert told(tmp_path, text, "lib.xacro") == ["UC139 warning", "UC121 error"]
+
+
+@pytest.mark.parametrize(
+    ("shape", "expected"),
+    [
+        ('<box size="1 1 1"/>', ["UC137 info"]),
+        ('<cylinder length="1" radius="0.2"/>', ["UC137 info"]),
+        ('<sphere radius="0.5"/>', ["UC137 info"]),
+        ('<box size="1 1"/>', ["UC139 warning"]),
+        ('<box size="0.001 0.001 0.001"/>', []),
+        ("<mesh filename='http://x/a.stl'/>", []),
+        ("<cone/>", ["UC141 warning"]),
+    ],
+)
+def test_the_size_of_a_link_is_that_of_its_simple_shapes(tmp_path: Path, shape: str, expected: list[str]) -> None:
+    link = MASS.replace("0.1", "1e-8") + f"<collision><geometry>{shape}</geometry></collision>"
+    assert told(tmp_path, joint(LIMIT, link=link)) == expected
+
+
 # -- limits ----------------------------------------------------------------------------------------------------------
 
 COMMANDED = """<transmission name="t"><type>transmission_interface/SimpleTransmission</type>
@@ -402,3 +528,34 @@ def test_what_other_readers_take_is_no_slip(tmp_path: Path) -> None:
 def test_slips_in_elements_are_told(tmp_path: Path, written: str, meant: str) -> None:
     (found,) = findings(tmp_path, joint(f"{LIMIT}<{written}/>"))
     assert found.message == f"<{written}> of joint 'wrist' is ignored; did you mean <{meant}>?"
+
+
+def test_colours_are_four_numbers(tmp_path: Path) -> None:
+    for rgba in ("1 0 0", "red", "1 0 0 -1", "1,0,0,1"):
+        assert told(tmp_path, shown(f'<material name="m"><color rgba="{rgba}"/></material>')) == ["UC147 warning"]
+
+
+def test_materials_of_the_robot_need_a_name(tmp_path: Path) -> None:
+    assert told(tmp_path, robot('<material><color rgba="1 0 0 1"/></material>')) == ["UC144 warning"]
+
+
+def test_a_mesh_without_file_name_is_told(tmp_path: Path) -> None:
+    mesh = '<visual><geometry><mesh filename=""/></geometry></visual>'
+    assert told(tmp_path, joint(LIMIT, link=MASS + mesh)) == ["UC142 warning"]
+
+
+def test_of_a_folder_without_any_mesh_one_is_told(tmp_path: Path) -> None:
+    (tmp_path / "package.xml").write_text("<package><name>arm</name></package>")
+    visual = '<visual><geometry><mesh filename="package://arm/meshes/{}.stl"/></geometry></visual>'
+    text = joint(LIMIT, link=MASS + visual.format("a") + visual.format("b") + visual.format("c"))
+    (found,) = findings(tmp_path, text)
+    assert found.message.endswith("a mesh of link 'tool', nor any other of 3 in its folder")
+    (tmp_path / "meshes").mkdir()
+    (tmp_path / "meshes" / "a.stl").write_text("solid a")
+    assert [d.code for d in findings(tmp_path, text)] == ["UC149", "UC149"]
+
+
+def test_of_a_package_that_is_not_found_one_mesh_is_told(tmp_path: Path) -> None:
+    visual = '<visual><geometry><mesh filename="package://nowhere/{}.stl"/></geometry></visual>'
+    (found,) = findings(tmp_path, joint(LIMIT, link=MASS + visual.format("a") + visual.format("b")))
+    assert found.message == "package 'nowhere' of a mesh is not found (2 meshes)"

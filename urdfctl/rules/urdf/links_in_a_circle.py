@@ -51,6 +51,5 @@ def links_in_a_circle(project: Project) -> Iterator[Finding]:
         if len(names) > 1:
             what = f"links {in_words(names)} are children of each other in a circle"
         told = "so the robot has no root" if no_root else "and nothing joins the circle to the rest of the robot"
-        end = circle[0].child
-        if end is not None:
-            yield Finding(end.at, f"{what}, {told}", severity=None if no_root else Severity.WARNING)
+        at = circle[0].child.at if circle[0].child else circle[0].at
+        yield Finding(at, f"{what}, {told}", severity=None if no_root else Severity.WARNING)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.model.robot import Mesh
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.urdf.common import is_known, label, robot_in
 
@@ -52,20 +53,23 @@ from urdfctl.rules.urdf.common import is_known, label, robot_in
 def mesh_not_found(project: Project) -> Iterator[Finding]:
     """The file of a mesh does not exist.
 
-    urdfdom does not look. RViz shows nothing there, and Gazebo leaves the shape out: the link touches nothing.
+    urdfdom does not look. RViz shows nothing there, and Gazebo leaves the shape out: the link touches nothing. Of a folder
+    of which no mesh is there, the first one is told.
     """
     robot = robot_in(project)
-    told = set()
+    lost: dict[str, dict[str, Mesh]] = {}
+    existing = set()
     for mesh in robot.meshes if robot else ():
-        file = mesh.file
-        if (
-            file is None
-            or file.exists
-            or not file.package_found
-            or mesh.filename in told
-            or not is_known(mesh.filename)
-        ):
+        folder = mesh.filename.rpartition("/")[0]
+        if mesh.file is None or not mesh.file.package_found or not is_known(mesh.filename):
             continue
-        told.add(mesh.filename)
-        hint = f"; did you mean '{file.nearest}'?" if file.nearest else ""
-        yield Finding(mesh.at, f"no such file: '{mesh.filename}', a mesh of {label('link', mesh.link)}{hint}")
+        if mesh.file.exists:
+            existing.add(folder)
+        else:
+            lost.setdefault(folder, {}).setdefault(mesh.filename, mesh)
+    for folder, meshes in lost.items():
+        told = list(meshes.values())
+        more = "" if folder in existing or len(told) == 1 else f", nor any other of {len(told)} in its folder"
+        for mesh in told[:1] if more else told:
+            hint = f"; did you mean '{mesh.file.nearest}'?" if mesh.file and mesh.file.nearest and not more else ""
+            yield Finding(mesh.at, f"no such file: '{mesh.filename}', a mesh of {label('link', mesh.link)}{more}{hint}")

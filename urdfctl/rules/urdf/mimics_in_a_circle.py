@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.model.robot import Mimic
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.urdf.common import in_words, robot_in
 
@@ -44,19 +45,16 @@ def mimics_in_a_circle(project: Project) -> Iterator[Finding]:
     robot = robot_in(project)
     if robot is None:
         return
-    joints = {joint.name: joint for joint in robot.joints if joint.name}
-    leaders = {name: joint.mimic.joint for name, joint in joints.items() if joint.mimic and joint.mimic.joint}
+    leaders = {joint.name: joint.mimic for joint in robot.joints if joint.name and joint.mimic}
     done: set[str] = set()
     for name in leaders:
-        way: dict[str, None] = {}
-        step: str | None = name
-        while step is not None and step not in way and step not in done:
-            way[step] = None
-            step = leaders.get(step)
+        way: dict[str, Mimic] = {}
+        step = name
+        while step in leaders and step not in way and step not in done:
+            way[step] = leaders[step]
+            step = way[step].joint or ""
         if step in way:
-            circle = list(way)[list(way).index(step or "") :]
-            mimic = joints[circle[0]].mimic
-            if mimic is not None:
-                told = "itself" if len(circle) == 1 else f"itself by way of {in_words(circle[1:])}"
-                yield Finding(mimic.at["joint"], f"joint '{circle[0]}' mimics {told}")
+            circle = list(way)[list(way).index(step) :]
+            told = "itself" if len(circle) == 1 else f"itself by way of {in_words(circle[1:])}"
+            yield Finding(way[step].at["joint"], f"joint '{step}' mimics {told}")
         done.update(way)
