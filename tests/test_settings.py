@@ -16,10 +16,10 @@ from urdfctl.settings import Settings, checked, passed_on
         (Settings(distro="noetik"), "unknown distro 'noetik'; did you mean 'noetic'?"),
         (Settings(distro="Jazzy"), "unknown distro 'Jazzy'; did you mean 'jazzy'?"),
         (Settings(distro="xyz"), "unknown distro 'xyz'"),
+        (Settings(simulator="ode"), "unknown simulator 'ode'; known are gz, gazebo-classic, mujoco, none"),
         (
-            Settings(simulator="gazebo_classic"),
-            "unknown simulator 'gazebo_classic'; did you mean 'gazebo-classic'?; "
-             "known are gz, gazebo-classic, mujoco, none",
+            Settings(simulator="mujoko"),
+            "unknown simulator 'mujoko'; did you mean 'mujoco'?; known are gz, gazebo-classic, mujoco, none",
         ),
         (Settings(workspace="nowhere"), "no such folder: 'nowhere'"),
         (Settings(package_paths=(".", "nowhere")), "no such folder: 'nowhere'"),
