@@ -201,7 +201,35 @@ def test_macros_that_double_their_calls_are_cut_off(tmp_path: Path) -> None:
         f'<xacro:macro name="m{n + 1}"><xacro:m{n}/><xacro:m{n}/></xacro:macro>' for n in range(22)
     )
     (found,) = problems(tmp_path, body + "<xacro:m22/>")
-    assert found.endswith("BUDGET the description is not expanded: more than 20000 macro calls")
+    assert found.endswith("more than 20000 macro calls, includes and inserted blocks")
+
+
+def test_blocks_that_double_are_cut_off(tmp_path: Path) -> None:
+    body = '<xacro:property name="p0"><a/></xacro:property>'
+    for n in range(30):
+        twice = f'<xacro:insert_block name="p{n}"/>' * 2
+        body += f'<xacro:property name="p{n + 1}">{twice}</xacro:property>'
+    (found,) = problems(tmp_path, body + '<xacro:insert_block name="p30"/>')
+    assert " BUDGET the description is not expanded: more than 20000 " in found
+
+
+def test_includes_that_double_are_cut_off(tmp_path: Path) -> None:
+    others = {"i30.xacro": "<robot/>"}
+    for n in range(30):
+        twice = f'<xacro:include filename="i{n + 1}.xacro"/>' * 2
+        others[f"i{n}.xacro"] = f"<robot {NAMESPACE}>{twice}</robot>"
+    (found,) = problems(tmp_path, '<xacro:include filename="i0.xacro"/>', others)
+    assert " BUDGET the description is not expanded: more than 20000 " in found
+
+
+def test_a_robot_may_be_nested_as_deep_as_it_can_be_written(tmp_path: Path) -> None:
+    def nested(calls: int) -> str:
+        inner = '<xacro:if value="${n > 0}"><xacro:m n="${n - 1}"/></xacro:if>'
+        macro = f'<xacro:macro name="m" params="n">{"<l>" * 20}{inner}{"</l>" * 20}</xacro:macro>'
+        return ours(laid_out(tmp_path, {"r.xacro": robot(f'{macro}<xacro:m n="{calls}"/>')}))
+
+    assert nested(90).count("<l") == 20 * 91
+    assert nested(200) == "error: the description is not expanded: macros or expressions nest too deeply"
 
 
 # -- what a run is given ----------------------------------------------------------------------------------------------

@@ -58,8 +58,6 @@ class Expansion(NamedTuple):
         return self.document is not None and not self.library and all(p.kind in HARMLESS for p in self.problems)
 
 
-
-
 class Expander:
     """Expands one file once. `trust` lets its expressions and DOCTYPEs do whatever xacro lets them."""
 
@@ -166,11 +164,6 @@ class Expander:
             return False
         if name == "xacro:call":  # comes back here under the macro's own name
             return bool(self._originals["handle_macro_call"](node, macros, symbols))
-        self._called += 1
-        if self._called > MAX_CALLS:
-            raise OverBudget(f"more than {MAX_CALLS} macro calls")
-        if self.cloning.count > MAX_ELEMENTS:
-            raise OverBudget(f"more than {MAX_ELEMENTS} elements")
         self._enter(self._call("macro", node))
         handled = self._originals["handle_macro_call"](node, macros, symbols)
         self._leave()
@@ -186,7 +179,15 @@ class Expander:
             self.calls[-1].definition = body.at.span
         return found
 
+    def _spend(self) -> None:
+        self._called += 1
+        if self._called > MAX_CALLS:
+            raise OverBudget(f"more than {MAX_CALLS} macro calls, includes and inserted blocks")
+        if self.cloning.count > MAX_ELEMENTS:
+            raise OverBudget(f"more than {MAX_ELEMENTS} elements")
+
     def _enter(self, call: Call) -> None:
+        self._spend()
         if len(self.calls) >= MAX_CALL_DEPTH:
             raise OverBudget(f"macros and includes call each other more than {MAX_CALL_DEPTH} deep")
         self.calls.append(call)
@@ -198,6 +199,7 @@ class Expander:
 
     def _check_attrs(self, node: Element, required: list[str], optional: list[str]) -> Any:
         if node.tagName == "xacro:insert_block":
+            self._spend()
             self.cloning.insertion = node
         elif node.tagName in ("xacro:if", "xacro:unless"):
             for problem in repeated_condition(node):

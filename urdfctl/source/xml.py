@@ -92,6 +92,7 @@ class _Builder:
         for index in range(0, len(attributes), 2):
             values[self._qualified_name(attributes[index])] = attributes[index + 1]
         start = self.parser.CurrentByteIndex
+        self._cloning.count += 1
         element = Element(self._qualified_name(name), values, self.source, start, self._call, self._cloning)
         self._current.appendChild(element)
         if self._depth == 1:
