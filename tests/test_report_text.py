@@ -1,0 +1,246 @@
+"""The text and concise reports: what stands where, on a terminal and off it."""
+
+from __future__ import annotations
+
+import os
+import pty
+import subprocess
+import sys
+from collections.abc import Mapping
+
+import pytest
+from folder import Folder, environment
+
+from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Severity, Step
+from urdfctl.lint import Linted, Outcome
+from urdfctl.report import concise, text
+from urdfctl.report.common import Report, shown, visible
+
+
+def at(folder: Folder, name: str, start: tuple[int, int], end: tuple[int, int] | None = None) -> Location:
+    return Location(str(folder.path / name), *start, *(end or start), 0, 0)
+
+
+def fault(where: Location, excerpt: str = "", message: str = "it is wrong") -> Diagnostic:
+    return Diagnostic("UC901", "wrong", Severity.ERROR, message, where, excerpt=excerpt)
+
+
+def robot(
+    folder: Folder, name: str = "r.xacro", distro: str | None = "noetic", source: str | None = "--distro"
+) -> Linted:
+    path = str(folder.path / name)
+    nothing = Outcome([], [])
+    return Linted(path, 1 if distro else None, distro, source, None, True, False, "r", 2, (path,), nothing)
+
+
+def test_a_finding_shows_its_line_its_way_its_notes_and_its_fix(folder: Folder) -> None:
+    one = Diagnostic(
+        "UC901",
+        "wrong",
+        Severity.WARNING,
+        "joint 'elbow' is wrong",
+        at(folder, "urdf/wheel.xacro", (12, 7), (12, 26)),
+        (
+            (
+                Step(str(folder.path / "urdf/axle.xacro"), 4, 3, "macro wheel"),
+                Step(str(folder.path / "r.xacro"), 9, 1, "include axle.xacro"),
+            ),
+            (Step(str(folder.path / "r.xacro"), 20, 5, "block"),),
+        ),
+        (
+            Remark("it was said here", at(folder, "urdf/wheel.xacro", (3, 1))),
+            Remark("or there", at(folder, "b", (1, 2))),
+        ),
+        Repair("make it right", safe=True),
+        '      <joint name="elbow"/>  <!-- x -->',
+    )
+    assert text.render(Report((robot(folder),), (one,))) == (
+        "urdf/wheel.xacro:12:7: warning UC901 joint 'elbow' is wrong\n"
+        '  12 |       <joint name="elbow"/>  <!-- x -->\n'
+        "     |       ^^^^^^^^^^^^^^^^^^^\n"
+        "  note: in the call of macro 'wheel' at urdf/axle.xacro:4:3, included at r.xacro:9:1\n"
+        "  note: inserted as a block at r.xacro:20:5\n"
+        "  note: it was said here (line 3)\n"
+        "  note: or there (b:1:2)\n"
+        "  fix: make it right\n"
+        "1 warning in r.xacro (noetic)\n"
+    )
+    assert concise.render(Report((robot(folder),), (one,))) == (
+        "urdf/wheel.xacro:12:7: warning UC901 joint 'elbow' is wrong\n"
+    )
+
+
+def test_of_many_chains_four_are_shown(folder: Folder) -> None:
+    chains = tuple((Step("/r.xacro", line, 1, "macro m"),) for line in range(1, 8))
+    told = text.render(Report((), (fault(at(folder, "r.xacro", (1, 1)))._replace(expanded_from=chains),)))
+    assert told.count("in the call of") == 4
+    assert "  note: and in 3 more calls\n" in told
+
+
+def caret(told: str) -> tuple[str, str]:
+    """The part of the source line that the carets stand under, and the carets."""
+    lines = told.splitlines()
+    marks = lines[2]
+    start = marks.index("^")
+    return lines[1][start : len(marks)], marks[start:]
+
+
+@pytest.mark.parametrize(
+    ("line", "columns", "under"),
+    [
+        ('<joint name="é"/> x', (1, 18), '<joint name="é"/>'),
+        ('\t\t<joint name="a"/>', (3, 20), '<joint name="a"/>'),
+        ('<link name="腕" x="y"/>', (12, 17), '"腕" x'),
+        ("<joint>", (3, 3), "o"),
+        ("", (1, 1), ""),
+    ],
+)
+def test_the_caret_stands_under_what_is_meant(folder: Folder, line: str, columns: tuple[int, int], under: str) -> None:
+    where = at(folder, "r.xacro", (1, columns[0]), (1, columns[1]))
+    told = text.render(Report((), (fault(where, line),)))
+    if not under:
+        assert told.splitlines()[1] == "1 error in 0 robots"
+        return
+    assert caret(told) == (under, "^" * len(under))
+
+
+def test_an_element_of_several_lines_is_underlined_to_the_end_of_its_first(folder: Folder) -> None:
+    where = at(folder, "r.xacro", (4, 3), (5, 20))
+    assert caret(text.render(Report((), (fault(where, '  <joint name="a"   '),))))[0] == '<joint name="a"'
+
+
+@pytest.mark.parametrize("start", [1, 80, 400, 995])
+def test_of_a_long_line_the_part_around_the_fault_is_shown(folder: Folder, start: int) -> None:
+    line = "".join(chr(ord("a") + number % 26) for number in range(1000))
+    where = at(folder, "r.xacro", (1, start), (1, start + 5))
+    told = text.render(Report((), (fault(where, line),)))
+    assert len(told.splitlines()[1]) <= 170
+    assert caret(told) == (line[start - 1 : start + 4], "^^^^^")
+
+
+def test_what_a_file_writes_does_not_speak_to_the_terminal(folder: Folder) -> None:
+    line = '<joint name="\x1b[31m\x07\u202e\x9b"/>'
+    one = fault(at(folder, "a\x1b[2J\nb.xacro", (1, 1), (1, 8)), line, "joint '\x1b[31m\n' is wrong")
+    one = one._replace(notes=(Remark("\x1b]0;x\x07"),), fix=Repair("\x1b", safe=False))
+    for told in (text.render(Report((), (one,))), concise.render(Report((), (one,)))):
+        assert not set(told) & set("\x1b\x07\u202e\x9b")
+        assert told.splitlines()[0] == r"a\x1b[2J\nb.xacro:1:1: error UC901 joint '\x1b[31m\n' is wrong"
+    assert caret(text.render(Report((), (one,))))[0] == "<joint "
+
+
+def test_plain_words_stay_as_they_are() -> None:
+    assert visible("größer als 腕 🦾") == "größer als 腕 🦾"
+
+
+def test_paths_are_relative_to_the_current_folder_and_absolute_outside_it(folder: Folder) -> None:
+    assert shown(str(folder.path / "urdf/r.xacro")) == "urdf/r.xacro"
+    assert shown("/elsewhere/r.xacro") == "/elsewhere/r.xacro"
+    assert shown(f"{folder.path}-other/r.xacro") == f"{folder.path}-other/r.xacro"
+    os.chdir("/")
+    assert shown("/elsewhere/r.xacro") == "elsewhere/r.xacro"
+
+
+@pytest.mark.parametrize(
+    ("severities", "counted"),
+    [
+        ("", "no findings"),
+        ("e", "1 error"),
+        ("eew", "2 errors, 1 warning"),
+        ("wwi", "2 warnings, 1 info"),
+        ("iii", "3 info"),
+    ],
+)
+def test_the_summary_counts(folder: Folder, severities: str, counted: str) -> None:
+    by_letter = {"e": Severity.ERROR, "w": Severity.WARNING, "i": Severity.INFO}
+    found = tuple(fault(at(folder, "r.xacro", (1, 1)))._replace(severity=by_letter[letter]) for letter in severities)
+    assert text.render(Report((robot(folder),), found)).splitlines()[-1] == f"{counted} in r.xacro (noetic)"
+
+
+def test_the_summary_says_what_the_distro_was_told_by(folder: Folder) -> None:
+    def summary(*robots: Linted) -> str:
+        return text.render(Report(robots, ()))
+
+    assert summary(robot(folder, source="$ROS_DISTRO")) == "no findings in r.xacro (noetic, from $ROS_DISTRO)\n"
+    assert summary(robot(folder, distro=None, source=None)) == "no findings in r.xacro\n"
+    generation = robot(folder, distro=None, source="package.xml")._replace(ros=2)
+    assert summary(generation) == "no findings in r.xacro (ROS 2, from package.xml)\n"
+    partly = robot(folder)._replace(complete=False)
+    assert summary(partly) == "no findings in r.xacro (noetic; not all of it could be expanded)\n"
+    assert summary(robot(folder, "a"), robot(folder, "b")) == "no findings in 2 robots\n"
+    assert text.render(Report((robot(folder),), (), others=2)) == (
+        "no findings in r.xacro and 2 files that no robot uses (noetic)\n"
+    )
+
+
+# -- as a process ----------------------------------------------------------------------------------------------------
+
+FAULTY = '<robot name="r"><link name="a"/><joint name="größe [bold]" type="sideways"/></robot>\n'
+
+
+def on_a_terminal(folder: Folder, *words: str, environ: Mapping[str, str | None] | None = None) -> str:
+    """What `urdfctl` writes when its output is a terminal."""
+    ours, theirs = pty.openpty()
+    changes = {"TERM": "xterm-256color", **(environ or {})}
+    process = subprocess.Popen(
+        [sys.executable, "-m", "urdfctl", *words], cwd=folder.path, env=environment(changes), stdout=theirs
+    )
+    os.close(theirs)
+    written = b""
+    while True:
+        try:
+            piece = os.read(ours, 65536)
+        except OSError:  # Linux tells the end of a terminal so
+            break
+        if not piece:
+            break
+        written += piece
+    os.close(ours)
+    process.wait(60)
+    return written.decode().replace("\r\n", "\n")
+
+
+def without_colours(written: str) -> str:
+    import re
+
+    return re.sub(r"\x1b\[[0-9;]*m", "", written)
+
+
+def test_a_terminal_gets_colours_and_the_same_words(folder: Folder) -> None:
+    folder.write({"r.urdf": FAULTY})
+    coloured = on_a_terminal(folder, "lint", "r.urdf")
+    plain = folder.run("lint", "r.urdf").stdout
+    assert "\x1b[1;31merror" in coloured
+    assert "größe [bold]" in plain
+    assert without_colours(coloured) == plain
+
+
+@pytest.mark.parametrize("environ", [{"NO_COLOR": "1"}, {"TERM": "dumb"}])
+def test_a_terminal_gets_none_where_they_are_not_wanted(folder: Folder, environ: dict[str, str]) -> None:
+    folder.write({"r.urdf": FAULTY})
+    assert on_a_terminal(folder, "lint", "r.urdf", environ=environ) == folder.run("lint", "r.urdf").stdout
+
+
+def test_a_pipe_and_a_file_get_none(folder: Folder) -> None:
+    folder.write({"r.urdf": FAULTY})
+    assert "\x1b" not in folder.run("lint", "r.urdf", environ={"TERM": "xterm-256color"}).stdout
+    on_a_terminal(folder, "lint", "r.urdf", "--format", "text=report.txt")
+    assert "\x1b" not in (folder.path / "report.txt").read_text()
+
+
+def test_a_terminal_gets_the_other_formats_plain(folder: Folder) -> None:
+    folder.write({"r.urdf": FAULTY})
+    for name in ("concise", "json"):
+        assert "\x1b" not in on_a_terminal(folder, "lint", "r.urdf", "--format", name)
+
+
+def test_a_terminal_gets_long_lines_whole(folder: Folder) -> None:
+    folder.write({"r.urdf": FAULTY.replace("größe", "x" * 300)})
+    coloured = on_a_terminal(folder, "lint", "r.urdf", environ={"COLUMNS": "40"})
+    assert without_colours(coloured) == folder.run("lint", "r.urdf").stdout
+
+
+def test_a_file_name_that_is_no_text_is_told_as_well_as_can_be(folder: Folder) -> None:
+    name = os.fsdecode(b"r\xff.urdf")
+    (folder.path / name).write_text(FAULTY)
+    assert folder.run("lint", name).stdout.startswith(f"{name}:1:")
+    assert "r\ufffd.urdf:1:" in without_colours(on_a_terminal(folder, "lint", name))
