@@ -140,6 +140,13 @@ def test_paths_are_relative_to_the_current_folder_and_absolute_outside_it(folder
     assert shown("/elsewhere/r.xacro") == "elsewhere/r.xacro"
 
 
+def test_paths_in_messages_are_shown_in_the_same_way(folder: Folder) -> None:
+    where = at(folder, "r.xacro", (1, 1))
+    one = fault(where, message=f"no such file: '{folder.path}/a b.xacro', nor {folder.path}/c:3, nor x{folder.path}/d")
+    told = concise.render(Report((), (one,)))
+    assert told == f"r.xacro:1:1: error UC901 no such file: 'a b.xacro', nor c:3, nor x{folder.path}/d\n"
+
+
 @pytest.mark.parametrize(
     ("severities", "counted"),
     [

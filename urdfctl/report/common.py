@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from typing import NamedTuple
 
 from urdfctl.diagnostic import Diagnostic, Location, Severity
@@ -42,14 +43,27 @@ def relative(diagnostic: Diagnostic) -> Diagnostic:
     """A diagnostic whose paths are as reports show them."""
     fix = diagnostic.fix
     if fix:
-        fix = fix._replace(edits=tuple(edit._replace(file=shown(edit.file)) for edit in fix.edits))
+        edits = tuple(edit._replace(file=shown(edit.file)) for edit in fix.edits)
+        fix = fix._replace(title=_said(fix.title), edits=edits)
     chains = diagnostic.expanded_from
     return diagnostic._replace(
+        message=_said(diagnostic.message),
         at=_located(diagnostic.at),
         expanded_from=tuple(tuple(step._replace(file=shown(step.file)) for step in chain) for chain in chains),
-        notes=tuple(note._replace(at=_located(note.at) if note.at else None) for note in diagnostic.notes),
+        notes=tuple(
+            note._replace(message=_said(note.message), at=_located(note.at) if note.at else None)
+            for note in diagnostic.notes
+        ),
         fix=fix,
     )
+
+
+def _said(message: str) -> str:
+    """A message whose paths are as reports show them."""
+    current = os.getcwd().rstrip(os.sep) + os.sep
+    if current == os.sep or current not in message:
+        return message
+    return re.sub(r"(?<![\w./-])" + re.escape(current), "", message)
 
 
 def _located(at: Location) -> Location:

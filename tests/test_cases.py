@@ -1,0 +1,55 @@
+"""Golden cases: each folder of tests/cases is linted from within, and what is printed stands in its expected.txt.
+
+The first line of a file `command` gives the arguments of `urdfctl lint`; without one the folder is linted. The last
+line of expected.txt is the exit status; <checkout> stands for where the checkout lies.
+To write the files anew, and then read the difference:
+
+    python tests/test_cases.py --update
+"""
+
+from __future__ import annotations
+
+import os
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from folder import CHECKOUT, environment
+
+CASES = Path(__file__).parent / "cases"
+NAMES = sorted(path.name for path in CASES.iterdir() if path.is_dir())
+
+
+def said(case: Path) -> str:
+    """What `urdfctl lint` prints in a case's folder, and its exit status."""
+    command = case / "command"
+    words = shlex.split(command.read_text(encoding="utf-8").splitlines()[0]) if command.exists() else ["."]
+    ran = subprocess.run(
+        [sys.executable, "-m", "urdfctl", "lint", *words],
+        cwd=case,
+        env=environment({"PYTHONPATH": os.pathsep.join(path for path in sys.path if path)}),
+        capture_output=True,
+        check=False,
+    )
+    told = f"{ran.stdout.decode()}{ran.stderr.decode()}exit status {ran.returncode}\n"
+    return told.replace(str(CHECKOUT), "<checkout>")
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_what_lint_says_of_a_case_is_as_it_was_read_and_approved(name: str) -> None:
+    expected = (CASES / name / "expected.txt").read_bytes().decode()
+    assert said(CASES / name) == expected, "python tests/test_cases.py --update, then read the difference"
+
+
+def main() -> None:
+    """Write what lint says now."""
+    if sys.argv[1:] != ["--update"]:
+        sys.exit(__doc__)
+    for name in NAMES:
+        (CASES / name / "expected.txt").write_bytes(said(CASES / name).encode())
+
+
+if __name__ == "__main__":
+    main()
