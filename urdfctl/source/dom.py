@@ -16,6 +16,10 @@ from urdfctl.source.span import Call, Place, SourceText
 ELEMENT, TEXT, CDATA, INSTRUCTION, COMMENT, DOCUMENT, DOCTYPE = 1, 3, 4, 7, 8, 9, 10
 
 
+_NOT_FOUND = NotFoundErr()
+"""Made once: xacro asks every element for an attribute that hardly any has."""
+
+
 class Node:
     """What all nodes share: a parent and siblings."""
 
@@ -53,7 +57,8 @@ class Node:
 
     def appendChild(self, child: Node) -> Node:
         """Put a node behind the last child, taking it from where it was."""
-        child._unlink()
+        if child.parentNode is not None:
+            child._unlink()
         last = self.lastChild
         child.parentNode = self
         child.previousSibling = last
@@ -112,7 +117,7 @@ class Text(Node):
     nodeName = "#text"
 
     def __init__(self, data: str, node_type: int = TEXT) -> None:
-        super().__init__()
+        self.parentNode = self.previousSibling = self.nextSibling = self.firstChild = self.lastChild = None
         self.data = data
         self.nodeType = node_type
 
@@ -228,7 +233,7 @@ class Element(Node):
 
     def removeAttribute(self, name: str) -> None:
         if name not in self.attrs:
-            raise NotFoundErr
+            raise _NOT_FOUND.with_traceback(None)
         del self.attrs[name]
 
     def getAttributeNode(self, name: str) -> _Attribute | None:
