@@ -183,6 +183,14 @@ def test_a_blank_behind_a_name_makes_it_another_name(tmp_path: Path) -> None:
     assert fixed(tmp_path, joint(LIMIT).replace('child link="tool"', 'child link="tool "')) == joint(LIMIT)
 
 
+def test_the_link_is_to_blame_where_the_joint_agrees_with_itself(tmp_path: Path) -> None:
+    text = joint(LIMIT).replace('"wrist"', '"imu_joint"').replace('child link="tool"', 'child link="imu_link"')
+    text = text.replace('link name="tool"', 'link name="mu_link"')
+    (found,) = findings(tmp_path, text)
+    assert found.message.endswith("not defined; is 'mu_link', which is no joint's child, meant to be it?")
+    assert fixed(tmp_path, text) == text.replace("mu_link", "imu_link").replace("iimu", "imu")
+
+
 def test_a_joint_from_a_link_to_itself_is_a_circle(tmp_path: Path) -> None:
     ends = '<parent link="a"/><child link="a"/>'
     alone = f'<robot name="r"><link name="a">{MASS}</link><joint name="j" type="fixed">{ends}</joint></robot>'
@@ -458,6 +466,31 @@ def test_a_velocity_limit_of_0_matters_where_the_joint_is_commanded(tmp_path: Pa
     passive = joint('<limit lower="-1" upper="1" effort="1" velocity="0"/>')
     assert told(tmp_path, passive) == []
     assert told(tmp_path, with_more(passive, COMMANDED)) == ["UC131 warning"]
+
+
+LIBRARY = """<robot name="lib" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="part" params="prefix">
+    <link name="${{prefix}}palm"/><link name="${{prefix}}finger"/>
+    <joint name="${{prefix}}finger_joint" type="prismatic">
+      <parent link="${{prefix}}palm"/><child link="${{prefix}}finger"/>{}
+    </joint>
+  </xacro:macro>
+</robot>"""
+
+
+def test_a_velocity_limit_of_0_matters_in_a_library_to_joints_that_look_driven(tmp_path: Path) -> None:
+    driven = LIBRARY.format('<limit lower="-1" upper="1" effort="1" velocity="0"/>')
+    assert told(tmp_path, driven, "lib.xacro") == ["UC131 warning"]
+    assert told(tmp_path, driven.replace('effort="1"', 'effort="0"'), "lib.xacro") == []
+    assert told(tmp_path, driven.replace('upper="1"', 'upper="-1"'), "lib.xacro") == []
+
+
+def test_a_mimic_joint_of_a_library_is_looked_for_in_it(tmp_path: Path) -> None:
+    text = LIBRARY.format(LIMIT + '<mimic joint="${{prefix}}gripper"/>'.replace("{{", "{").replace("}}", "}"))
+    (found,) = findings(tmp_path, text, "lib.xacro")
+    assert found.message == "joint '?finger_joint' mimics '?gripper', which is no joint"
+    assert told(tmp_path, text.replace("prefix}gripper", "prefix}"), "lib.xacro") == []
+    assert told(tmp_path, text.replace('name="${prefix}finger_joint"', 'name="${prefix}"'), "lib.xacro") == []
 
 
 def test_an_effort_limit_of_0_is_house_style(tmp_path: Path) -> None:

@@ -20,6 +20,11 @@ def is_known(*texts: str | None) -> bool:
     return not any(text and UNKNOWN in text for text in texts)
 
 
+def known_part(text: str) -> str:
+    """What is known of a text of which some could not be worked out."""
+    return text.replace(UNKNOWN, "")
+
+
 def severity_where(project: Project, refusing: Iterable[str]) -> Severity:
     """An error where every distro that the project may be for refuses the part, else a warning."""
     return Severity.ERROR if set(project.distros) <= set(refusing) else Severity.WARNING

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.urdf.common import Names, is_known, label, replaced, whole_robot_in
+from urdfctl.rules.urdf.tree import child_of
 
 
 @rule(
@@ -41,11 +42,25 @@ def unknown_link(project: Project) -> Iterator[Finding]:
     if robot is None:
         return
     links = Names(link.name for link in robot.links)
+    places = {link.name: link.at for link in robot.links}
+    children = {child_of(joint) for joint in robot.joints}
     for joint in robot.joints:
         for what, end in (("parent", joint.parent), ("child", joint.child)):
             if end is None or not end.name or end.name in links or not is_known(end.name):
                 continue
             meant = links.meant_by(end.name)
             message = f"{what} link '{end.name}' of {label('joint', joint.name)} is not defined"
+            if meant and what == "child" and meant not in children and _agrees(joint.name or "", end.name, meant):
+                at = places[meant]["name"]
+                fix = replaced(at, meant, end.name)
+                notes = (Note(f"the joint names '{end.name}'", end.at),)
+                yield Finding(at, f"{message}; is '{meant}', which is no joint's child, meant to be it?", notes, fix)
+                continue
             fix = replaced(end.at, end.name, meant) if meant else None
             yield Finding(end.at, message + (f"; did you mean '{meant}'?" if meant else ""), fix=fix)
+
+
+def _agrees(joint: str, written: str, link: str) -> bool:
+    """Whether a joint's name speaks for the link that it names, and not for the one that is defined."""
+    stem = joint.removesuffix("_joint").removeprefix("joint_")
+    return stem in written and stem not in link

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.urdf.common import Names, is_known, label, replaced, whole_robot_in
+from urdfctl.rules.urdf.common import Names, is_known, known_part, label, replaced, robot_in, whole_robot_in
 
 
 @rule(
     "UC117",
     severity=Severity.WARNING,
     authority="urdfdom urdf_parser/src/joint.cpp parseJointMimic() takes any name; joint_state_publisher and ros2_control look it up",
-    whole_robot=True,
     bad={
         "robot.urdf": """
             <link name="finger"/>
@@ -42,15 +41,18 @@ def unknown_mimic_joint(project: Project) -> Iterator[Finding]:
     urdfdom does not look. Whoever moves the joint finds nothing to follow: it stays where it is, or ros2_control refuses
     the description.
     """
-    robot = whole_robot_in(project)
-    if robot is None:
+    robot = robot_in(project) if project.library else whole_robot_in(project)
+    if robot is None or not (project.complete or project.library):
         return
-    joints = Names(joint.name for joint in robot.joints)
+    names = [joint.name or "" for joint in robot.joints]
+    if not all(known_part(name) for name in names):
+        return  # a library's joint of any name
+    joints = Names(names)
     for joint in robot.joints:
         mimic = joint.mimic
-        if mimic is None or not mimic.joint or mimic.joint in joints or not is_known(mimic.joint):
+        if mimic is None or not mimic.joint or mimic.joint in joints or not known_part(mimic.joint):
             continue
         meant = joints.meant_by(mimic.joint)
         message = f"{label('joint', joint.name)} mimics '{mimic.joint}', which is no joint"
-        fix = replaced(mimic.at["joint"], mimic.joint, meant) if meant else None
+        fix = replaced(mimic.at["joint"], mimic.joint, meant) if meant and is_known(meant) else None
         yield Finding(mimic.at["joint"], message + (f"; did you mean '{meant}'?" if meant else ""), fix=fix)

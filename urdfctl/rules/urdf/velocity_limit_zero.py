@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.model.robot import Limit
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.urdf.common import commanded_joints, label, robot_in
 
@@ -48,7 +49,8 @@ def velocity_limit_zero(project: Project) -> Iterator[Finding]:
     """A joint that is commanded has the velocity limit 0.
 
     Everything loads, and the joint never moves: no message tells why. An effort limit of 0 is another matter: many
-    well-kept robots have it, and position control does not ask for it.
+    well-kept robots have it, and position control does not ask for it. In a macro library nobody can see what commands
+    the joint; there it is one with an effort and a range.
     """
     robot = robot_in(project)
     if robot is None:
@@ -56,6 +58,17 @@ def velocity_limit_zero(project: Project) -> Iterator[Finding]:
     commanded = commanded_joints(robot)
     for joint in robot.joints:
         velocity = joint.limit.velocity if joint.limit else None
-        if velocity and velocity.value == 0 and joint.moves and joint.name in commanded and not joint.mimic:
+        if not velocity or velocity.value != 0 or not joint.moves:
+            continue
+        if joint.name in commanded and not joint.mimic:
             message = f"the velocity limit of {label('joint', joint.name)} is 0, so it never moves, and it is commanded"
             yield Finding(velocity.at, message)
+        elif project.library and joint.limit and _may_move(joint.limit):
+            message = f"the velocity limit of {label('joint', joint.name)} is 0: where it is commanded it never moves"
+            yield Finding(velocity.at, message)
+
+
+def _may_move(limit: Limit) -> bool:
+    """Whether the rest of a limit is that of a joint that is driven: it has an effort and a range."""
+    effort, lower, upper = (number.value if number else None for number in (limit.effort, limit.lower, limit.upper))
+    return bool(effort) and lower is not None and upper is not None and lower < upper
