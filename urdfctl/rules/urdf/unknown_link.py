@@ -51,10 +51,9 @@ def unknown_link(project: Project) -> Iterator[Finding]:
             meant = links.meant_by(end.name)
             message = f"{what} link '{end.name}' of {label('joint', joint.name)} is not defined"
             if meant and what == "child" and meant not in children and _agrees(joint.name or "", end.name, meant):
-                at = places[meant]["name"]
-                fix = replaced(at, meant, end.name)
-                notes = (Note(f"the joint names '{end.name}'", end.at),)
-                yield Finding(at, f"{message}; is '{meant}', which is no joint's child, meant to be it?", notes, fix)
+                at, note = places[meant]["name"], Note(f"the joint names '{end.name}'", end.at)
+                message += f"; is '{meant}', which is no joint's child, meant to be it?"
+                yield Finding(at, message, (note,), replaced(at, meant, end.name))
                 continue
             fix = replaced(end.at, end.name, meant) if meant else None
             yield Finding(end.at, message + (f"; did you mean '{meant}'?" if meant else ""), fix=fix)
