@@ -11,10 +11,12 @@ from collections.abc import Mapping
 import pytest
 from folder import Folder, environment
 
-from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Severity, Step
+from urdfctl.diagnostic import Diagnostic, Finding, Location, Remark, Repair, Severity, Step, diagnosed
 from urdfctl.lint import Linted, Outcome
 from urdfctl.report import concise, text
 from urdfctl.report.common import Report, shown, visible
+from urdfctl.serialise import diagnostic_from_json, diagnostic_to_json
+from urdfctl.source.span import Place, SourceText
 
 
 def at(folder: Folder, name: str, start: tuple[int, int], end: tuple[int, int] | None = None) -> Location:
@@ -116,6 +118,17 @@ def test_of_a_long_line_the_part_around_the_fault_is_shown(folder: Folder, start
     told = text.render(Report((), (fault(where, line),)))
     assert len(told.splitlines()[1]) <= 170
     assert caret(told) == (line[start - 1 : start + 4], "^^^^^")
+
+
+def test_of_a_long_line_only_the_part_around_the_fault_is_kept(folder: Folder) -> None:
+    line = "".join(chr(ord("a") + number % 26) for number in range(100_000))
+    source = SourceText(str(folder.path / "r.xacro"), line.encode())
+    for start in (0, 50_000, 99_990):
+        finding = Finding(Place(source, start, end=start + 5), "it is wrong")
+        one = diagnosed("UC901", "wrong", Severity.ERROR, finding)
+        assert len(one.excerpt) <= 400
+        assert caret(text.render(Report((), (one,)))) == (line[start : start + 5], "^^^^^")
+        assert diagnostic_from_json(diagnostic_to_json(one)) == one
 
 
 def test_what_a_file_writes_does_not_speak_to_the_terminal(folder: Folder) -> None:

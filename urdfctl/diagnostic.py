@@ -34,7 +34,7 @@ class Edit(NamedTuple):
 
 
 class Fix(NamedTuple):
-    """A repair: what it does, its edits (none where only a person can make them), and whether it is sure to be meant."""
+    """A repair: what it does, its edits (none where only a person can make them), and whether it is surely meant."""
 
     title: str
     edits: tuple[Edit, ...] = ()
@@ -104,7 +104,8 @@ class Repair(NamedTuple):
 
 
 class Diagnostic(NamedTuple):
-    """What a user gets: plain data, free of the trees it came from. `excerpt` is the source line it starts on."""
+    """What a user gets: plain data, free of the trees it came from. `excerpt` is the source line it starts on, or of a
+    long one the part around it; `excerpt_column` tells where that part begins."""
 
     code: str
     name: str
@@ -116,6 +117,7 @@ class Diagnostic(NamedTuple):
     fix: Repair | None = None
     excerpt: str = ""
     url: str | None = None
+    excerpt_column: int = 1
 
     @property
     def order(self) -> tuple[Location, str, str]:
@@ -126,18 +128,33 @@ class Diagnostic(NamedTuple):
 def diagnosed(code: str, name: str, severity: Severity, finding: Finding, url: str | None = None) -> Diagnostic:
     """The plain data of a finding."""
     fix = finding.fix
+    at = located(finding.at.span)
+    excerpt, excerpt_column = _excerpt(finding.at.source.line(at.line), at.column)
     return Diagnostic(
         code,
         name,
         severity,
         _told(finding.message),
-        located(finding.at.span),
+        at,
         _chains(finding.at),
         tuple(Remark(_told(note.message), located(note.at.span) if note.at else None) for note in finding.notes),
         Repair(_told(fix.title), fix.safe, _replacements(fix.edits)) if fix else None,
-        finding.at.source.line(finding.at.span.source.position(finding.at.span.start).line),
+        excerpt,
         url,
+        excerpt_column,
     )
+
+
+_MOST_EXCERPT = 400
+
+
+def _excerpt(line: str, column: int) -> tuple[str, int]:
+    """What is worth keeping of a line, and the column it begins at: a robot may stand on one line, and have a thousand
+    faults there."""
+    if len(line) <= _MOST_EXCERPT:
+        return line, 1
+    start = max(0, column - 1 - _MOST_EXCERPT // 2)
+    return line[start : start + _MOST_EXCERPT], start + 1
 
 
 def _told(message: str) -> str:

@@ -50,6 +50,7 @@ def diagnostic_to_json(diagnostic: Diagnostic) -> dict[str, Any]:
         "fix": [fix.title, fix.safe, [[e.file, e.start, e.end, e.text] for e in fix.edits]] if fix else None,
         "excerpt": diagnostic.excerpt,
         "url": diagnostic.url,
+        "excerpt_column": diagnostic.excerpt_column,
     }
 
 
@@ -67,6 +68,7 @@ def diagnostic_from_json(data: dict[str, Any]) -> Diagnostic:
         Repair(fix[0], fix[1], tuple(Replacement(*edit) for edit in fix[2])) if fix else None,
         data["excerpt"],
         data["url"],
+        data["excerpt_column"],
     )
 
 

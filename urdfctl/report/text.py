@@ -69,10 +69,10 @@ def _where(file: str, line_number: int, column: int, current: str) -> str:
 
 def _excerpt(diagnostic: Diagnostic) -> Iterator[Piece]:
     at = diagnostic.at
-    text, start = _of_one_column_each(diagnostic.excerpt), at.column - 1
+    text, start = _of_one_column_each(diagnostic.excerpt), at.column - diagnostic.excerpt_column
     cut = max(0, start - _WIDEST // 2) if len(text) > _WIDEST else 0
     text, start = text[cut : cut + _WIDEST], start - cut
-    end = at.end_column - 1 - cut if at.end_line == at.line else len(text.rstrip())
+    end = start + at.end_column - at.column if at.end_line == at.line else len(text.rstrip())
     number = str(at.line)
     margin = " " * len(number)
     yield Piece(f"  {number} | ", "dim")
