@@ -26,7 +26,7 @@ def _escapes() -> tuple[Escape, Escape]:
         escape("", attr=True)
     except TypeError:
         return escape, escape
-    return lambda text: escape(text, attr=True), escape
+    return lambda text: escape(text, attr=True), lambda text: escape(text, attr=False)
 
 
 def write(document: Document, made_from: str | None = None) -> str:
