@@ -59,7 +59,7 @@ def _run(words: list[str]) -> int:
     from urdfctl.cli.app import app
 
     try:
-        app()
+        app(prog_name="urdfctl")
     except SystemExit as leaving:
         return leaving.code if isinstance(leaving.code, int) else 0
     return 0

@@ -1,0 +1,106 @@
+"""The plain reading of `lint`'s words, without typer, agrees with typer's."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+import typer.main
+
+from urdfctl.cli.app import app
+from urdfctl.cli.lint_words import FLAGS, MANY, NAMES, ONE, plain_options
+from urdfctl.cli.words import codes, split_arguments
+
+LINT = typer.main.get_command(app).commands["lint"]  # type: ignore[attr-defined]
+OPTIONS = [parameter for parameter in LINT.params if parameter.param_type_name == "option" and parameter.name != "help"]
+
+
+def test_both_know_the_same_options() -> None:
+    assert {option for parameter in OPTIONS for option in parameter.opts} == {*ONE, *MANY, *FLAGS}
+    assert not [option for parameter in OPTIONS for option in parameter.secondary_opts]
+
+
+def test_both_know_which_options_take_a_value_and_of_what_type() -> None:
+    for parameter in OPTIONS:
+        [option] = parameter.opts
+        assert parameter.is_flag == (option in FLAGS), option
+        assert parameter.multiple == (option in MANY), option
+        if option in ONE:
+            assert parameter.type("7") == ONE[option]("7"), option
+            assert type(parameter.type("7")) is ONE[option], option
+
+
+def test_both_call_the_options_by_the_same_names() -> None:
+    for parameter in OPTIONS:
+        [option] = parameter.opts
+        assert NAMES.get(option, option.removeprefix("--").replace("-", "_")) == parameter.name
+
+
+def by_typer(words: list[str]) -> dict[str, Any]:
+    """What typer makes of some words, without what it fills in by itself."""
+    context = LINT.make_context("lint", list(words))
+    given = {
+        name: value
+        for name, value in context.params.items()
+        if str(context.get_parameter_source(name)).endswith("COMMANDLINE")
+    }
+    return {"paths": [], **{name: list(v) if isinstance(v, tuple) else v for name, v in given.items()}}
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        [],
+        ["robot.xacro"],
+        ["robot.xacro", "prefix:=left_", "b.urdf"],
+        ["a.xacro", "--distro", "noetic", "b.xacro", "--trust"],
+        ["--distro=noetic", "--simulator", "gz", "--start", "a,b", "--workspace", "."],
+        ["--distro", "noetic", "--distro", "jazzy"],
+        ["--package-path", "a", "--package-path=b", "--env", "HOME", "--env", "USER"],
+        ["--timeout", "3", "--memory", "512", "--jobs", "4"],
+        ["--timeout=1e1", "--memory=0", "--jobs=-1"],
+        ["--select", "UC2,UC3", "--ignore", "UC201", "--extend-select", "UC4"],
+        ["--format", "text", "--format", "json=a=b.json"],
+        ["--fail-on", "warning", "--exit-zero", "--exit-zero"],
+        ["--distro="],
+        ["--select", "", "x"],
+        [""],
+        ["größe.xacro", "mein Ordner/腕.urdf"],
+    ],
+)
+def test_both_make_the_same_of_plain_words(words: list[str]) -> None:
+    assert plain_options(words) == by_typer(words)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["--help"],
+        ["-h"],
+        ["--unheard-of"],
+        ["--distr", "noetic"],
+        ["--distro"],
+        ["--distro", "--trust"],
+        ["--timeout", "soon"],
+        ["--memory", "1.5"],
+        ["--trust=yes"],
+        ["--", "-odd.xacro"],
+        ["-x"],
+        ["-"],
+        ["a.xacro", "--jobs", "-1"],
+    ],
+)
+def test_what_is_not_plain_is_left_to_typer(words: list[str]) -> None:
+    assert plain_options(words) is None
+
+
+def test_arguments_are_told_from_paths_as_xacro_does() -> None:
+    words = ["a.xacro", "x:=1", "name:=a:=b", " y := 2 ", "empty:=", ":=nothing", "C:/robot.xacro", "url:=http://x"]
+    paths, arguments = split_arguments(words)
+    assert paths == ["a.xacro", "C:/robot.xacro"]
+    assert arguments == {"x": "1", "name": "a:=b", "y": "2", "url": "http://x"}
+
+
+def test_codes_come_apart_at_commas_in_any_case() -> None:
+    assert codes(["uc2, UC301 ,", "UC4"]) == ("UC2", "UC301", "UC4")
+    assert codes(None) == ()
