@@ -58,6 +58,11 @@ def test_as_many_jobs_as_asked_for_run_at_once() -> None:
 
 
 @needs_fork
+def test_more_jobs_at_once_than_files_may_be_open_are_no_crash() -> None:
+    assert results(lambda job: job, jobs=1500, parallel=100_000) == [{"number": number} for number in range(1500)]
+
+
+@needs_fork
 def test_a_result_larger_than_a_pipe_holds_arrives_whole() -> None:
     [found] = results(lambda job: {"text": "x" * 3_000_000})
     assert found == {"text": "x" * 3_000_000}

@@ -21,6 +21,8 @@ from urdfctl.source.budget import OverBudget
 Json = dict[str, Any]
 GRACE = 2.0
 MAX_RESULT = 64 << 20
+MOST_AT_ONCE = 128
+"""More would meet the limits on open files, and help nobody."""
 CAN_FORK = hasattr(os, "fork") and sys.platform != "win32"
 
 
@@ -51,13 +53,14 @@ def run(
     if not CAN_FORK:
         yield from _run_all_fresh(jobs, limits, parallel, fresh)
         return
+    at_once = min(max(parallel, 1), MOST_AT_ONCE)
     results: dict[int, Result] = {}
     pending = list(enumerate(jobs))[::-1]
     active: dict[int, _Worker] = {}
     try:
         for wanted in range(len(jobs)):
             while wanted not in results:
-                while pending and len(active) < max(parallel, 1):
+                while pending and len(active) < at_once:
                     index, job = pending.pop()
                     worker = _fork(index, job, perform, limits)
                     active[worker.pipe] = worker
@@ -212,7 +215,7 @@ def _parsed(text: bytes) -> Result:
 def _run_all_fresh(jobs: Sequence[Json], limits: Limits, parallel: int, fresh: str) -> Iterator[Result]:
     from concurrent.futures import ThreadPoolExecutor
 
-    pool = ThreadPoolExecutor(max(parallel, 1))
+    pool = ThreadPoolExecutor(min(max(parallel, 1), MOST_AT_ONCE))
     try:
         yield from pool.map(lambda job: _run_fresh(job, limits, fresh), jobs)
     finally:

@@ -41,6 +41,8 @@ def lint_words(  # noqa: PLR0913, PLR0917 (one for each option)
     jobs: int = 0,
 ) -> int:
     """Lint with the options of the command line, report it, and give the exit status."""
+    if jobs < 0:
+        raise UserError(f"--jobs is a number of robots, or 0 for as many as there are processors; not {jobs}")
     settings = settings_from(distro, simulator, start, workspace, package_path, env, trust, timeout, memory)
     wanted = Wanted(
         tuple(paths or ()),
