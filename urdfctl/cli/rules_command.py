@@ -95,10 +95,11 @@ def _output(rule: Rule) -> str:
         options, arguments = options_of(rule)
         try:
             os.chdir(folder)
-            selection = Selection(select=(rule.code,))
+            selection = Selection()
             settings = Settings(workspace=os.getcwd(), **options)  # type: ignore[arg-type]
             linted = Loader(settings, selection).lint(Target(next(iter(files)), arguments))
-            report = Report((), tuple(joined([linted.outcome], selection)))
+            found = [one for one in joined([linted.outcome], selection) if one.code == rule.code]
+            report = Report((), tuple(found))
             return textwrap.indent("\n".join(render(report).splitlines()[:-1]), "  ")
         finally:
             os.chdir(before)
