@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -300,6 +302,7 @@ SLOW = """\
 """
 
 
+@pytest.mark.skipif(shutil.which("ps") is None, reason="needs ps, to see the workers")
 def test_an_interrupt_ends_it_quietly_and_its_workers_too(folder: Folder) -> None:
     folder.write({"slow.xacro": SLOW})
     process = subprocess.Popen(
@@ -311,12 +314,26 @@ def test_an_interrupt_ends_it_quietly_and_its_workers_too(folder: Folder) -> Non
         text=True,
         start_new_session=True,
     )
-    time.sleep(0.35)
+    until(lambda: len(members(process.pid)) == 2)
     os.killpg(process.pid, signal.SIGINT)
     out, err = process.communicate(timeout=10)
     assert (process.returncode, out, err) == (130, "", "")
-    with pytest.raises(ProcessLookupError):
-        os.killpg(process.pid, 0)
+    until(lambda: not members(process.pid))
+
+
+def members(group: int) -> list[str]:
+    """The processes of a group that have not ended."""
+    listed = subprocess.run(["ps", "-A", "-o", "pgid=,stat=,pid="], capture_output=True, text=True, check=True).stdout
+    rows = [line.split() for line in listed.splitlines()]
+    return [pid for pgid, state, pid in rows if int(pgid) == group and not state.startswith("Z")]
+
+
+def until(holds: Callable[[], bool]) -> None:
+    """Wait until something holds, ten seconds at most."""
+    end = time.monotonic() + 10
+    while not holds():
+        assert time.monotonic() < end
+        time.sleep(0.02)
 
 
 @pytest.mark.parametrize(
