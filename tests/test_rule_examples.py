@@ -11,11 +11,12 @@ from urdfctl.diagnostic import Diagnostic
 from urdfctl.lint import Selection, joined
 from urdfctl.load import Loader, Target
 from urdfctl.rule import Rule
-from urdfctl.rules import CRASHED, RULES
+from urdfctl.rules import FAMILIES, all_rules
 from urdfctl.rules.examples import options_of, unmarked
 from urdfctl.settings import Settings
 
-WITH_EXAMPLES = [rule for rule in RULES if rule is not CRASHED]
+RULES = all_rules()
+WITH_EXAMPLES = [rule for rule in RULES if rule.code != "UC000"]
 
 
 def findings(folder: Path, rule: Rule, files: Mapping[str, str]) -> list[Diagnostic]:
@@ -57,3 +58,8 @@ def test_codes_and_names_are_unique_and_in_order() -> None:
     codes = [rule.code for rule in RULES]
     assert codes == sorted(set(codes))
     assert len({rule.name for rule in RULES}) == len(RULES)
+
+
+def test_each_family_holds_the_rules_of_its_codes_and_no_others() -> None:
+    for family in FAMILIES:
+        assert {rule.code[: len(family.prefix)] for rule in family.load()} == {family.prefix}

@@ -11,7 +11,7 @@ from urdfctl.diagnostic import Diagnostic, Finding, Location, Note, Remark, Seve
 from urdfctl.errors import UserError
 from urdfctl.model.project import Project
 from urdfctl.rule import Rule
-from urdfctl.rules import CRASHED, RULES, UNUSED_SUPPRESSION
+from urdfctl.rules import all_rules, rule_of, rules_for
 from urdfctl.source.budget import OverBudget
 from urdfctl.source.span import Place, SourceSpan, SourceText
 from urdfctl.source.suppressions import Suppressed
@@ -37,7 +37,7 @@ def selection(select: Iterable[str] = (), ignore: Iterable[str] = (), extend: It
     """A selection whose prefixes all mean something. UserError where one does not."""
     made = Selection(tuple(select), tuple(ignore), tuple(extend))
     for prefix in (*made.select, *made.ignore, *made.extend):
-        if not any(rule.code.startswith(prefix) for rule in RULES):
+        if not any(rule.code.startswith(prefix) for rule in all_rules()):
             raise UserError(f"no rule's code begins with '{prefix}'; see urdfctl rules")
     return made
 
@@ -80,7 +80,7 @@ def lint(
     project: Project,
     sources: Sequence[SourceText],
     selection: Selection,
-    rules: Iterable[Rule] = RULES,
+    rules: Iterable[Rule] | None = None,
     reached: Callable[[SourceSpan], bool] = lambda _: True,
 ) -> Outcome:
     """What the rules find in a project. A rule that crashes is a finding too, and the others go on. `reached` tells
@@ -88,8 +88,9 @@ def lint(
     found: list[Diagnostic] = []
     crashed = False
     suppressed = Suppressed(list(sources))
-    asked = [rule for rule in rules if selection.admits(rule.code) and _applies(rule, project)]
-    for rule in asked:
+    for rule in rules_for(project) if rules is None else rules:
+        if not (selection.admits(rule.code) and _applies(rule, project)):
+            continue
         try:
             found.extend(
                 _diagnostic(rule, project, finding)
@@ -101,8 +102,14 @@ def lint(
         except Exception as error:  # noqa: BLE001 (one broken rule must not hide what the others find)
             crashed = True
             found.append(_crash(rule, project, error))
-    silent = {rule.code for rule in RULES} - {rule.code for rule in asked if project.complete}
-    return Outcome(found, list(_uses(suppressed, silent, reached)), crashed)
+    uses = list(_uses(suppressed, _silent(project, selection), reached)) if suppressed.all else []
+    return Outcome(found, uses, crashed)
+
+
+def _silent(project: Project, selection: Selection) -> set[str]:
+    """The codes of the rules that were not asked, or that could not see the whole robot."""
+    spoke = [rule for rule in all_rules() if selection.admits(rule.code) and _applies(rule, project)]
+    return {rule.code for rule in all_rules()} - {rule.code for rule in spoke if project.complete}
 
 
 def _uses(
@@ -139,7 +146,8 @@ def _crash(rule: Rule, project: Project, error: Exception) -> Diagnostic:
         f"the rule {rule.code} {rule.name} crashed: {type(error).__name__}: {error} ({where.name}, line {where.lineno})"
     )
     finding = Finding(place, message, notes=(Note("this is a fault of urdfctl: please report it with this robot"),))
-    return diagnosed(CRASHED.code, CRASHED.name, CRASHED.severity, finding)
+    crashed = rule_of("UC000")
+    return diagnosed(crashed.code, crashed.name, crashed.severity, finding)
 
 
 # -- several projects ------------------------------------------------------------------------------------------------
@@ -192,9 +200,10 @@ def _unused(outcomes: Iterable[Outcome], selection: Selection) -> Iterator[Diagn
         for use in outcome.suppressions:
             known = uses.get(use.at)
             uses[use.at] = use._replace(used=use.used or (known is not None and known.used))
-    rule = UNUSED_SUPPRESSION
-    for use in uses.values() if selection.admits(rule.code) else ():
-        if not use.used:
+    unused = [use for use in uses.values() if not use.used]
+    if unused and selection.admits("UC099"):
+        rule = rule_of("UC099")
+        for use in unused:
             codes = ", ".join(use.codes) or "no code"
             message = f"nothing to ignore here: no finding of {codes} on this line or the next"
             yield Diagnostic(rule.code, rule.name, rule.severity, message, use.at, excerpt=use.excerpt)

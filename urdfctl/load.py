@@ -13,7 +13,7 @@ from urdfctl.lint import Linted, Outcome, Selection, lint
 from urdfctl.meshes import mesh_finder
 from urdfctl.model.build_robot import TOP_LEVEL, robot_of
 from urdfctl.model.project import Project
-from urdfctl.rules import CRASHED, OVER_BUDGET
+from urdfctl.rules import rule_of
 from urdfctl.serialise import linted_from_json, linted_to_json
 from urdfctl.settings import Settings
 from urdfctl.source.dom import Document
@@ -193,7 +193,7 @@ def dead(target: Target, settings: Settings, death: Died) -> Linted:
     """A worker's death as the one finding of its robot."""
     path = os.path.abspath(target.path)
     place = Place(SourceText(path, b""), 0, end=0)
-    rule = CRASHED if death.ours else OVER_BUDGET
+    rule = rule_of("UC000" if death.ours else "UC014")
     message = f"urdfctl crashed: {death.why}" if death.ours else f"the description is not linted: {death.why}"
     finding = diagnosed(rule.code, rule.name, rule.severity, Finding(place, message))
     outcome = Outcome([finding], [], crashed=death.ours)

@@ -1,4 +1,4 @@
-"""A rule: one function that looks at a project, with all that is to be known of it in its decorator and its docstring."""
+"""A rule: one function that looks at a project, with all that is to be known of it in decorator and docstring."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ Example = Mapping[str, str]
 class Rule(NamedTuple):
     """A rule as the engine, `urdfctl rules` and `urdfctl explain` see it.
 
-    In the texts of `bad_as_written` the place of the expected finding stands between « and ». `options` are those of the
-    command line that the examples are linted with. A rule with `whole_robot` is silent where a part of the robot could
+    In the texts of `bad_as_written` the place of the expected finding stands between « and ». `options` are those of
+    the command line that the examples are linted with. A rule with `whole_robot` is silent where a part of the robot could
     not be expanded; one that is not `in_library` where conditions are not decided, and alternatives stand side by side.
     """
 
@@ -83,7 +83,9 @@ def rule(  # noqa: PLR0913 (each is a thing to be known of a rule)
     """Make a rule of a function: its name is the function's, its summary and reason are the docstring's."""
 
     def made(check: Check) -> Rule:
-        return Rule(code, check, severity, authority, bad, good, tuple(distros), whole_robot, in_library, tuple(options))
+        return Rule(
+            code, check, severity, authority, bad, good, tuple(distros), whole_robot, in_library, tuple(options)
+        )
 
     return made
 

@@ -16,7 +16,7 @@ from urdfctl.load import Loader, Target
 from urdfctl.report.common import Report
 from urdfctl.report.text import render
 from urdfctl.rule import Rule
-from urdfctl.rules import RULES
+from urdfctl.rules import all_rules
 from urdfctl.rules.examples import options_of, unmarked
 from urdfctl.settings import Settings
 from urdfctl.suggest import did_you_mean
@@ -25,7 +25,7 @@ from urdfctl.suggest import did_you_mean
 def run_rules(output_format: str, prefixes: tuple[str, ...]) -> int:
     """List the rules as a table or as JSON."""
     selection = checked_selection(prefixes)
-    wanted = [rule for rule in RULES if selection.admits(rule.code)]
+    wanted = [rule for rule in all_rules() if selection.admits(rule.code)]
     if output_format == "json":
         print_text(json.dumps([_plain(rule) for rule in wanted], indent=1) + "\n")
     elif output_format == "text":
@@ -51,9 +51,9 @@ def _plain(rule: Rule) -> dict[str, object]:
 
 def run_explain(what: str) -> int:
     """Tell all that is known of one rule, with its example and the real output for it."""
-    rule = next((rule for rule in RULES if what.upper() == rule.code or what.lower() == rule.name), None)
+    rule = next((rule for rule in all_rules() if what.upper() == rule.code or what.lower() == rule.name), None)
     if rule is None:
-        known = [name for one in RULES for name in (one.code, one.name)]
+        known = [name for one in all_rules() for name in (one.code, one.name)]
         raise UserError(f"no rule '{what}'{did_you_mean(what, known)}; see urdfctl rules")
     print_text(explanation(rule))
     return 0

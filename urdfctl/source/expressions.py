@@ -11,6 +11,7 @@ import ast
 from collections.abc import Iterator
 from functools import lru_cache
 from types import CodeType
+from typing import Any
 
 from urdfctl.source.guards import MOST_PLACES, ForbiddenExpression, check_places
 
@@ -37,6 +38,7 @@ _GUARDED: dict[type[ast.operator], str] = {ast.Mult: "*", ast.Pow: "**", ast.LSh
 """Operators, and the names under which their guards are called; nobody can write such a name."""
 
 OPERATORS = (".", *_GUARDED.values())
+_SOMEWHERE: dict[str, Any] = {"lineno": 1, "col_offset": 0, "end_lineno": 1, "end_col_offset": 0}
 _LONGEST = 10_000
 _DEEPEST = 500
 
@@ -47,15 +49,16 @@ def compile_checked(expression: str, *, function: bool = False) -> CodeType:
     ForbiddenExpression where it leaves the allow-list, SyntaxError where it is no expression."""
     if len(expression) > _LONGEST:
         raise ForbiddenExpression(f"the expression is longer than {_LONGEST} characters")
+    if _is_harmless_name(expression) and not function:
+        return compile(expression, "<expression>", "eval")
     tree = ast.parse(expression, "<expression>", "eval")
-    _check_depth(tree)
-    nodes = list(ast.walk(tree))
+    nodes = _nodes(tree)
     called = {id(node.func) for node in nodes if isinstance(node, ast.Call)}
     for node in nodes:
         _check(node)
         if isinstance(node, ast.Attribute) and node.attr in _ONLY_CALLED and id(node) not in called:
             raise ForbiddenExpression(f"'{node.attr}' without a call is not allowed in an expression")
-    guarded = ast.fix_missing_locations(_Guarded().visit(tree))
+    guarded = _Guarded().visit(tree)
     if not function:
         return compile(guarded, "<expression>", "eval")
     given = [ast.arg(arg=name) for name in OPERATORS]
@@ -77,11 +80,13 @@ class _Guarded(ast.NodeTransformer):
 
     def visit_Attribute(self, node: ast.Attribute) -> ast.expr:
         self.generic_visit(node)
-        return _call(".", node.value, ast.Constant(value=node.attr))
+        name = ast.Constant(value=node.attr, kind=None, **_SOMEWHERE)
+        return _call(".", node.value, name)
 
 
 def _call(guard: str, *arguments: ast.expr) -> ast.expr:
-    return ast.Call(func=ast.Name(id=guard, ctx=ast.Load()), args=list(arguments), keywords=[])
+    name = ast.Name(id=guard, ctx=ast.Load(), **_SOMEWHERE)
+    return ast.Call(func=name, args=list(arguments), keywords=[], **_SOMEWHERE)
 
 
 def _is_fraction(node: ast.expr) -> bool:
@@ -91,12 +96,20 @@ def _is_fraction(node: ast.expr) -> bool:
     return isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div)
 
 
-def _check_depth(tree: ast.AST) -> None:
+def _is_harmless_name(expression: str) -> bool:
+    """Whether an expression is nothing but a name that may be used: most are."""
+    return expression.isidentifier() and not expression.startswith("_")
+
+
+def _nodes(tree: ast.AST) -> list[ast.AST]:
+    """All nodes of a tree. ForbiddenExpression where it is too deep."""
+    nodes: list[ast.AST] = []
     level: list[ast.AST] = [tree]
     for _ in range(_DEEPEST):
+        nodes += level
         level = [child for node in level for child in ast.iter_child_nodes(node)]
         if not level:
-            return
+            return nodes
     raise ForbiddenExpression(f"the expression is nested more than {_DEEPEST} deep")
 
 

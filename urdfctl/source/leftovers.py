@@ -18,6 +18,7 @@ _OF_URDF = frozenset(
     "sphere state_interface texture transmission type verbose visual".split()
 )
 _ANYTHING_GOES = frozenset({"gazebo", "sensor", "plugin"})
+_ASKED = rb"\$\(\s*arg\s+([^\s()]+)|\barg\(\s*['\"]([^'\"]+)|\$\(\s*eval\b([^<>]*)"
 _BRACES = r"(?<!\$)\{\s*(\w+)\s*\}"
 
 
@@ -79,24 +80,22 @@ def unused_arguments(
     declared: Mapping[str, Element], given: Collection[str], sources: Iterable[SourceText], at: Place
 ) -> Iterator[Problem]:
     """The arguments that are declared, or given, and that none of the texts asks for."""
-    texts = [source.data for source in sources]
-    asked = {match.decode() for text in texts for match in re.findall(rb"\$\(\s*arg\s+(\w+)\s*\)", text)}
+    used = set(_names_asked_for(sources))
     for name, element in declared.items():
-        if not _asked(name, texts):
+        if name not in used:
             message = f"argument '{name}' is declared, and none of the files that were read uses it"
-            missing = nearest(name, asked - set(declared))
+            missing = nearest(name, used - set(declared))
             also = f"; '{missing}' is used, and not declared" if missing else ""
             hint = f"is '{missing}' meant?" if missing else ""
             yield Problem(ProblemKind.UNUSED_ARGUMENT, element.at["name"], message + also, name, hint)
     for name in given:
-        if name not in declared and not _asked(name, texts):
+        if name not in declared and name not in used:
             message = f"argument '{name}' is given, and the description has none of that name"
             yield Problem(ProblemKind.UNKNOWN_ARGUMENT, at, message + did_you_mean(name, declared), name)
 
 
-def _asked(name: str, texts: Iterable[bytes]) -> bool:
-    escaped = re.escape(name.encode())
-    wanted = re.compile(
-        rb"\$\(\s*(?:arg\s+" + escaped + rb"\s*\)|eval\b[^)]*\b" + escaped + rb"\b)|\barg\(\s*['\"]" + escaped
-    )
-    return any(name.encode() in text and wanted.search(text) for text in texts)
+def _names_asked_for(sources: Iterable[SourceText]) -> Iterator[str]:
+    """The names in `$(arg x)` and `arg('x')`, and every word of a `$(eval ...)`, where one may stand by itself."""
+    for source in sources:
+        for argument, quoted, expression in re.findall(_ASKED, source.data):
+            yield from (word.decode(errors="replace") for word in (argument, quoted, *re.findall(rb"\w+", expression)))
