@@ -18,8 +18,9 @@ class Rule(NamedTuple):
     """A rule as the engine, `urdfctl rules` and `urdfctl explain` see it.
 
     In the texts of `bad_as_written` the place of the expected finding stands between « and ». `options` are those of
-    the command line that the examples are linted with. A rule with `whole_robot` is silent where a part of the robot could
-    not be expanded; one that is not `in_library` where conditions are not decided, and alternatives stand side by side.
+    the command line that the examples are linted with. A rule with `whole_robot` is silent where a part of the robot
+    could not be expanded; one that is not `in_library` where conditions are not decided, and alternatives stand side by
+    side.
     """
 
     code: str

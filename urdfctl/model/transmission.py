@@ -50,7 +50,7 @@ class Transmission(NamedTuple):
 
     @property
     def is_pr2(self) -> bool:
-        """Whether this is the old form `<transmission type="...">`, which pr2_mechanism_model reads, not ros_control."""
+        """Whether this is the old form `<transmission type="...">` of pr2_mechanism_model, which ros_control skips."""
         return self.type_attribute is not None and self.type is None and not self._has_interfaces
 
     @property
