@@ -130,8 +130,8 @@ class Mesh(NamedTuple):
 class Robot(NamedTuple):
     """A whole description, each part in the order in which it is written.
 
-    `transmissions` are those that stand directly in the root, `nested_transmissions` those elsewhere, but for the ones in
-    `<ros2_control>`. `element` is the root element's name: nothing but `robot` makes a robot of it.
+    `transmissions` stand directly in the root, `nested_transmissions` elsewhere, but for the ones
+    in `<ros2_control>`. `element` is the root element's name: nothing but `robot` makes a robot of it.
     """
 
     name: str | None

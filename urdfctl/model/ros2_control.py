@@ -46,7 +46,7 @@ class Hardware(NamedTuple):
 
 
 class Ros2Control(NamedTuple):
-    """One `<ros2_control>` tag, with its `transmissions` and `others` as they are; `parent` is the element it stands in."""
+    """One `<ros2_control>` tag, `transmissions` and `others` as they are; `parent` is the element it stands in."""
 
     name: str | None
     type: str | None
