@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import since
 from urdfctl.model.transmission import TransmissionEnd
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.transmissions.common import is_known, listed, read_transmissions
+from urdfctl.rules.common import is_known
+from urdfctl.rules.transmissions.common import listed, read_transmissions
 from urdfctl.rules.transmissions.facts import PREFIX
 
 

@@ -7,13 +7,8 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import since
 from urdfctl.model.transmission import Transmission, TransmissionEnd
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
-from urdfctl.rules.transmissions.common import (
-    is_of_another_package,
-    is_whole,
-    misspelt,
-    on_hardware,
-    read_transmissions,
-)
+from urdfctl.rules.common import is_whole
+from urdfctl.rules.transmissions.common import is_of_another_package, misspelt, on_hardware, read_transmissions
 
 
 @rule(

@@ -10,8 +10,8 @@ from urdfctl.model.parts import Tag, Text
 from urdfctl.model.project import Project
 from urdfctl.model.robot import Joint, Plugin
 from urdfctl.model.transmission import Transmission, TransmissionEnd
+from urdfctl.rules.common import is_known
 from urdfctl.rules.transmissions.facts import NO_PLUGIN_TYPES, PREFIX
-from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
 
 _CONTROL_PLUGIN = "libgazebo_ros_control.so"
@@ -47,16 +47,6 @@ def joints_by_name(project: Project) -> dict[str, Joint]:
     for joint in project.robot.joints if project.robot else ():
         joints.setdefault(joint.name or "", joint)
     return joints
-
-
-def is_known(*texts: str | None) -> bool:
-    """Whether all of some texts could be worked out: of others nothing may be claimed."""
-    return not any(text and UNKNOWN in text for text in texts)
-
-
-def is_whole(project: Project, at: Place) -> bool:
-    """Whether what an element lacks is truly absent: nothing was cut out of it when expansion failed somewhere."""
-    return project.complete or at.closing is None or b"<xacro:" not in at.source.data[at.start : at.closing]
 
 
 def takes_empty_names(project: Project) -> bool:

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
-from urdfctl.rules.transmissions.common import is_whole, named_joints
+from urdfctl.rules.common import is_whole
+from urdfctl.rules.transmissions.common import named_joints
 
 
 @rule(

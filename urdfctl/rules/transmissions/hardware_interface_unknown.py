@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import since
 from urdfctl.model.parts import Text
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
-from urdfctl.rules.transmissions.common import in_gazebo, in_place_of, is_known, listed, named_joints, with_prefix
+from urdfctl.rules.common import is_known
+from urdfctl.rules.transmissions.common import in_gazebo, in_place_of, listed, named_joints, with_prefix
 from urdfctl.rules.transmissions.facts import (
     GAZEBO_INTERFACES,
     HARDWARE_INTERFACES,

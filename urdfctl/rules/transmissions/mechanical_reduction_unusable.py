@@ -9,7 +9,8 @@ from urdfctl.catalog.distros import since
 from urdfctl.model.parts import Text, leading_number
 from urdfctl.model.transmission import Transmission, TransmissionEnd
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
-from urdfctl.rules.transmissions.common import is_known, is_of_another_package, on_hardware, read_transmissions
+from urdfctl.rules.common import is_known
+from urdfctl.rules.transmissions.common import is_of_another_package, on_hardware, read_transmissions
 from urdfctl.rules.transmissions.facts import TYPES
 
 _PLAIN = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")

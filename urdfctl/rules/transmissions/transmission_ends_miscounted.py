@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.transmissions.common import is_whole, on_hardware, read_transmissions
+from urdfctl.rules.common import is_whole
+from urdfctl.rules.transmissions.common import on_hardware, read_transmissions
 from urdfctl.rules.transmissions.facts import TYPES
 
 

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import since
 from urdfctl.model.transmission import Transmission, TransmissionEnd
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
-from urdfctl.rules.transmissions.common import is_whole, misspelt, read_transmissions, with_prefix
+from urdfctl.rules.common import is_whole
+from urdfctl.rules.transmissions.common import misspelt, read_transmissions, with_prefix
 from urdfctl.rules.transmissions.facts import PREFIX
 
 

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.transmissions.common import is_known, read_transmissions
+from urdfctl.rules.common import is_known
+from urdfctl.rules.transmissions.common import read_transmissions
 from urdfctl.source.span import Place
 
 

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import since
 from urdfctl.model.parts import leading_number
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
-from urdfctl.rules.transmissions.common import is_known, on_hardware, read_transmissions
+from urdfctl.rules.common import is_known
+from urdfctl.rules.transmissions.common import on_hardware, read_transmissions
 
 
 @rule(

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import since
 from urdfctl.model.transmission import Transmission, TransmissionEnd
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.transmissions.common import is_known, is_whole, on_hardware, read_transmissions
+from urdfctl.rules.common import is_known, is_whole
+from urdfctl.rules.transmissions.common import on_hardware, read_transmissions
 from urdfctl.rules.transmissions.facts import ROLES, TYPES
 
 

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
-from urdfctl.rules.transmissions.common import in_place_of, is_known, listed, on_hardware, read_transmissions
+from urdfctl.rules.common import is_known
+from urdfctl.rules.transmissions.common import in_place_of, listed, on_hardware, read_transmissions
 from urdfctl.rules.transmissions.facts import NO_PLUGIN_TYPES, PACKAGE, TYPES
 from urdfctl.suggest import nearest
 

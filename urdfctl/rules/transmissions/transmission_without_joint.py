@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ROS1
 from urdfctl.model.transmission import Transmission
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.transmissions.common import is_whole, misspelt, read_transmissions, takes_empty_names
+from urdfctl.rules.common import is_whole
+from urdfctl.rules.transmissions.common import misspelt, read_transmissions, takes_empty_names
 
 
 @rule(

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ROS1
 from urdfctl.model.transmission import Transmission
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
-from urdfctl.rules.transmissions.common import control_plugins, is_whole, misspelt
+from urdfctl.rules.common import is_whole
+from urdfctl.rules.transmissions.common import control_plugins, misspelt
 
 
 @rule(

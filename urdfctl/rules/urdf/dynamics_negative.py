@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.model.parts import Number
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.urdf.common import label, robot_in
+from urdfctl.rules.common import label, robot_in
 
 
 @rule(

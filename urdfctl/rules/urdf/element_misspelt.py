@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.model.parts import Tag
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.urdf.common import robot_in
+from urdfctl.rules.common import robot_in
 from urdfctl.rules.urdf.grammar import ELEMENTS, read_tags
 from urdfctl.suggest import nearest
 

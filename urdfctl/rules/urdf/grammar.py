@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Robot
-from urdfctl.rules.urdf.common import label
+from urdfctl.rules.common import label
 
 ELEMENTS = {
     "robot": ("link", "joint", "material", "transmission", "gazebo", "ros2_control"),

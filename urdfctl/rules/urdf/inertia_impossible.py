@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.common import label, robot_in
 from urdfctl.rules.urdf.bodies import inertial_of
-from urdfctl.rules.urdf.common import label, may_be_ros2, robot_in
+from urdfctl.rules.urdf.common import may_be_ros2
 from urdfctl.rules.urdf.inertia import Moments, moments_of, principal_moments
 
 TOLERANCE_OF_SDFORMAT = 1e-6

@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from urdfctl.model.parts import Number
 from urdfctl.model.robot import Link
 from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.common import label, robot_in
 from urdfctl.rules.urdf.bodies import LEAST_MASS, inertial_of, mass_of
-from urdfctl.rules.urdf.common import label, robot_in
 from urdfctl.rules.urdf.inertia import moments_of, principal_moments
 from urdfctl.rules.urdf.numbers import VECTOR, Field
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.urdf.common import label, replaced, robot_in, severity_where
+from urdfctl.rules.common import label, replaced, robot_in, severity_where
 from urdfctl.rules.urdf.numbers import Numbers, fault_of, is_subnormal, mended, refusing
 
 

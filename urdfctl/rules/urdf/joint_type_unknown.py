@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
-from urdfctl.rules.urdf.common import is_known, label, replaced, robot_in
+from urdfctl.rules.common import is_known, label, replaced, robot_in
 from urdfctl.suggest import nearest
 
 TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.urdf.common import label, robot_in
+from urdfctl.rules.common import label, robot_in
 
 
 @rule(

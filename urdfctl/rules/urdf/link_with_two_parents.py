@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.model.robot import Joint
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.urdf.common import is_known, label, robot_in
+from urdfctl.rules.common import is_known, label, robot_in
 
 
 @rule(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.urdf.common import is_known, robot_in
+from urdfctl.rules.common import is_known, robot_in
 from urdfctl.rules.urdf.materials import Material, materials_of
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.model.robot import Mesh
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.urdf.common import is_known, label, robot_in
+from urdfctl.rules.common import is_known, label, robot_in
 
 
 @rule(

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.urdf.common import is_known, label, robot_in
+from urdfctl.rules.common import is_known, label, robot_in
 
 _OF_ONE_MACHINE = re.compile(r"(file:)?/|[A-Za-z]:[\\/]|~")
 

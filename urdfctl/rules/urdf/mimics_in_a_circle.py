@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.model.robot import Mimic
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.urdf.common import in_words, robot_in
+from urdfctl.rules.common import in_words, robot_in
 
 
 @rule(

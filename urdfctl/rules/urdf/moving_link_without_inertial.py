@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.common import whole_robot_in
 from urdfctl.rules.urdf.bodies import inertial_of, vanishing
-from urdfctl.rules.urdf.common import whole_robot_in
 
 
 @rule(

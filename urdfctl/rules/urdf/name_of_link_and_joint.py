@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.urdf.common import is_known, robot_in
+from urdfctl.rules.common import is_known, robot_in
 from urdfctl.rules.urdf.tree import WORLD, parent_of
 
 

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from urdfctl.catalog.distros import ALL, until
 from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Joint, Link, Robot
-from urdfctl.rules.urdf.common import is_known, is_xacro
+from urdfctl.rules.common import is_known, is_xacro
 
 LEXICAL_CAST = until("lunar")
 """The distros whose urdfdom (up to 0.4) reads numbers by boost::lexical_cast: no blanks before them, but inf and nan."""

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.urdf.common import is_known, replaced, robot_in, severity_where
+from urdfctl.rules.common import is_known, replaced, robot_in, severity_where
 
 READING = since("galactic")
 

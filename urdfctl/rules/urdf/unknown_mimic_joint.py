@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.urdf.common import Names, is_known, known_part, label, replaced, robot_in, whole_robot_in
+from urdfctl.rules.common import Names, is_known, label, replaced, robot_in, whole_robot_in
+from urdfctl.rules.urdf.common import known_part
 
 
 @rule(

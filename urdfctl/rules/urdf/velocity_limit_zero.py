@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from urdfctl.model.robot import Limit
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.urdf.common import commanded_joints, label, robot_in
+from urdfctl.rules.common import label, robot_in
+from urdfctl.rules.urdf.common import commanded_joints
 
 
 @rule(

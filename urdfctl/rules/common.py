@@ -1,0 +1,97 @@
+"""What the rules of several families share: who refuses what, texts that are not known, names that were meant."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from urdfctl.model.robot import Robot
+from urdfctl.rule import Edit, Fix, Project, Severity
+from urdfctl.source.opaque import UNKNOWN
+from urdfctl.source.span import Place
+from urdfctl.suggest import nearest
+
+_MOST_COMPARED = 20
+
+
+def robot_in(project: Project) -> Robot | None:
+    """The robot, where the root element is one."""
+    robot = project.robot
+    return robot if robot is not None and robot.element == "robot" else None
+
+
+def whole_robot_in(project: Project) -> Robot | None:
+    """The robot, where the file means to describe a whole one: not a part that other xacro files include."""
+    robot = robot_in(project)
+    return None if robot is None or is_fragment(robot) else robot
+
+
+def is_xacro(robot: Robot) -> bool:
+    """Whether the description went through xacro: by its file's name, or because it declares xacro's namespace."""
+    source = robot.at.source
+    return source.path.endswith(".xacro") or b"xmlns:xacro" in source.data[:4096]
+
+
+def is_fragment(robot: Robot) -> bool:
+    """Whether a xacro file is rather a part of a robot: it has fewer than two links, or hangs on a link of the whole."""
+    if not is_xacro(robot):
+        return False
+    if len(robot.links) < 2:  # noqa: PLR2004
+        return True
+    links = {link.name for link in robot.links}
+    outward = any(joint.parent and joint.parent.name not in links for joint in robot.joints)
+    rootless = links <= {joint.child.name for joint in robot.joints if joint.child}
+    return outward and (rootless or robot.name is None)
+
+
+def is_known(*texts: str | None) -> bool:
+    """Whether all of some texts could be worked out: of others nothing may be claimed."""
+    return not any(text and UNKNOWN in text for text in texts)
+
+
+def is_whole(project: Project, at: Place) -> bool:
+    """Whether what an element lacks is truly absent: nothing was cut out of it when expansion failed somewhere."""
+    return project.complete or at.closing is None or b"<xacro:" not in at.source.data[at.start : at.closing]
+
+
+def severity_where(project: Project, refusing: Iterable[str]) -> Severity:
+    """An error where every distro that the project may be for refuses the part, else a warning."""
+    return Severity.ERROR if set(project.distros) <= set(refusing) else Severity.WARNING
+
+
+def label(kind: str, name: str | None) -> str:
+    """What a message calls a part: `joint 'elbow'`, or `a joint without name`."""
+    return f"{kind} '{name}'" if name else f"a {kind} without name"
+
+
+class Names:
+    """The names that a reference may mean. Only the first slips are compared with each of them: that takes long."""
+
+    def __init__(self, names: Iterable[str | None]) -> None:
+        self._names = {name for name in names if name}
+        self._stripped = {name.strip(): name for name in self._names}
+        self._left = _MOST_COMPARED
+
+    def __contains__(self, name: str) -> bool:
+        return name in self._names
+
+    def meant_by(self, name: str) -> str | None:
+        """The name that differs from this one in blanks around it, or is the most like it; None where none is."""
+        found = self._stripped.get(name.strip())
+        if found is None and self._left:
+            self._left -= 1
+            found = nearest(name, self._names)
+        return found
+
+
+def replaced(at: Place, old: str, new: str, *, safe: bool = False, title: str | None = None) -> Fix:
+    """The repair that writes `new` for `old`; for a person to make where the source does not say `old` literally."""
+    edits = (Edit(at.span, new),) if at.span.text == old else ()
+    return Fix(title or f"write '{new}'", edits, safe and bool(edits))
+
+
+def in_words(names: Iterable[str], most: int = 5) -> str:
+    """Some names, quoted; the first few of many."""
+    quoted = [f"'{name}'" for name in names]
+    if len(quoted) > most:
+        quoted[most:] = [f"{len(quoted) - most} more"]
+    return " and ".join(part for part in (", ".join(quoted[:-1]), quoted[-1]) if part)
