@@ -35,6 +35,9 @@ class ProblemKind(Enum):
     CONDITION_REPEATED = auto()
     PREFIX_MISSING = auto()
     BRACES = auto()
+    YAML_SYNTAX = auto()
+    YAML_DUPLICATE_KEY = auto()
+    YAML_TAB = auto()
 
 
 class Problem(NamedTuple):
