@@ -136,7 +136,7 @@ def outcome(*rules: Rule, path: str = "r.xacro", chosen: Selection = Selection()
     loader = Loader(Settings(), chosen)
     file = os.path.abspath(path)
     expander = loader.expander(file)
-    project = loader._project(file, expander.expand(file, {}), expander.packages)
+    project = loader._project(file, expander.expand(file, {}), expander)
     return lint(project, expander.files.sources(), chosen, rules)
 
 
@@ -277,7 +277,7 @@ def test_a_finding_may_be_graver_than_its_rule_where_the_distro_makes_it_so(fold
         loader = Loader(Settings(distro=distro), Selection())
         file = os.path.abspath("r.xacro")
         expander = loader.expander(file)
-        project = loader._project(file, expander.expand(file, {}), expander.packages)
+        project = loader._project(file, expander.expand(file, {}), expander)
         assert [d.severity for d in lint(project, [], Selection(), [rule]).diagnostics] == [severity]
 
 

@@ -20,14 +20,17 @@ WITH_EXAMPLES = [rule for rule in RULES if rule.code != "UC000"]
 
 
 def findings(folder: Path, rule: Rule, files: Mapping[str, str]) -> list[Diagnostic]:
-    """What linting an example's first file says, with the options that the rule states."""
+    """What linting an example's first file says, with the options that the rule states and its YAML files beside it."""
     for name, text in files.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
     options, arguments = options_of(rule)
     settings = Settings(workspace=str(folder), **options)
-    linted = Loader(settings, Selection()).lint(Target(str(folder / next(iter(files))), arguments))
+    first, *rest = files
+    controllers = tuple(str(folder / name) for name in rest if name.endswith((".yaml", ".yml")))
+    target = Target(str(folder / first), arguments, controllers=controllers)
+    linted = Loader(settings, Selection()).lint(target)
     return joined([linted.outcome], Selection())
 
 

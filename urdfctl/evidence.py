@@ -6,7 +6,7 @@ import os
 import re
 from typing import NamedTuple
 
-from urdfctl.catalog.distros import ALL, ROS2, since
+from urdfctl.catalog.distros import ALL, ROS2, generation, since
 from urdfctl.model.robot import Robot
 from urdfctl.settings import Settings
 
@@ -26,9 +26,16 @@ class Evidence(NamedTuple):
     source: str | None
     simulator: str | None
 
+    @property
+    def ros(self) -> int | None:
+        """1 or 2, None where not known."""
+        generations = {generation(distro) for distro in self.distros}
+        return generations.pop() if len(generations) == 1 else None
 
-def judged(robot: Robot | None, package: str | None, settings: Settings) -> Evidence:
-    """By the settings first, then `$ROS_DISTRO`, then what the files say: the robot before its package's manifest."""
+
+def judged(robot: Robot | None, package: str | None, settings: Settings, form: int | None = None) -> Evidence:
+    """By the settings first, then `$ROS_DISTRO`, then what the files say: the robot, then the generation of ROS that
+    its controllers' files are written for, then its package's manifest."""
     simulator = settings.simulator
     if settings.distro:
         return Evidence(settings.distro, (settings.distro,), "--distro", simulator)
@@ -38,6 +45,9 @@ def judged(robot: Robot | None, package: str | None, settings: Settings) -> Evid
     by_robot = _by_robot(robot)
     if by_robot:
         return Evidence(None, *by_robot, simulator)
+    if form is not None:
+        told = "ros__parameters" if form == 2 else "the controllers' types"  # noqa: PLR2004
+        return Evidence(None, ROS2 if form == 2 else ROS1, told, simulator)  # noqa: PLR2004
     by_manifest = _by_manifest(package)
     if by_manifest:
         return Evidence(None, *by_manifest, simulator)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from urdfctl.diagnostic import Finding, diagnosed
 from urdfctl.evidence import judged
@@ -13,6 +13,7 @@ from urdfctl.lint import Linted, Outcome, Selection, lint
 from urdfctl.meshes import mesh_finder
 from urdfctl.model.build_robot import TOP_LEVEL, robot_of
 from urdfctl.model.project import Project
+from urdfctl.model.robot import Robot
 from urdfctl.rules import rule_of
 from urdfctl.serialise import linted_from_json, linted_to_json
 from urdfctl.settings import Settings
@@ -28,13 +29,18 @@ from urdfctl.source.xml import parse
 from urdfctl.worker import Died, Limits, run
 from urdfctl.workspace import workspace_of
 
+if TYPE_CHECKING:
+    from urdfctl.pairing import Read
+
 
 class Target(NamedTuple):
-    """One robot in one variant: a file and its `name:=value` arguments; or a `fragment`, which others may include."""
+    """One robot in one variant: a file and its `name:=value` arguments; or a `fragment`, which others may include; with
+    the `controllers` that belong to it. Or a controllers' file alone."""
 
     path: str
     arguments: tuple[tuple[str, str], ...] = ()
     fragment: bool = False
+    controllers: tuple[str, ...] = ()
 
 
 class Loader:
@@ -75,49 +81,81 @@ class Loader:
     def lint(self, target: Target) -> Linted:
         """The findings in one robot, or in a file that is none: then in the macros it defines."""
         path = os.path.abspath(target.path)
+        if is_yaml(path):
+            return self._lint_controllers(path)
         arguments = dict(target.arguments)
         expander = self.expander(path, LibraryExpander if target.fragment else Expander)
         expansion = _expansion(expander, path, arguments)
         if expander.macros and not expansion.library and _is_library(expansion):
             expander = self.expander(path, LibraryExpander)
             expansion = _expansion(expander, path, arguments)
-        project = self._project(path, expansion, expander.packages)
-        robot = project.robot
-        return Linted(
+        project = self._project(path, expansion, expander, target.controllers)
+        return _linted(project, expander.files, self._outcome(project, expander.files.sources(), expansion))
+
+    def _lint_controllers(self, path: str) -> Linted:
+        """The findings in a controllers' file that no robot uses."""
+        from urdfctl.pairing import read_controllers
+
+        files, packages = self.reading(path)
+        read = read_controllers([path], None, files)
+        evidence = judged(None, packages.own(), self.settings, read.form)
+        project = Project(
+            None,
             path,
-            project.ros,
-            project.distro,
-            project.distro_from,
-            project.simulator,
-            project.complete,
-            expansion.library,
-            robot.name if robot else None,
-            len(robot.links) if robot else None,
-            tuple(expander.files.read_paths()),
-            self._outcome(project, expander.files.sources(), expansion),
+            *evidence,
+            self.settings.started,
+            read.problems,
+            controllers=read.model(evidence.ros, self.settings.started),
         )
+        return _linted(project, files, lint(project, files.sources(), self.selection))
 
     def _outcome(self, project: Project, sources: list[SourceText], expansion: Expansion) -> Outcome:
         root = expansion.document.documentElement if expansion.document else None
         return lint(project, sources, self.selection, reached=lambda span: root is None or is_reached(span, root))
 
-    def _project(self, path: str, expansion: Expansion, packages: Packages) -> Project:
+    def _project(self, path: str, expansion: Expansion, expander: Expander, controllers: Sequence[str] = ()) -> Project:
         root = expansion.document.documentElement if expansion.document else None
-        find_mesh = mesh_finder(packages, path)
+        find_mesh = mesh_finder(expander.packages, path)
         robot = robot_of(root, find_mesh, whole=expansion.complete) if root is not None else None
-        evidence = judged(robot, packages.own(), self.settings)
+        read = _read_controllers(controllers, robot, expander.files)
+        evidence = judged(robot, expander.packages.own(), self.settings, read.form if read else None)
         return Project(
             robot,
             path,
-            evidence.distro,
-            evidence.distros,
-            evidence.source,
-            evidence.simulator,
+            *evidence,
             self.settings.started,
-            tuple(expansion.problems),
+            (*expansion.problems, *(read.problems if read else ())),
             expansion.complete,
             expansion.library,
+            read.model(evidence.ros, self.settings.started) if read else None,
         )
+
+
+def _read_controllers(paths: Sequence[str], robot: Robot | None, files: Files) -> Read | None:
+    """The controllers' files that belong to a robot; YAML is loaded only where there are any."""
+    if not paths and not any(plugin.setting("parameters") for plugin in (robot.plugins if robot else ())):
+        return None
+    from urdfctl.pairing import read_controllers
+
+    read = read_controllers(paths, robot, files)
+    return read if read.files or read.references or read.problems else None
+
+
+def _linted(project: Project, files: Files, outcome: Outcome) -> Linted:
+    robot = project.robot
+    return Linted(
+        project.path,
+        project.ros,
+        project.distro,
+        project.distro_from,
+        project.simulator,
+        project.complete,
+        project.library,
+        robot.name if robot else None,
+        len(robot.links) if robot else None,
+        tuple(files.read_paths()),
+        outcome,
+    )
 
 
 def _expansion(expander: Expander, path: str, arguments: Mapping[str, str]) -> Expansion:
@@ -145,6 +183,11 @@ def _is_library(expansion: Expansion) -> bool:
     if root is None or any(child.tagName in TOP_LEVEL for child in root.elements()):
         return False
     return all(problem.kind in HARMLESS | _OF_INCLUDES for problem in expansion.problems)
+
+
+def is_yaml(path: str) -> bool:
+    """Whether a file is a controllers' file by its name."""
+    return path.endswith((".yaml", ".yml"))
 
 
 def is_xacro(source: SourceText) -> bool:
@@ -180,7 +223,8 @@ def _perform_with(loader: Loader, job: dict[str, Any]) -> dict[str, Any]:
 
 def _target_of(job: dict[str, Any]) -> Target:
     arguments = tuple((str(name), str(value)) for name, value in job["target"]["arguments"])
-    return Target(job["target"]["path"], arguments, job["target"]["fragment"])
+    target = job["target"]
+    return Target(target["path"], arguments, target["fragment"], tuple(target["controllers"]))
 
 
 def perform(job: dict[str, Any]) -> dict[str, Any]:

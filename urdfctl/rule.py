@@ -96,7 +96,10 @@ def _one_line(text: str) -> str:
 
 
 def _file(content: str) -> str:
-    return cleandoc(content) + "\n"
+    """An example's file: tabs in it are kept."""
+    from textwrap import dedent
+
+    return dedent(content).strip("\n").rstrip() + "\n"
 
 
 def cleandoc(text: str) -> str:

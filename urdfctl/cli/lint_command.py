@@ -88,10 +88,14 @@ def _linted(
 ) -> tuple[list[Linted], list[Linted]]:
     """The robots, and all that was looked at: in folders also the macro libraries and fragments that no robot uses."""
     descriptions = found.descriptions()
-    targets = [Target(path, arguments) for path, _ in descriptions]
+    belonging = tuple(found.controllers) if len(descriptions) == 1 else ()
+    targets = [Target(path, arguments, controllers=belonging) for path, _ in descriptions]
     linted = lint_all(targets, settings, wanted.selection, wanted.jobs or None)
     robots = [one for one, (_, named) in zip(linted, descriptions, strict=True) if named or _is_robot(one)]
-    rest = [Target(path, fragment=True) for path in found.unread({file for robot in robots for file in robot.files})]
+    read = {file for robot in robots for file in robot.files}
+    alone = [Target(path) for path in found.controllers if os.path.abspath(path) not in read]
+    robots += lint_all(alone, settings, wanted.selection, wanted.jobs or None)
+    rest = [Target(path, fragment=True) for path in found.unread(read)]
     return robots, [*robots, *lint_all(rest, settings, wanted.selection, wanted.jobs or None)]
 
 

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from urdfctl.catalog.distros import ALL
 from urdfctl.model.robot import Robot
 from urdfctl.source.problem import Problem, ProblemKind
+
+if TYPE_CHECKING:
+    from urdfctl.model.controllers import Controllers
 
 
 class Project(NamedTuple):
@@ -15,7 +18,8 @@ class Project(NamedTuple):
     `distro` is None where neither the user nor the files tell it; `distros` are those that it may be. `started` are the
     controllers started together, None where nothing tells. `complete` is False where a part of the robot could not be
     expanded: then nothing may be claimed to be absent. In a macro `library` what conditions guard stands side by side:
-    then nothing may be claimed to be there twice.
+    then nothing may be claimed to be there twice. `controllers` is None where no controllers' file belongs to the
+    robot; a controllers' file without a robot is a project too.
     """
 
     robot: Robot | None
@@ -28,6 +32,7 @@ class Project(NamedTuple):
     problems: tuple[Problem, ...] = ()
     complete: bool = True
     library: bool = False
+    controllers: Controllers | None = None
 
     @property
     def ros(self) -> int | None:

@@ -99,15 +99,11 @@ class Node:
             yield child
             child = child.nextSibling
 
-    def elements(self) -> list[Element]:
+    def elements(self) -> Iterator[Element]:
         """The children that are elements, in order."""
-        found = []
-        child = self.firstChild
-        while child is not None:
+        for child in self.children():
             if isinstance(child, Element):
-                found.append(child)
-            child = child.nextSibling
-        return found
+                yield child
 
     def cloneNode(self, deep: bool = False) -> Node:
         """A copy, with all below it."""

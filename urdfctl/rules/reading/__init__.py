@@ -28,6 +28,9 @@ from urdfctl.rules.reading.xacro_fails import xacro_fails
 from urdfctl.rules.reading.xacro_prefix_missing import xacro_prefix_missing
 from urdfctl.rules.reading.xacro_warns import xacro_warns
 from urdfctl.rules.reading.xml_not_well_formed import xml_not_well_formed
+from urdfctl.rules.reading.yaml_key_twice import yaml_key_twice
+from urdfctl.rules.reading.yaml_not_readable import yaml_not_readable
+from urdfctl.rules.reading.yaml_tab import yaml_tab
 
 RULES: tuple[Rule, ...] = (
     rule_crashed,
@@ -54,5 +57,8 @@ RULES: tuple[Rule, ...] = (
     argument_unknown,
     xacro_condition_repeated,
     package_without_manifest,
+    yaml_not_readable,
+    yaml_key_twice,
+    yaml_tab,
     suppression_unused,
 )

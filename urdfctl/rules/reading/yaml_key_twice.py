@@ -1,0 +1,47 @@
+"""UC025."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.reading.common import findings_of
+from urdfctl.source.problem import ProblemKind
+
+
+@rule(
+    "UC025",
+    severity=Severity.WARNING,
+    authority="rcl_yaml_param_parser/src/parse.c: parse_value() overwrites; PyYAML: construct_mapping() keeps the last one",
+    bad={
+        "controllers.yaml": """
+            controller_manager:
+              ros__parameters:
+                update_rate: 100
+                arm:
+                  type: joint_trajectory_controller/JointTrajectoryController
+            arm:
+              ros__parameters:
+                joints: [shoulder]
+                command_interfaces: [position]
+                state_interfaces: [position]
+                «joints»: [elbow]
+        """,
+    },
+    good={
+        "controllers.yaml": """
+            controller_manager:
+              ros__parameters:
+                update_rate: 100
+                arm:
+                  type: joint_trajectory_controller/JointTrajectoryController
+        """,
+    },
+)
+def yaml_key_twice(project: Project) -> Iterator[Finding]:
+    """A key is given twice in one map.
+
+    No reader says a word. A value that comes first is lost. Of two maps rosparam and the spawner of ROS 2 keep the last
+    one only, while ROS 2's nodes add them up.
+    """
+    yield from findings_of(project, ProblemKind.YAML_DUPLICATE_KEY)
