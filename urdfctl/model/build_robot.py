@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
+from urdfctl.model.build_ros2_control import ros2_control_of
 from urdfctl.model.parts import Number, Reference, Tag, Text, text_of
 from urdfctl.model.robot import (
     Gazebo,
@@ -18,14 +19,12 @@ from urdfctl.model.robot import (
     Plugin,
     Robot,
 )
-from urdfctl.model.ros2_control import Hardware, Interface, Parameter, Part, Ros2Control
 from urdfctl.model.transmission import Transmission, TransmissionEnd
 from urdfctl.source import dom
 from urdfctl.source.opaque import UNKNOWN
 
 _READ_OF_AN_END = {"role", "hardwareInterface", "mechanicalReduction", "offset"}
 TOP_LEVEL = {"link", "joint", "transmission", "gazebo", "ros2_control"}
-_PARTS = {"joint", "sensor", "gpio"}
 
 MeshFinder = Callable[[str], MeshFile | None]
 """Tells of a mesh's file by the address that the description gives; None where nothing can be told."""
@@ -53,8 +52,8 @@ def robot_of(root: dom.Element, find_mesh: MeshFinder | None = None, *, whole: b
         tuple(_transmission(child, root.tagName) for child in by_name["transmission"]),
         tuple(_transmission(child, parent) for child, parent in nested if child.tagName == "transmission"),
         (
-            *(_ros2_control(child, root.tagName) for child in by_name["ros2_control"]),
-            *(_ros2_control(child, parent) for child, parent in nested if child.tagName == "ros2_control"),
+            *(ros2_control_of(child, root.tagName) for child in by_name["ros2_control"]),
+            *(ros2_control_of(child, parent) for child, parent in nested if child.tagName == "ros2_control"),
         ),
         tuple(_gazebo(child) for child in by_name["gazebo"]),
         tuple(others),
@@ -204,58 +203,7 @@ def _end(element: dom.Element) -> TransmissionEnd:
     )
 
 
-# -- ros2_control and Gazebo -----------------------------------------------------------------------------------------
-
-
-def _ros2_control(element: dom.Element, parent: str) -> Ros2Control:
-    hardware, parts, transmissions, others = [], [], [], []
-    for child in element.elements():
-        if child.tagName == "hardware":
-            hardware.append(_hardware(child))
-        elif child.tagName in _PARTS:
-            parts.append(_part(child))
-        elif child.tagName == "transmission":
-            transmissions.append(Tag(child))
-        else:
-            others.append(Tag(child))
-    return Ros2Control(
-        element.attrs.get("name"),
-        element.attrs.get("type"),
-        element.at,
-        tuple(hardware),
-        tuple(parts),
-        tuple(transmissions),
-        tuple(others),
-        parent,
-    )
-
-
-def _parameters(element: dom.Element) -> tuple[Parameter, ...]:
-    return tuple(
-        Parameter(child.attrs.get("name"), text_of(child).value, child.at)
-        for child in element.elements()
-        if child.tagName == "param"
-    )
-
-
-def _hardware(element: dom.Element) -> Hardware:
-    others = tuple(Tag(child) for child in element.elements() if child.tagName not in ("plugin", "param"))
-    return Hardware(element.at, _texts(element, "plugin"), _parameters(element), others)
-
-
-def _part(element: dom.Element) -> Part:
-    def interfaces(name: str) -> tuple[Interface, ...]:
-        return tuple(
-            Interface(child.attrs.get("name"), child.at, _parameters(child))
-            for child in element.elements()
-            if child.tagName == name
-        )
-
-    known = ("command_interface", "state_interface", "param")
-    others = tuple(Tag(child) for child in element.elements() if child.tagName not in known)
-    commands, states = interfaces("command_interface"), interfaces("state_interface")
-    name = element.attrs.get("name")
-    return Part(element.tagName, name, element.at, commands, states, _parameters(element), others)
+# -- Gazebo ---------------------------------------------------------------------------------------------------------
 
 
 def _gazebo(element: dom.Element) -> Gazebo:

@@ -18,12 +18,18 @@ class Text(NamedTuple):
     """An element that is read for its text.
 
     `value` is the text as ROS's XML readers give it: blanks around it are cut, and there is none where a comment stands
-    before it (then `hidden` is the text that nobody reads).
+    before it (then `hidden` is the text that nobody reads). `padded` tells that blanks stand around it.
     """
 
     value: str
     at: Place
     hidden: str = ""
+    padded: bool = False
+
+    @property
+    def past_comments(self) -> str:
+        """The text as ROS 2's reader gives it, which passes over comments before it (tinyxml2 from 9 on)."""
+        return self.value or self.hidden
 
 
 class Reference(NamedTuple):
@@ -92,6 +98,11 @@ class Tag:
         return text_of(self._element).value
 
     @property
+    def past_comments(self) -> str:
+        """The text, as `Text.past_comments` has it."""
+        return text_of(self._element).past_comments
+
+    @property
     def children(self) -> tuple[Tag, ...]:
         """The elements in it, in order."""
         return tuple(Tag(child) for child in self._element.elements())
@@ -109,6 +120,7 @@ def text_of(element: Element) -> Text:
             comment = True
         elif first.data.strip():
             value = first.data.strip()
-            return Text("", element.at, value) if comment else Text(value, element.at)
+            padded = len(value) < len(first.data)
+            return Text("", element.at, value, padded) if comment else Text(value, element.at, padded=padded)
         first = first.nextSibling
     return Text("", element.at)

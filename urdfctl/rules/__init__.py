@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
-from urdfctl.catalog.distros import ROS1
+from urdfctl.catalog.distros import ROS1, ROS2
 from urdfctl.model.project import Project
 from urdfctl.rule import Rule
 
@@ -41,6 +41,12 @@ def _transmissions() -> Rules:
     return RULES
 
 
+def _ros2_control() -> Rules:
+    from urdfctl.rules.ros2_control import RULES
+
+    return RULES
+
+
 def _has_transmissions(project: Project) -> bool:
     robot = project.robot
     if robot is None or not set(ROS1) & set(project.distros):
@@ -49,10 +55,18 @@ def _has_transmissions(project: Project) -> bool:
     return bool(robot.transmissions or robot.nested_transmissions or nested)
 
 
+def _is_controlled_by_ros2(project: Project) -> bool:
+    robot = project.robot
+    if robot is None or not set(ROS2) & set(project.distros):
+        return False
+    return bool(robot.ros2_controls or (project.ros == 2 and robot.transmissions))  # noqa: PLR2004 (the generation)
+
+
 FAMILIES = (
     Family("UC0", _reading, lambda project: bool(project.problems)),
     Family("UC1", _urdf, lambda project: project.robot is not None),
     Family("UC2", _transmissions, _has_transmissions),
+    Family("UC3", _ros2_control, _is_controlled_by_ros2),
 )
 
 

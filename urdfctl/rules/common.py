@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 from urdfctl.model.robot import Robot
@@ -11,6 +12,7 @@ from urdfctl.source.span import Place
 from urdfctl.suggest import nearest
 
 _MOST_COMPARED = 20
+_CUT_OUT = rb"<xacro:(?!if\b|unless\b|property\b|arg\b)"
 
 
 def robot_in(project: Project) -> Robot | None:
@@ -49,8 +51,11 @@ def is_known(*texts: str | None) -> bool:
 
 
 def is_whole(project: Project, at: Place) -> bool:
-    """Whether what an element lacks is truly absent: nothing was cut out of it when expansion failed somewhere."""
-    return project.complete or at.closing is None or b"<xacro:" not in at.source.data[at.start : at.closing]
+    """Whether what an element lacks is truly absent: nothing was cut out of it when expansion failed somewhere, and no
+    macro of another file is called in it."""
+    if at.closing is None or (project.complete and not project.library):
+        return True
+    return not re.search(_CUT_OUT if project.library else b"<xacro:", at.source.data[at.start : at.closing])
 
 
 def severity_where(project: Project, refusing: Iterable[str]) -> Severity:

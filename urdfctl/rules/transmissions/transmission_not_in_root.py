@@ -59,10 +59,10 @@ def transmission_not_in_root(project: Project) -> Iterator[Finding]:
             message = f"{transmission.label} stands inside <{where}>: ros_control reads it directly under <robot> only"
             yield Finding(transmission.at, message, fix=Fix("move it out, to stand directly under <robot>"))
     for control in robot.ros2_controls if project.ros == 1 else ():
-        for tag in control.transmissions:
-            if any(tag.named("type")):
+        for inner in control.transmissions:
+            if inner.is_ros1:
                 message = (
-                    f"transmission '{tag.attributes.get('name', '')}' stands inside <ros2_control>, "
+                    f"transmission '{inner.name or ''}' stands inside <ros2_control>, "
                     f"which ROS 1 does not read: it belongs directly under <robot>"
                 )
-                yield Finding(tag.at, message, fix=Fix("move it out, to stand directly under <robot>"))
+                yield Finding(inner.at, message, fix=Fix("move it out, to stand directly under <robot>"))

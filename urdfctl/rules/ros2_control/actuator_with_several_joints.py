@@ -1,0 +1,61 @@
+"""UC328."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS2
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.common import label
+from urdfctl.rules.ros2_control.common import component, components, lacks
+
+
+@rule(
+    "UC328",
+    severity=Severity.ERROR,
+    distros=ROS2,
+    authority="ros2_control hardware_interface/src/component_parser.cpp: \"Error while parsing 'elbow'. There should"
+    ' be exactly one joint defined in this component but found 2"',
+    in_library=False,
+    bad={
+        "robot.urdf": """
+            <ros2_control name="elbow" type="actuator">
+              <hardware><plugin>arm_drivers/Motor</plugin></hardware>
+              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+              <joint name="shoulder"><command_interface name="position"/><state_interface name="position"/></joint>
+              «<transmission name="gear">»
+                <plugin>transmission_interface/DifferentialTransmission</plugin>
+                <joint name="shoulder" role="joint1"/>
+                <joint name="elbow" role="joint2"/>
+                <actuator name="left" role="actuator1"/>
+                <actuator name="right" role="actuator2"/>
+              </transmission>
+            </ros2_control>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <ros2_control name="elbow" type="actuator">
+              <hardware><plugin>arm_drivers/Motor</plugin></hardware>
+              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+            </ros2_control>
+        """,
+    },
+)
+def actuator_with_several_joints(project: Project) -> Iterator[Finding]:
+    """A component of type actuator has not exactly one joint in a transmission.
+
+    An actuator drives one joint. The parser counts those of its transmissions, and refuses the description; without a
+    transmission more joints are taken. Several joints make a system.
+    """
+    for control in components(project):
+        if (control.type or "").strip() != "actuator":
+            continue
+        for transmission in control.transmissions:
+            count = len(transmission.joints)
+            if count != 1 and not transmission.is_ros1 and lacks(project, transmission.tag):
+                message = (
+                    f"{label('transmission', transmission.name)} of {component(control)} has {count} joints, "
+                    "and a component of type 'actuator' drives one; several make a 'system'"
+                )
+                yield Finding(transmission.at, message)

@@ -1,0 +1,81 @@
+"""UC323."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+
+from urdfctl.model.parts import Tag
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.common import is_known, severity_where
+from urdfctl.rules.ros2_control.common import JAZZY, component, components, first_of, is_boolean, is_positive_integer
+
+_POLICIES = ("synchronized", "detached")
+
+
+@rule(
+    "UC323",
+    severity=Severity.ERROR,
+    distros=JAZZY,
+    authority='ros2_control hardware_interface/src/component_parser.cpp: "Error parsing async tag: String must be a'
+    " flat array: starts with '[' and ends with ']', no nested arrays\"",
+    options=["--distro=jazzy"],
+    bad={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system" is_async="true">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+              <properties><async affinity="«0,1»" thread_priority="40"/></properties>
+            </ros2_control>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system" is_async="true">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+              <properties><async affinity="[0,1]" thread_priority="40" scheduling_policy="detached"/></properties>
+            </ros2_control>
+        """,
+    },
+)
+def async_properties_malformed(project: Project) -> Iterator[Finding]:
+    """What `<async>` of a component's `<properties>` says is not read.
+
+    From jazzy on the controller manager refuses the description, or does not initialize the component. Where the
+    component is not asynchronous the element is not read.
+    """
+    for control in components(project):
+        asynchronous = control.tag.attributes.get("is_async", "").strip().lower() == "true"
+        for properties in control.tag.named("properties"):
+            for tag in first_of(properties, "async"):
+                if not asynchronous and is_known(control.tag.attributes.get("is_async")):
+                    message = f'<async> of {component(control)} is read only with is_async="true"'
+                    yield Finding(tag.at, message, severity=Severity.WARNING)
+                    continue
+                for attribute, right in _faults(tag):
+                    text = tag.attributes[attribute]
+                    message = f"'{attribute}' of <async> of {component(control)} is '{text}'; it is {right}"
+                    yield Finding(tag.at[attribute], message, severity=severity_where(project, JAZZY))
+
+
+def _faults(tag: Tag) -> Iterator[tuple[str, str]]:
+    """The attributes that are not read, each with what would be right."""
+    rights: dict[str, tuple[Callable[[str], bool], str]] = {
+        "affinity": (_is_array, "a list of cores such as '[0,1]'"),
+        "scheduling_policy": (_is_policy, "'synchronized' or 'detached'"),
+        "thread_priority": (is_positive_integer, "a whole number, 1 or more"),
+        "print_warnings": (is_boolean, "'true' or 'false'"),
+    }
+    for attribute, (takes, right) in rights.items():
+        text = tag.attributes.get(attribute)
+        if text is not None and is_known(text) and not takes(text):
+            yield attribute, right
+
+
+def _is_array(text: str) -> bool:
+    return bool(re.fullmatch(r"\[\s*(-?[0-9]+(\s*,\s*-?[0-9]+)*)?\s*\]", text.strip()))
+
+
+def _is_policy(text: str) -> bool:
+    return text.strip().lower() in _POLICIES

@@ -1,0 +1,80 @@
+"""UC317."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.model.parts import Tag
+from urdfctl.model.ros2_control import Ros2Control
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.common import is_known, label, replaced, severity_where
+from urdfctl.rules.ros2_control.common import JAZZY, component, components, first_of, is_boolean
+
+_WORDS = {"1": "true", "yes": "true", "on": "true", "0": "false", "no": "false", "off": "false"}
+
+
+@rule(
+    "UC317",
+    severity=Severity.ERROR,
+    distros=("iron", *JAZZY),
+    authority="ros2_control hardware_interface/src/component_parser.cpp: \"Input string : 'yes' is not a valid "
+    "boolean value. Expected 'true' or 'false'.\"",
+    options=["--distro=jazzy"],
+    bad={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="elbow">
+                <command_interface name="position"/>
+                <state_interface name="position"/>
+                <limits enable="«yes»"/>
+              </joint>
+            </ros2_control>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="elbow">
+                <command_interface name="position"/>
+                <state_interface name="position"/>
+                <limits enable="true"/>
+              </joint>
+            </ros2_control>
+        """,
+    },
+)
+def boolean_malformed(project: Project) -> Iterator[Finding]:
+    """An attribute that is true or false says something else.
+
+    From jazzy on the controller manager refuses the description. Iron reads is_async alone of them, and takes
+    anything but `true` and `True` for false.
+    """
+    for control in components(project):
+        for owner, tag, attribute in _booleans(control):
+            text = tag.attributes.get(attribute)
+            if text is None or not is_known(text) or is_boolean(text):
+                continue
+            if attribute != "is_async" and not set(JAZZY) & set(project.distros):
+                continue
+            right = _WORDS.get(text.strip().lower())
+            at = tag.at[attribute]
+            fix = replaced(at, text, right) if right else None
+            message = f"'{attribute}' of {owner} is '{text}'; it is either 'true' or 'false'"
+            yield Finding(at, message, fix=fix, severity=severity_where(project, JAZZY))
+
+
+def _booleans(control: Ros2Control) -> Iterator[tuple[str, Tag, str]]:
+    """The elements with attributes that are read as booleans, each with what it is of."""
+    yield component(control), control.tag, "is_async"
+    for part in control.parts:
+        owner = label(part.kind, part.name)
+        if part.kind == "joint":
+            yield owner, part.tag, "mimic"
+        tags = [part.tag] if part.kind != "gpio" else []
+        for tag in (*tags, *(interface.tag for interface in part.interfaces)):
+            yield from ((f"the <limits> of {owner}", limits, "enable") for limits in first_of(tag, "limits"))
+    for transmission in control.transmissions:
+        for end in (*transmission.joints, *transmission.actuators):
+            yield f"{label(end.kind, end.name)} of {label('transmission', transmission.name)}", end.tag, "read_only"

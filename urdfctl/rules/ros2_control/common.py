@@ -1,0 +1,140 @@
+"""What the rules on `<ros2_control>` share: what its parser reads, and what is surely there."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Container, Iterable, Iterator
+
+from urdfctl.catalog.distros import since, until
+from urdfctl.model.parts import Tag
+from urdfctl.model.ros2_control import Interface, Parameter, Part, Ros2Control
+from urdfctl.rule import Note, Project
+from urdfctl.rules.common import is_known, is_whole, label, robot_in
+from urdfctl.rules.ros2_control.facts import INTERFACES_OF_ROS1
+from urdfctl.source.opaque import UNKNOWN
+from urdfctl.source.span import Place, SourceSpan
+
+JAZZY = since("jazzy")
+"""The distros whose parser compares the tag with the URDF, and reads limits, data types and rates."""
+OLD = until("iron")
+"""Those whose parser reads the tag alone."""
+
+_CONDITION = re.compile(rb"<xacro:(if|unless)\b")
+
+
+def components(project: Project) -> tuple[Ros2Control, ...]:
+    """The components that the parser reads: those directly in the root element."""
+    robot = robot_in(project)
+    return tuple(control for control in robot.ros2_controls if control.parent == robot.element) if robot else ()
+
+
+def parts(project: Project, *kinds: str) -> Iterator[tuple[Ros2Control, Part]]:
+    """The joints, sensors and gpios of all components, or those of some kinds, each with its component."""
+    for control in components(project):
+        for part in control.parts:
+            if not kinds or part.kind in kinds:
+                yield control, part
+
+
+def interfaces(project: Project) -> Iterator[tuple[Part, Interface]]:
+    """All interfaces, each with the joint, sensor or gpio it is of."""
+    for _, part in parts(project):
+        for interface in part.interfaces:
+            yield part, interface
+
+
+def parameters(project: Project) -> Iterator[tuple[str, tuple[Parameter, ...]]]:
+    """The parameters that stand together, each time with what they are of."""
+    for control in components(project):
+        for hardware in control.hardware:
+            yield f"the hardware of {component(control)}", hardware.parameters
+        for part in control.parts:
+            yield label(part.kind, part.name), part.parameters
+            for interface in part.interfaces:
+                yield f"{called(interface)} of {label(part.kind, part.name)}", interface.parameters
+        for transmission in control.transmissions:
+            yield label("transmission", transmission.name), transmission.parameters
+
+
+def component(control: Ros2Control) -> str:
+    """What a message calls a component."""
+    return label("component", control.name)
+
+
+def called(interface: Interface) -> str:
+    """What a message calls an interface: `command interface 'position'`."""
+    return label(f"{interface.kind} interface", interface.name)
+
+
+def of_part(control: Ros2Control, part: Part) -> str:
+    """What a message calls a part in its component."""
+    return f"{label(part.kind, part.name)} in {component(control)}"
+
+
+def lacks(project: Project, tag: Tag) -> bool:
+    """Whether what is not seen in an element is truly not there: all that stands in it could be worked out."""
+    return is_whole(project, tag.at) and not any(child.name == UNKNOWN for child in tag.children)
+
+
+def is_conditional(at: Place) -> bool:
+    """Whether conditions decide on what stands in an element, so that other arguments make another one of it."""
+    return at.closing is not None and bool(_CONDITION.search(at.source.data, at.start, at.closing))
+
+
+def is_boolean(text: str) -> bool:
+    """Whether jazzy's parser reads a text as a boolean: `true` or `false`, in letters of any case."""
+    return text.strip().lower() in ("true", "false")
+
+
+def whole_element(at: Place) -> SourceSpan | None:
+    """All of an element from its start tag to its end tag; None where the source does not write it literally."""
+    start = at.span
+    if at.closing is None:
+        return start if start.text.endswith("/>") else None
+    end = at.source.data.find(b">", at.closing)
+    return SourceSpan(at.source, start.start, end + 1) if end >= 0 else None
+
+
+def followers(project: Project) -> Iterator[tuple[Part, tuple[Ros2Control, str]]]:
+    """The joints that mimic another as jazzy's parser has it, each with its component and the other's name: the URDF's
+    `<mimic>` makes them so, where the attribute `mimic` does not say false."""
+    robot = robot_in(project)
+    mimics = {joint.name: joint.mimic.joint for joint in robot.joints if joint.mimic} if robot else {}
+    for control, joint in parts(project, "joint") if mimics else ():
+        mimicked = mimics.get((joint.name or "").strip())
+        if mimicked and joint.tag.attributes.get("mimic", "").strip().lower() != "false" and is_known(joint.name):
+            yield joint, (control, mimicked)
+
+
+def first_of(tag: Tag, name: str) -> tuple[Tag, ...]:
+    """The first child of a name, which is all that is read of them; none where there is none."""
+    return tuple(tag.named(name))[:1]
+
+
+def leading_integer(text: str) -> int | None:
+    """What C++'s std::stoi reads: the whole number at the start of a text, whatever follows; None where it throws."""
+    found = re.match(r"\s*[+-]?[0-9]{1,30}", text)
+    return int(found.group()) if found else None
+
+
+def is_positive_integer(text: str) -> bool:
+    """Whether a text is a whole number above 0 that an int holds, without sign or point."""
+    return bool(re.fullmatch(r"[1-9][0-9]{0,9}", text.strip())) and int(text) < 2**31
+
+
+def hardware_interfaces(tag: Tag) -> list[str]:
+    """The hardware interfaces of ROS 1 that a transmission's joint names."""
+    return [child.text for child in tag.named("hardwareInterface")]
+
+
+def replacement(joints: Iterable[tuple[str | None, list[str]]], there: Container[str | None]) -> Iterator[Note]:
+    """What to write in `<ros2_control>` for joints of ROS 1's transmissions that it does not have, by their names and
+    hardware interfaces."""
+    for name, found in joints:
+        if not name or name in there:
+            continue
+        words = [INTERFACES_OF_ROS1.get(each.rsplit("/")[-1]) for each in found]
+        commands = [word for word in words if word] or ["position"]
+        inside = [f'<command_interface name="{word}"/>' for word in commands]
+        inside += [f'<state_interface name="{word}"/>' for word in dict.fromkeys(("position", "velocity", *commands))]
+        yield Note(f'in <ros2_control> it is <joint name="{name}">{"".join(inside)}</joint>')

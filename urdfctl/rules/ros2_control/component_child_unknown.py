@@ -1,0 +1,75 @@
+"""UC304."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS2
+from urdfctl.model.parts import Tag
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.common import severity_where
+from urdfctl.rules.ros2_control.common import OLD, component, components
+from urdfctl.rules.ros2_control.facts import CHILDREN
+from urdfctl.source.opaque import UNKNOWN
+from urdfctl.suggest import did_you_mean
+
+
+@rule(
+    "UC304",
+    severity=Severity.ERROR,
+    distros=ROS2,
+    authority='ros2_control hardware_interface/src/component_parser.cpp: "invalid tag name"',
+    bad={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              «<joints name="elbow">»<command_interface name="position"/></joints>
+            </ros2_control>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="elbow">
+                <command_interface name="position"/>
+                <state_interface name="position"/>
+              </joint>
+            </ros2_control>
+        """,
+    },
+)
+def component_child_unknown(project: Project) -> Iterator[Finding]:
+    """An element stands in `<ros2_control>` that its parser does not know.
+
+    It refuses the whole description. It knows hardware, joint, sensor, gpio and transmission, and from jazzy on
+    properties.
+    """
+    for control in components(project):
+        for child in control.others:
+            if child.name == UNKNOWN or ":" in child.name or (child.name == "properties" and not _refuses(project)):
+                continue
+            if child.name == "properties":
+                message = f"<properties> in {component(control)} is read from jazzy on; up to iron it is refused"
+                yield Finding(child.at, message, severity=severity_where(project, OLD))
+                continue
+            yield Finding(child.at, f"<{child.name}> may not stand in {component(control)}{_instead(child)}")
+
+
+_ELSEWHERE = {
+    "plugin": "<hardware>",
+    "param": "<hardware>, or a joint, sensor or gpio",
+    "group": "<hardware>",
+    "command_interface": "<joint> or <gpio>",
+    "state_interface": "<joint>, <sensor> or <gpio>",
+}
+
+
+def _refuses(project: Project) -> bool:
+    return bool(set(OLD) & set(project.distros))
+
+
+def _instead(child: Tag) -> str:
+    if child.name in _ELSEWHERE:
+        return f"; it belongs into {_ELSEWHERE[child.name]}"
+    return did_you_mean(child.name, CHILDREN) or "; it knows hardware, joint, sensor, gpio and transmission"

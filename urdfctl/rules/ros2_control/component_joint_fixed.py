@@ -1,0 +1,55 @@
+"""UC313."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS2
+from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rules.common import is_known, robot_in, severity_where
+from urdfctl.rules.ros2_control.common import JAZZY, component, parts
+
+
+@rule(
+    "UC313",
+    severity=Severity.ERROR,
+    distros=ROS2,
+    authority="ros2_control hardware_interface/src/component_parser.cpp: \"Joint 'flange' is of type 'fixed'. Fixed "
+    'joints do not make sense in ros2_control."',
+    options=["--distro=jazzy"],
+    bad={
+        "robot.urdf": """
+            <link name="tool"/>
+            <joint name="flange" type="fixed"><parent link="fore"/><child link="tool"/></joint>
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="«flange»"><command_interface name="position"/><state_interface name="position"/></joint>
+            </ros2_control>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="elbow">
+                <command_interface name="position"/>
+                <state_interface name="position"/>
+              </joint>
+            </ros2_control>
+        """,
+    },
+)
+def component_joint_fixed(project: Project) -> Iterator[Finding]:
+    """A component names a joint that is fixed.
+
+    From jazzy on the controller manager refuses the description. Before, nothing can move the joint, and simulators
+    do not even have it.
+    """
+    robot = robot_in(project)
+    joints = {joint.name: joint for joint in reversed(robot.joints)} if robot else {}
+    for control, joint in parts(project, "joint"):
+        found = joints.get((joint.name or "").strip())
+        if found is not None and found.type == "fixed" and is_known(joint.name):
+            message = f"joint '{found.name}' in {component(control)} is fixed; take it out, or make it one that moves"
+            note = Note("its type is here", found.at["type"])
+            yield Finding(joint.at["name"], message, (note,), severity=severity_where(project, JAZZY))

@@ -1,0 +1,52 @@
+"""UC305."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS2
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.ros2_control.common import component, components, is_conditional, lacks
+
+
+@rule(
+    "UC305",
+    severity=Severity.ERROR,
+    distros=ROS2,
+    authority='ros2_control hardware_interface/src/component_parser.cpp leaves the class empty; pluginlib: "the '
+    'class with base class type hardware_interface::SystemInterface does not exist"',
+    bad={
+        "robot.urdf": """
+            «<ros2_control name="arm" type="system">»
+              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+            </ros2_control>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="elbow">
+                <command_interface name="position"/>
+                <state_interface name="position"/>
+              </joint>
+            </ros2_control>
+        """,
+    },
+)
+def component_without_hardware(project: Project) -> Iterator[Finding]:
+    """A component has no `<hardware>`.
+
+    Nothing tells which class drives it, so it cannot be loaded, and the controller manager has no hardware at all.
+    Where conditions decide on it, these arguments choose none.
+    """
+    for control in components(project):
+        if control.hardware or not lacks(project, control.tag):
+            continue
+        if is_conditional(control.at):
+            message = f"with these arguments {component(control)} has no <hardware>"
+            yield Finding(control.at, message, severity=Severity.INFO)
+        else:
+            yield Finding(
+                control.at, f"{component(control)} has no <hardware>, whose <plugin> names the class that drives it"
+            )

@@ -1,0 +1,67 @@
+"""UC308."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS2
+from urdfctl.diagnostic import Edit
+from urdfctl.model.ros2_control import Interface
+from urdfctl.rule import Finding, Fix, Project, Severity, rule
+from urdfctl.rules.common import is_known, label
+from urdfctl.rules.ros2_control.common import interfaces, whole_element
+from urdfctl.rules.ros2_control.facts import INTERFACES_OF_ROS1
+
+
+@rule(
+    "UC308",
+    severity=Severity.ERROR,
+    distros=ROS2,
+    authority='ros2_control hardware_interface/src/component_parser.cpp: "no attribute name in command_interface tag"',
+    bad={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="elbow">
+                «<command_interface>»position</command_interface>
+                <state_interface name="position"/>
+              </joint>
+            </ros2_control>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="elbow">
+                <command_interface name="position"/>
+                <state_interface name="position"/>
+              </joint>
+            </ros2_control>
+        """,
+    },
+)
+def interface_without_name(project: Project) -> Iterator[Finding]:
+    """An interface has no name.
+
+    The controller manager refuses the whole description. The name stands in an attribute, not between the tags as
+    that of ROS 1's `<hardwareInterface>`. An empty one makes an interface that nobody can ask for.
+    """
+    for part, interface in interfaces(project):
+        of = label(part.kind, part.name)
+        if interface.name is None:
+            yield Finding(interface.at, f"a <{interface.element}> of {of} has no 'name'", fix=_fix(interface))
+        elif not interface.name.strip():
+            message = f"the name of a <{interface.element}> of {of} is empty: nobody can ask for it"
+            yield Finding(interface.at["name"], message, severity=Severity.WARNING)
+
+
+def _fix(interface: Interface) -> Fix | None:
+    text = interface.tag.past_comments
+    name = INTERFACES_OF_ROS1.get(text.removeprefix("hardware_interface/"), text)
+    if not name or not is_known(name):
+        return None
+    right = f'<{interface.element} name="{name}"/>'
+    span = None if interface.tag.children else whole_element(interface.at)
+    edits = (Edit(span, right),) if span is not None and name == text else ()
+    return Fix(f"write {right}", edits, safe=bool(edits))

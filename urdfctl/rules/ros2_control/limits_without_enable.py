@@ -1,0 +1,56 @@
+"""UC318."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.common import label, severity_where
+from urdfctl.rules.ros2_control.common import JAZZY, first_of, parts
+
+
+@rule(
+    "UC318",
+    severity=Severity.ERROR,
+    distros=JAZZY,
+    authority="ros2_control hardware_interface/src/component_parser.cpp: \"no attribute 'enable' in 'limits' tag\"",
+    options=["--distro=jazzy"],
+    bad={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="elbow">
+                <command_interface name="position"/>
+                <state_interface name="position"/>
+                «<limits min="-1" max="1"/>»
+              </joint>
+            </ros2_control>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="elbow">
+                <command_interface name="position"><param name="min">-1</param><param name="max">1</param></command_interface>
+                <state_interface name="position"/>
+                <limits enable="true"/>
+              </joint>
+            </ros2_control>
+        """,
+    },
+)
+def limits_without_enable(project: Project) -> Iterator[Finding]:
+    """A `<limits>` in a component does not say whether it enables them.
+
+    From jazzy on the controller manager refuses the description. The element switches limits on and off and holds no
+    numbers: these stand in the URDF's `<limit>`, and as `min` and `max` in the command interface.
+    """
+    for _, part in parts(project):
+        owner = label(part.kind, part.name)
+        tags = [part.tag] if part.kind != "gpio" else []
+        for tag in (*tags, *(interface.tag for interface in part.interfaces)):
+            for limits in first_of(tag, "limits"):
+                if "enable" not in limits.attributes:
+                    message = f'the <limits> of {owner} has no \'enable\'; write <limits enable="true"/> or "false"'
+                    yield Finding(limits.at, message, severity=severity_where(project, JAZZY))
