@@ -37,7 +37,7 @@ class Robot:
         """The excerpt of a finding with its fix's edits made in it."""
         assert found.fix is not None
         data = bytearray((self.folder / "robot.urdf").read_bytes())
-        for edit in found.fix.edits:
+        for edit in sorted(found.fix.edits, key=lambda edit: edit.start, reverse=True):
             data[edit.start : edit.end] = edit.text.encode()
         return data.decode().splitlines()[found.at.line - 1].strip()
 

@@ -165,7 +165,8 @@ def test_a_missing_interface_is_told_with_where_it_may_have_gone(robot: Robot) -
     found = robot.only("UC201", snake)
     assert "<hardware_interface> is not read: the element is spelt <hardwareInterface>" in notes(found)
     assert found.fix is not None
-    assert "as its actuator names" in found.fix.title
+    assert found.fix.title == "write <hardwareInterface> for <hardware_interface>"
+    assert robot.fixed(found) == f'<joint name="elbow">{EFFORT}</joint>'
     hidden = robot.only("UC201", SOUND.replace("<hardwareInterface>", "<hardwareInterface><!-- c -->"))
     assert "the <hardwareInterface> of joint 'elbow' of transmission 'elbow_trans' is empty" in hidden.message
     assert "a comment stands before the text" in notes(hidden)
@@ -173,6 +174,20 @@ def test_a_missing_interface_is_told_with_where_it_may_have_gone(robot: Robot) -
     beside = SOUND.replace(EFFORT, "").replace("<actuator", EFFORT + "<!-- c --><note/><actuator")
     assert "stands beside the joint; it belongs inside <joint>" in notes(robot.only("UC201", beside))
     assert robot.lint(beside, distro="indigo")[0].fix is not None
+
+
+def test_a_missing_interface_is_added_as_the_actuator_names_it(robot: Robot) -> None:
+    actuator = SOUND.replace(EFFORT, "").replace('_motor">', '_motor"><hardwareInterface>Velocity</hardwareInterface>')
+    actuator = actuator.replace("Velocity", "VelocityJointInterface")
+    found = robot.only("UC201", actuator, distro="kinetic")
+    assert robot.fixed(found) == f'<joint name="elbow">{EFFORT.replace("Effort", "Velocity")}</joint>'
+    closed = robot.only("UC201", actuator.replace('"elbow"></joint>', '"elbow" />'), distro="indigo")
+    assert robot.fixed(closed) == (
+        '<joint name="elbow" ><hardwareInterface>VelocityJointInterface</hardwareInterface></joint>'
+    )
+    unknown = robot.only("UC201", SOUND.replace(EFFORT, ""))
+    assert unknown.fix is not None
+    assert (unknown.fix.edits, unknown.fix.safe) == ((), False)
 
 
 # -- types -----------------------------------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import fcntl
 import os
 import re
 import signal
@@ -137,19 +138,29 @@ def test_a_worker_that_leaves_without_a_word_is_our_fault() -> None:
 
 @needs_fork
 def test_half_a_result_is_no_result(monkeypatch: pytest.MonkeyPatch) -> None:
+    before = set(_writable_pipes().values())
+
     def perform(job: Json) -> Json:
-        os.write(max(int(name) for name in os.listdir("/proc/self/fd") if _is_pipe(name)), b'{"number": ')
+        [result] = [number for number, pipe in _writable_pipes().items() if pipe not in before]
+        os.write(result, b'{"number": ')
         os.kill(os.getpid(), signal.SIGKILL)
         return job
 
     assert results(perform) == [Died("it uses more time or memory than a robot needs")]
 
 
-def _is_pipe(number: str) -> bool:
+def _writable_pipes() -> dict[int, str]:
+    """The pipes that this process can write to, by their numbers."""
+    links = {name: _link(name) for name in os.listdir("/proc/self/fd")}
+    pipes = {int(name): link for name, link in links.items() if link.startswith("pipe:")}
+    return {number: link for number, link in pipes.items() if fcntl.fcntl(number, fcntl.F_GETFL) & os.O_WRONLY}
+
+
+def _link(name: str) -> str:
     try:
-        return os.readlink(f"/proc/self/fd/{number}").startswith("pipe:")
+        return os.readlink(f"/proc/self/fd/{name}")
     except OSError:
-        return False
+        return ""
 
 
 @needs_fork

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import lru_cache
 
 ROS1 = ("hydro", "indigo", "jade", "kinetic", "lunar", "melodic", "noetic")
 ROS2 = ("foxy", "galactic", "humble", "iron", "jazzy", "kilted", "lyrical", "rolling")
@@ -25,6 +26,26 @@ def until(distro: str) -> tuple[str, ...]:
 def generation(distro: str) -> int:
     """1 or 2."""
     return 1 if distro in ROS1 else 2
+
+
+@lru_cache(maxsize=1024)
+def spanned(text: str, ros: int) -> tuple[str, ...]:
+    """The distros of a generation that a span names: `humble..` from one on, `..iron` up to one, `galactic, iron`.
+
+    Those of the other generation name nothing here. ValueError where it names what is no distro.
+    """
+    family = ROS1 if ros == 1 else ROS2
+    named: set[str] = set()
+    for part in text.split(","):
+        first, dots, last = part.strip().partition("..")
+        if not {first, last} <= {*ALL, ""}:
+            raise ValueError(f"'{part.strip()}' names no distro")
+        if not {first, last} <= {*family, ""}:
+            continue
+        start = family.index(first) if first or not dots else 0
+        end = family.index(last) if last else len(family) - 1 if dots else start
+        named.update(family[start : end + 1])
+    return tuple(distro for distro in family if distro in named)
 
 
 def in_words(distros: Iterable[str]) -> str:

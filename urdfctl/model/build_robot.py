@@ -106,7 +106,7 @@ def _link(element: dom.Element) -> Link:
             inertials.append(_inertial(child))
         elif child.tagName in ("visual", "collision"):
             geometry = _first(child, "geometry")
-            shape = next(geometry.elements(), None) if geometry is not None else None
+            shape = next(iter(geometry.elements()), None) if geometry is not None else None
             geometries.append(Geometry(child.tagName, child.at, Tag(shape) if shape is not None else None))
     return Link(element.attrs.get("name"), element.at, tuple(inertials), tuple(geometries), Tag(element))
 

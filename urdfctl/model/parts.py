@@ -72,25 +72,18 @@ def leading_number(text: str) -> float | None:
 class Tag:
     """An element that the model has no type of its own for: a view of the tree, which is never changed through it."""
 
-    __slots__ = ("_element",)
+    __slots__ = ("_children", "_element", "attributes", "name")
 
     def __init__(self, element: Element) -> None:
         self._element = element
-
-    @property
-    def name(self) -> str:
-        """The element's name."""
-        return self._element.tagName
+        self._children: tuple[Tag, ...] | None = None
+        self.name = element.tagName
+        self.attributes: Mapping[str, str] = element.attrs
 
     @property
     def at(self) -> Place:
         """Where the element stands."""
         return self._element.at
-
-    @property
-    def attributes(self) -> Mapping[str, str]:
-        """The attributes by name."""
-        return self._element.attrs
 
     @property
     def text(self) -> str:
@@ -105,11 +98,13 @@ class Tag:
     @property
     def children(self) -> tuple[Tag, ...]:
         """The elements in it, in order."""
-        return tuple(Tag(child) for child in self._element.elements())
+        if self._children is None:
+            self._children = tuple([Tag(child) for child in self._element.elements()])
+        return self._children
 
     def named(self, name: str) -> Iterator[Tag]:
         """The children of a name."""
-        return (Tag(child) for child in self._element.elements() if child.tagName == name)
+        return (child for child in self.children if child.name == name)
 
 
 def text_of(element: Element) -> Text:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from functools import wraps
+from typing import TypeVar
 
 from urdfctl.model.robot import Robot
 from urdfctl.rule import Edit, Fix, Project, Severity
@@ -13,6 +15,20 @@ from urdfctl.suggest import nearest
 
 _MOST_COMPARED = 20
 _CUT_OUT = rb"<xacro:(?!if\b|unless\b|property\b|arg\b)"
+_Seen = TypeVar("_Seen")
+
+
+def once_per_robot(function: Callable[[Robot], _Seen]) -> Callable[[Robot], _Seen]:
+    """Remember what a function gave for the robot it was last asked of: several rules ask the same, one by one."""
+    last: list[tuple[Robot, _Seen]] = []
+
+    @wraps(function)
+    def remembered(robot: Robot) -> _Seen:
+        if not last or last[0][0] is not robot:
+            last[:] = [(robot, function(robot))]
+        return last[0][1]
+
+    return remembered
 
 
 def robot_in(project: Project) -> Robot | None:

@@ -25,7 +25,9 @@ _JOINT = """\
 </joint>
 """
 _ARM = (
-    '<link name="base"/>\n'
+    '<link name="world"/>\n'
+    + _LINK.format(name="base")
+    + '<joint name="mount" type="fixed"><parent link="world"/><child link="base"/></joint>\n'
     + _LINK.format(name="upper")
     + _LINK.format(name="fore")
     + _JOINT.format(name="shoulder", parent="base", child="upper")

@@ -99,11 +99,15 @@ class Node:
             yield child
             child = child.nextSibling
 
-    def elements(self) -> Iterator[Element]:
+    def elements(self) -> list[Element]:
         """The children that are elements, in order."""
-        for child in self.children():
+        found = []
+        child = self.firstChild
+        while child is not None:
             if isinstance(child, Element):
-                yield child
+                found.append(child)
+            child = child.nextSibling
+        return found
 
     def cloneNode(self, deep: bool = False) -> Node:
         """A copy, with all below it."""

@@ -8,14 +8,16 @@ operators that can make a small expression endless become calls of `guards`.
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterator
 from functools import lru_cache
+from keyword import iskeyword
 from types import CodeType
 from typing import Any
 
 from urdfctl.source.guards import MOST_PLACES, ForbiddenExpression, check_places
 
-__all__ = ["OPERATORS", "ForbiddenExpression", "compile_checked"]
+__all__ = ["OPERATORS", "ForbiddenExpression", "compile_checked", "plain_path"]
 
 _ALLOWED: tuple[type[ast.AST], ...] = (
     ast.Expression, ast.BoolOp, ast.BinOp, ast.UnaryOp, ast.IfExp, ast.Compare, ast.Call, ast.keyword, ast.Starred,
@@ -41,6 +43,9 @@ OPERATORS = (".", *_GUARDED.values())
 _SOMEWHERE: dict[str, Any] = {"lineno": 1, "col_offset": 0, "end_lineno": 1, "end_col_offset": 0}
 _LONGEST = 10_000
 _DEEPEST = 500
+_WITH_PARTS = (ast.expr, ast.comprehension, ast.arguments, ast.arg, ast.keyword)
+_STEP = re.compile(r"[A-Za-z]\w*|'[^'\\\n]*'|\"[^\"\\\n]*\"")
+_PATH = re.compile(rf"[A-Za-z]\w*(?:\[(?:{_STEP.pattern.partition('|')[2]})\])*", re.ASCII)
 
 
 @lru_cache(8192)
@@ -49,39 +54,54 @@ def compile_checked(expression: str, *, function: bool = False) -> CodeType:
     ForbiddenExpression where it leaves the allow-list, SyntaxError where it is no expression."""
     if len(expression) > _LONGEST:
         raise ForbiddenExpression(f"the expression is longer than {_LONGEST} characters")
-    if _is_harmless_name(expression) and not function:
-        return compile(expression, "<expression>", "eval")
-    tree = ast.parse(expression, "<expression>", "eval")
-    nodes = _nodes(tree)
-    called = {id(node.func) for node in nodes if isinstance(node, ast.Call)}
-    for node in nodes:
-        _check(node)
-        if isinstance(node, ast.Attribute) and node.attr in _ONLY_CALLED and id(node) not in called:
-            raise ForbiddenExpression(f"'{node.attr}' without a call is not allowed in an expression")
-    guarded = _Guarded().visit(tree)
+    tree = _guarded(ast.parse(expression, "<expression>", "eval"), _DEEPEST)
     if not function:
-        return compile(guarded, "<expression>", "eval")
-    given = [ast.arg(arg=name) for name in OPERATORS]
+        return compile(tree, "<expression>", "eval")
+    given = [ast.arg(arg=name, annotation=None, type_comment=None, **_SOMEWHERE) for name in OPERATORS]
     arguments = ast.arguments(posonlyargs=given, args=[], kwonlyargs=[], kw_defaults=[], defaults=[])
-    whole = ast.Expression(body=ast.Lambda(args=arguments, body=guarded.body))
-    outer = compile(ast.fix_missing_locations(whole), "<expression>", "eval")
+    whole = ast.Expression(body=ast.Lambda(args=arguments, body=tree.body, **_SOMEWHERE))
+    outer = compile(whole, "<expression>", "eval")
     return next(constant for constant in outer.co_consts if isinstance(constant, CodeType))
 
 
-class _Guarded(ast.NodeTransformer):
-    """Puts calls of guards in the place of operators."""
+@lru_cache(8192)
+def plain_path(expression: str) -> tuple[str, ...] | None:
+    """The name and the keys of an expression such as `a` or `a['b']['c']`, which needs no code; None for all others.
 
-    def visit_BinOp(self, node: ast.BinOp) -> ast.expr:
-        self.generic_visit(node)
-        guard = _GUARDED.get(type(node.op))
-        if guard is None or _is_fraction(node.left) or (guard == "*" and _is_fraction(node.right)):
-            return node
-        return _call(guard, node.left, node.right)
+    Nine of ten expressions of a robot that takes its numbers from YAML are such.
+    """
+    if len(expression) > _LONGEST or "__" in expression or not _PATH.fullmatch(expression):
+        return None
+    name, *keys = _STEP.findall(expression)
+    return None if iskeyword(name) else (name, *(key[1:-1] for key in keys))
 
-    def visit_Attribute(self, node: ast.Attribute) -> ast.expr:
-        self.generic_visit(node)
-        name = ast.Constant(value=node.attr, kind=None, **_SOMEWHERE)
-        return _call(".", node.value, name)
+
+def _guarded(node: Any, depth: int, *, called: bool = False) -> Any:
+    """A tree that was checked, with calls of guards in the place of operators. ForbiddenExpression where it is not
+    allowed, or too deep."""
+    if depth == 0:
+        raise ForbiddenExpression(f"the expression is nested more than {_DEEPEST} deep")
+    _check(node)
+    if isinstance(node, ast.Attribute) and node.attr in _ONLY_CALLED and not called:
+        raise ForbiddenExpression(f"'{node.attr}' without a call is not allowed in an expression")
+    for field in node._fields:
+        value = getattr(node, field)
+        if isinstance(value, _WITH_PARTS):
+            setattr(node, field, _guarded(value, depth - 1, called=field == "func"))
+        elif isinstance(value, list):
+            value[:] = [_guarded(part, depth - 1) if isinstance(part, _WITH_PARTS) else part for part in value]
+    if isinstance(node, ast.BinOp):
+        return _operation(node)
+    if isinstance(node, ast.Attribute):
+        return _call(".", node.value, ast.Constant(value=node.attr, kind=None, **_SOMEWHERE))
+    return node
+
+
+def _operation(node: ast.BinOp) -> ast.expr:
+    guard = _GUARDED.get(type(node.op))
+    if guard is None or _is_fraction(node.left) or (guard == "*" and _is_fraction(node.right)):
+        return node
+    return _call(guard, node.left, node.right)
 
 
 def _call(guard: str, *arguments: ast.expr) -> ast.expr:
@@ -94,23 +114,6 @@ def _is_fraction(node: ast.expr) -> bool:
     if isinstance(node, ast.Constant):
         return isinstance(node.value, float)
     return isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div)
-
-
-def _is_harmless_name(expression: str) -> bool:
-    """Whether an expression is nothing but a name that may be used: most are."""
-    return expression.isidentifier() and not expression.startswith("_")
-
-
-def _nodes(tree: ast.AST) -> list[ast.AST]:
-    """All nodes of a tree. ForbiddenExpression where it is too deep."""
-    nodes: list[ast.AST] = []
-    level: list[ast.AST] = [tree]
-    for _ in range(_DEEPEST):
-        nodes += level
-        level = [child for node in level for child in ast.iter_child_nodes(node)]
-        if not level:
-            return nodes
-    raise ForbiddenExpression(f"the expression is nested more than {_DEEPEST} deep")
 
 
 def _check(node: ast.AST) -> None:

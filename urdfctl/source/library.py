@@ -88,7 +88,8 @@ class LibraryExpander(Expander):
         return super()._check_attrs(node, required, optional)
 
     def _decided(self, decide: Callable[[Any, Any], bool], value: Any, condition: Any) -> bool:
-        if isinstance(value, Opaque) or (isinstance(value, str) and UNKNOWN in value):
+        unknown = isinstance(value, Opaque) or (isinstance(value, str) and UNKNOWN in value)
+        if unknown and condition is not None:  # without a condition the question is whether a property is a literal
             return self._guard is None or self._guard.tagName != "xacro:unless"
         return decide(value, condition)
 

@@ -7,12 +7,13 @@ import keyword
 import os
 import re
 from collections.abc import Callable
-from functools import lru_cache, partial
+from functools import lru_cache, partial, reduce
+from operator import getitem
 from types import FunctionType, ModuleType, SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 from urdfctl.source import engine, guards
-from urdfctl.source.expressions import OPERATORS, compile_checked
+from urdfctl.source.expressions import OPERATORS, compile_checked, plain_path
 from urdfctl.source.files import Files
 from urdfctl.source.macro_params import split_quickly
 from urdfctl.source.yaml_size import check_size
@@ -123,8 +124,12 @@ def _expression(module: Any, text: str, symbols: Any) -> Any:
 
 
 def _safe_eval(expression: str, symbols: Any, _local: object = None) -> Any:
+    expression = expression.strip()
+    path = plain_path(expression)
+    if path is not None and path[0] in symbols:
+        return guards.checked(reduce(getitem, path[1:], symbols[path[0]]))
     symbols.update(__builtins__={})
-    function = FunctionType(compile_checked(expression.strip(), function=True), symbols)
+    function = FunctionType(compile_checked(expression, function=True), symbols)
     return guards.checked(function(*guards.GUARDS))
 
 

@@ -12,7 +12,7 @@ from urdfctl.model.robot import Joint, Plugin
 from urdfctl.model.transmission import Transmission, TransmissionEnd
 from urdfctl.rules.common import is_known
 from urdfctl.rules.transmissions.facts import NO_PLUGIN_TYPES, PREFIX
-from urdfctl.source.span import Place
+from urdfctl.source.span import Place, SourceSpan
 
 _CONTROL_PLUGIN = "libgazebo_ros_control.so"
 _DEFAULT_SIMULATION = ("", "gazebo_ros_control/DefaultRobotHWSim")
@@ -118,6 +118,25 @@ def in_place_of(text: Text, right: str) -> tuple[Edit, ...]:
     """The edit that replaces an element's text; none where the source does not write it literally."""
     span = text.at.content.span
     return (Edit(span, right),) if span.text == text.value else ()
+
+
+def inserted(at: Place, element: str) -> tuple[Edit, ...]:
+    """The edit that puts an element in front of all others in the one at a place."""
+    tag = at.source.start_tag(at.start)
+    if tag is None:
+        return ()
+    if tag.self_closed:
+        return (Edit(SourceSpan(at.source, tag.end - len("/>"), tag.end), f">{element}</{tag.name}>"),)
+    inside = at.source.data[tag.end : at.closing]
+    blanks = inside[: len(inside) - len(inside.lstrip())].decode() if inside.strip() else ""
+    return (Edit(SourceSpan(at.source, tag.end, tag.end), blanks + element),)
+
+
+def renamed(tag: Tag, name: str) -> tuple[Edit, ...]:
+    """The edits that give an element another name."""
+    at, length = tag.at, len(tag.name.encode())
+    starts = [at.start + len("<"), *([at.closing + len("</")] if at.closing is not None else [])]
+    return tuple(Edit(SourceSpan(at.source, start, start + length), name) for start in starts)
 
 
 def in_place_of_name(at: Place, name: str, right: str) -> tuple[Edit, ...]:

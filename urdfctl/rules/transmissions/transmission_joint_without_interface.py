@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
+from urdfctl.model.parts import Text
 from urdfctl.model.transmission import Transmission, TransmissionEnd
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import is_whole
-from urdfctl.rules.transmissions.common import misspelt, read_transmissions, with_prefix
+from urdfctl.rules.transmissions.common import inserted, misspelt, read_transmissions, renamed, with_prefix
 from urdfctl.rules.transmissions.facts import PREFIX
 
 
@@ -57,24 +58,37 @@ def transmission_joint_without_interface(project: Project) -> Iterator[Finding]:
 
 
 def _finding(transmission: Transmission, joint: TransmissionEnd, project: Project) -> Finding:
-    notes = list(_why(transmission, joint))
-    known = _intended(transmission, joint)
-    example = with_prefix(known or "EffortJointInterface", project)
-    reason = ", as its actuator names" if known else ", or the position or velocity one"
-    older = " (before kinetic: without the prefix)" if example.startswith(PREFIX) else ""
-    title = f"add <hardwareInterface>{example}</hardwareInterface>{reason}{older}"
     message = f"joint '{joint.name}' of {transmission.label} has no <hardwareInterface>"
     if joint.interfaces:
         message = f"the <hardwareInterface> of joint '{joint.name}' of {transmission.label} is empty"
-    return Finding(joint.at, message, tuple(notes), Fix(title))
+    return Finding(joint.at, message, tuple(_why(transmission, joint)), _repair(transmission, joint, project))
 
 
-def _intended(transmission: Transmission, joint: TransmissionEnd) -> str | None:
-    """The interface that was meant: misspelt in the joint, hidden by a comment, or in the actuator."""
+def _repair(transmission: Transmission, joint: TransmissionEnd, project: Project) -> Fix:
     written = misspelt(joint.others, "hardwareInterface")
-    hidden = [interface.hidden for interface in joint.interfaces if interface.hidden]
-    by_actuators = [i.value for actuator in transmission.actuators for i in actuator.named_interfaces]
-    return next(iter([written.text] if written and written.text else [*hidden, *by_actuators]), None)
+    if written and written.text:
+        return Fix(f"write <hardwareInterface> for <{written.name}>", renamed(written, "hardwareInterface"), safe=True)
+    known, reason = _intended(transmission, joint)
+    example = with_prefix(known.value if known else "EffortJointInterface", project)
+    element = f"<hardwareInterface>{example}</hardwareInterface>"
+    older = example.startswith(PREFIX) and not set(project.distros) <= set(since("kinetic"))
+    title = f"add {element}{reason}" + (" (before kinetic: without the prefix)" if older else "")
+    literal = known is not None and known.at.content.span.text == known.value
+    return Fix(title, inserted(joint.at, element) if literal and not joint.interfaces else (), safe=literal)
+
+
+def _intended(transmission: Transmission, joint: TransmissionEnd) -> tuple[Text | None, str]:
+    """The interface that was meant, and what tells so: a comment in the joint, an element beside it, or an actuator."""
+    for interface in joint.interfaces:
+        if interface.hidden:
+            return interface._replace(value=interface.hidden), ", without a comment before the text"
+    beside = [other for other in transmission.others if other.name == "hardwareInterface" and other.text]
+    if beside:
+        return Text(beside[0].text, beside[0].at), ", as beside the joint"
+    named = {i.value: i for actuator in transmission.actuators for i in actuator.named_interfaces}
+    if len(named) == 1:
+        return next(iter(named.values())), ", as its actuator names"
+    return None, ", or the position or velocity one"
 
 
 def _why(transmission: Transmission, joint: TransmissionEnd) -> Iterator[Note]:

@@ -72,9 +72,8 @@ def vanishing(robot: Robot) -> list[Body]:
     return [
         body
         for body in bodies(robot)
-        if body.joint is not None
-        and body.is_weightless
-        and (body.lost or parent_of(body.joint) != WORLD)
+        if body.is_weightless
+        and (body.lost or (body.joint is not None and parent_of(body.joint) != WORLD))
         and body.head.name != WORLD
     ]
 

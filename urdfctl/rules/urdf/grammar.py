@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Robot
-from urdfctl.rules.common import label
+from urdfctl.rules.common import label, once_per_robot
 
 ELEMENTS = {
     "robot": ("link", "joint", "material", "transmission", "gazebo", "ros2_control"),
@@ -71,8 +71,13 @@ class ReadTag(NamedTuple):
     owner: str
 
 
-def read_tags(robot: Robot) -> Iterator[ReadTag]:
+@once_per_robot
+def read_tags(robot: Robot) -> tuple[ReadTag, ...]:
     """The elements of links, joints and materials that are read."""
+    return tuple(_walk(robot))
+
+
+def _walk(robot: Robot) -> Iterator[ReadTag]:
     tops = [link.tag for link in robot.links] + [joint.tag for joint in robot.joints]
     tops += [tag for tag in robot.others if tag.name == "material"]
     for top in tops:

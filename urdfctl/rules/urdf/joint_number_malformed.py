@@ -49,8 +49,6 @@ def joint_number_malformed(project: Project) -> Iterator[Finding]:
     numbers = Numbers(robot)
     for joint in robot.joints:
         for field in numbers.of_joint(joint):
-            if field.is_plain:
-                continue
             what = f"{field.label} of {label('joint', joint.name)}"
             at = field.element.at
             refused = refusing(field)

@@ -50,8 +50,6 @@ def link_number_malformed(project: Project) -> Iterator[Finding]:
     numbers = Numbers(robot)
     for link in robot.links:
         for field, part in numbers.of_link(link):
-            if field.is_plain:
-                continue
             what = f"{field.label} of {label('link', link.name)}"
             at = field.element.at
             if set(refusing(field)) & set(project.distros):

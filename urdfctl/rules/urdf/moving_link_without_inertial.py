@@ -49,5 +49,6 @@ def moving_link_without_inertial(project: Project) -> Iterator[Finding]:
     for body in lost:
         told = f"with the {body.lost} joints from here on" if body.lost > 1 else "with its joint"
         joint = body.joint.name if body.joint else None
-        message = f"link '{body.head.name}' of joint '{joint}' has no <inertial>: Gazebo drops it, {told}"
+        what = f"link '{body.head.name}' of joint '{joint}'" if joint else f"the root link '{body.head.name}'"
+        message = f"{what} has no <inertial>: Gazebo drops it, {told}"
         yield Finding(body.head.at["name"], message)

@@ -46,11 +46,6 @@ class Field(NamedTuple):
     size: int
 
     @property
-    def is_plain(self) -> bool:
-        """Whether there is nothing to be said of it: most are like that, and this is the quick way to know."""
-        return bool((_PLAIN if self.size == 1 else _PLAIN_VECTOR).fullmatch(self.text))
-
-    @property
     def label(self) -> str:
         """What a message calls it."""
         return f"'{self.attribute}' of <{self.element.name}>"
@@ -137,7 +132,8 @@ def is_subnormal(field: Field) -> bool:
 
 
 class Numbers:
-    """Gives the attributes of one robot that are read as numbers."""
+    """Gives the attributes of one robot that are read as numbers and are not plainly some: of most nothing can be said,
+    and that is quickly seen."""
 
     def __init__(self, robot: Robot) -> None:
         self._raw = not is_xacro(robot) and bool(_BROKEN_ATTRIBUTE.search(robot.at.source.data))
@@ -179,10 +175,14 @@ class Numbers:
         return self._of(origin, ("xyz", "rpy"), VECTOR)
 
     def _of(self, element: Tag, names: tuple[str, ...], count: int) -> Iterator[Field]:
+        plain = _PLAIN if count == 1 else _PLAIN_VECTOR
         for name in names:
             text = element.attributes.get(name)
-            if text is not None and is_known(text):
-                yield Field(element, name, self._as_read(element, name, text), count)
+            if text is None or (plain.fullmatch(text) and not self._raw):
+                continue
+            text = self._as_read(element, name, text)
+            if is_known(text) and not plain.fullmatch(text):
+                yield Field(element, name, text, count)
 
     def _as_read(self, element: Tag, name: str, text: str) -> str:
         """The text with its tabs and line ends: XML readers, and so xacro, make blanks of them, urdfdom's does not."""

@@ -1,0 +1,52 @@
+"""The data of the catalogue is sound, and what the program reads is what people edit."""
+
+from __future__ import annotations
+
+import pytest
+
+from urdfctl.catalog.catalog import CATALOG
+from urdfctl.catalog.compiled import files
+from urdfctl.catalog.distros import ALL, spanned
+from urdfctl.catalog.store import plain
+from urdfctl.catalog.validators import NAMES
+
+
+@pytest.mark.parametrize(("path", "text"), [pytest.param(*file, id=file[0].name) for file in files()])
+def test_the_compiled_data_is_that_of_the_yaml(path: object, text: str) -> None:
+    assert path.read_text(encoding="utf-8") == text, "run python -m urdfctl.catalog.compiled"  # type: ignore[attr-defined]
+
+
+def controllers() -> list[tuple[str, str]]:
+    return [(name, distro) for distro in ALL for name in CATALOG.known_types(distro)]
+
+
+@pytest.mark.parametrize(("name", "distro"), controllers())
+def test_all_that_a_controller_speaks_of_is_one_of_its_parameters(name: str, distro: str) -> None:
+    controller = CATALOG.controller(name, distro)
+    assert controller is not None
+    rules = [*(controller.claims or ((), ())), *controller.exports]
+    spoken = {
+        parameter
+        for rule in (one for part in rules for one in part)
+        for parameter in (rule.for_each, rule.or_else, rule.names_from, rule.interfaces_from)
+        if parameter and "{" not in parameter
+    }
+    spoken |= {param for rule in controller.rules for param in rule.params}
+    conditions = [c for rule in controller.rules for c in (*rule.when, *rule.when_any)]
+    spoken |= {condition.param for condition in conditions}
+    known = {*controller.parameters, *controller.former}
+    assert {one for one in spoken if one not in known and not any(k.startswith(f"{one}.") for k in known)} == set()
+    for parameter in controller.parameters.values():
+        assert set(parameter.validators) | set(parameter.useful) <= NAMES
+
+
+@pytest.mark.parametrize("ros", [1, 2])
+def test_what_replaces_a_type_is_known(ros: int) -> None:
+    for kind in ("controllers", "hardware"):
+        entries = plain(ros, kind)
+        for entry in entries.values():
+            if "replacement" in entry:
+                assert entry["replacement"]["type"] in entries
+            for key in ("distros", "deprecated", "removed"):
+                if isinstance(entry.get(key), str):
+                    assert spanned(entry[key], ros)

@@ -1,0 +1,166 @@
+"""The catalogue: what the world offers of controllers, hardware and simulators, by distro, with what the user adds."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import cache
+from typing import TYPE_CHECKING, Any
+
+from urdfctl.catalog.distros import generation
+from urdfctl.catalog.entries import ControllerType, Parameter, Replacement
+from urdfctl.catalog.reading import controller_type, distros_of, extension, in_distro, read_parameters, replacement_of
+from urdfctl.catalog.store import plain, renamed
+
+if TYPE_CHECKING:
+    from urdfctl.catalog.hardware import HardwareType, SimulatorPlugin, TransmissionType
+
+Plain = Mapping[str, Any]
+
+
+class Catalog:
+    """Asked for something of a distro that it does not know, it answers None, or an empty mapping."""
+
+    def __init__(
+        self, controllers: Mapping[str, Plain] | None = None, hardware: Mapping[str, Plain] | None = None
+    ) -> None:
+        self._controllers = dict(controllers or {})
+        self._hardware = dict(hardware or {})
+        self._made: dict[tuple[str, str], ControllerType | None] = {}
+
+    # -- controllers -------------------------------------------------------------------------------------------------
+
+    def controller(self, name: str, distro: str) -> ControllerType | None:
+        """A type of controller as a distro has it; None where it has it not."""
+        if (name, distro) not in self._made:
+            entry = self._controller_entry(name, generation(distro))
+            self._made[name, distro] = controller_type(entry, distro) if entry else None
+        return self._made[name, distro]
+
+    def known_types(self, distro: str) -> tuple[str, ...]:
+        """The types of controllers that a distro has."""
+        ros = generation(distro)
+        return tuple(name for name, entry in self._controller_entries(ros) if distro in distros_of(entry, ros))
+
+    def distros_of(self, name: str) -> tuple[str, ...]:
+        """The distros of both generations that have a type of controller; none where it is not known at all."""
+        entries = ((ros, self._controller_entry(name, ros)) for ros in (1, 2))
+        return tuple(distro for ros, entry in entries if entry for distro in distros_of(entry, ros))
+
+    def replacement(self, name: str, distro: str) -> Replacement | None:
+        """What takes the place of a type in a distro: of one removed or deprecated, or of the other generation's.
+
+        None also where what would take its place is not in that distro.
+        """
+        ros = generation(distro)
+        entry = self._controller_entry(name, ros)
+        found = replacement_of(entry) if entry else None
+        if found is None and (entry is None or distro not in distros_of(entry, ros)):
+            other = renamed()[f"to_ros{ros}"].get(name)
+            found = replacement_of({"replacement": other}) if other else None
+        return found if found and self.controller(found.type, distro) else None
+
+    # -- hardware, simulators, transmissions --------------------------------------------------------------------------
+
+    def hardware(self, name: str, distro: str) -> HardwareType | None:
+        """A hardware plugin as a distro has it; None where it has it not."""
+        from urdfctl.catalog.hardware import hardware_type
+
+        ros = generation(distro)
+        own = in_distro({**plain(ros, "hardware"), **self._hardware}.get(name, {"distros": "rolling"}), distro)
+        return hardware_type(own, distro) if own and "type" in own else None
+
+    def known_hardware(self, distro: str) -> tuple[str, ...]:
+        """The hardware plugins that a distro has."""
+        ros = generation(distro)
+        entries = {**plain(ros, "hardware"), **self._hardware}
+        return tuple(name for name, entry in entries.items() if distro in distros_of(entry, ros))
+
+    def hardware_replacement(self, name: str, distro: str) -> str | None:
+        """The hardware plugin that takes the place of one in a distro."""
+        entry = plain(generation(distro), "hardware").get(name)
+        found = replacement_of(entry) if entry else None
+        return found.type if found and found.type in self.known_hardware(distro) else None
+
+    def simulator_plugins(self, distro: str) -> tuple[SimulatorPlugin, ...]:
+        """The simulator plugins that robots of a distro may load."""
+        from urdfctl.catalog.hardware import simulator_plugin
+
+        found = (in_distro(entry, distro) for entry in plain(generation(distro), "simulators").values())
+        return tuple(simulator_plugin(own, distro) for own in found if own is not None)
+
+    def transmission(self, name: str, distro: str) -> TransmissionType | None:
+        """A type of transmission as a distro has it; None where it has it not."""
+        from urdfctl.catalog.hardware import transmission_type
+
+        entry = plain(generation(distro), "transmissions").get(name)
+        own = in_distro(entry, distro) if entry else None
+        return transmission_type(own, distro) if own else None
+
+    def known_transmissions(self, distro: str) -> tuple[str, ...]:
+        """The types of transmissions that a distro has."""
+        ros = generation(distro)
+        return tuple(name for name, entry in plain(ros, "transmissions").items() if distro in distros_of(entry, ros))
+
+    # -- the controller manager ---------------------------------------------------------------------------------------
+
+    def manager_parameters(self, distro: str) -> Mapping[str, Parameter]:
+        """The parameters of the controller manager's own node, without those of its controllers."""
+        return _manager(distro, "manager")
+
+    def controller_keys(self, distro: str) -> Mapping[str, Parameter]:
+        """What the controller manager reads of each controller, below the controller's name: its type, and more."""
+        return _manager(distro, "controller")
+
+    def common_parameters(self, distro: str) -> Mapping[str, Parameter]:
+        """The parameters that every controller's node has beside its own."""
+        return _manager(distro, "every_controller")
+
+    def filters(self, distro: str) -> Mapping[str, Mapping[str, Parameter]]:
+        """The parameters of the filters that a chain may hold, by the filter's type."""
+        found = {f["type"]: in_distro(f, distro) for f in plain(generation(distro), "manager").get("filters", ())}
+        return {name: read_parameters(own["parameters"], distro) for name, own in found.items() if own}
+
+    def standard_interfaces(self, distro: str) -> tuple[str, ...]:
+        """The names of interfaces that have a meaning of their own: position, velocity, ...; ROS 2."""
+        return tuple(_interfaces(distro).get("standard", ()))
+
+    def sensor_interfaces(self, distro: str) -> Mapping[str, tuple[str, ...]]:
+        """The interfaces of a sensor of a kind (imu, force_torque, ...); ROS 2."""
+        return {kind: tuple(names) for kind, names in _interfaces(distro).get("sensors", {}).items()}
+
+    # -- the user's ---------------------------------------------------------------------------------------------------
+
+    def extended(self, controllers: tuple[Plain, ...] = (), hardware: tuple[Plain, ...] = ()) -> Catalog:
+        """A catalogue with further entries, which go over those of the same type."""
+        return Catalog(
+            {**self._controllers, **{entry["type"]: entry for entry in controllers}},
+            {**self._hardware, **{entry["type"]: entry for entry in hardware}},
+        )
+
+    def _controller_entries(self, ros: int) -> Iterator[tuple[str, Plain]]:
+        for name in {**plain(ros, "controllers"), **self._controllers}:
+            entry = self._controller_entry(name, ros)
+            if entry is not None:
+                yield name, entry
+
+    def _controller_entry(self, name: str, ros: int) -> Plain | None:
+        own = self._controllers.get(name)
+        if own is None:
+            return plain(ros, "controllers").get(name)
+        extended = own.get("extends")
+        base = self._controller_entry(extended, ros) if extended and extended != name else None
+        return extension(base, own) if base else own
+
+
+CATALOG = Catalog()
+"""The catalogue without anything of the user's."""
+
+
+@cache
+def _manager(distro: str, part: str) -> Mapping[str, Parameter]:
+    return read_parameters(plain(generation(distro), "manager").get(part, {}), distro)
+
+
+def _interfaces(distro: str) -> Plain:
+    parts = plain(generation(distro), "interfaces")
+    return in_distro(parts, distro) or {} if generation(distro) == 2 else {}  # noqa: PLR2004

@@ -1,0 +1,155 @@
+"""What the catalogue tells of hardware plugins, simulator plugins and transmissions, for one distro."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+from urdfctl.catalog.entries import NOTHING, Parameter, Replacement
+from urdfctl.catalog.reading import in_distro, read_parameters, replacement_of
+
+Plain = Mapping[str, Any]
+
+
+class HardwareType(NamedTuple):
+    """A hardware plugin as one distro has it.
+
+    `simulator` is what it simulates with: a simulator's name, `mock`, `topic` or `replay`; None is real hardware.
+    `host` is the id of the simulator plugin that loads it. Interfaces of None are any, or not known.
+    `sensor_interfaces` are by kind of sensor.
+    """
+
+    type: str
+    distro: str
+    package: str
+    component_types: tuple[str, ...]
+    simulator: str | None = None
+    host: str | None = None
+    command_interfaces: tuple[str, ...] | None = None
+    state_interfaces: tuple[str, ...] | None = None
+    sensor_interfaces: Mapping[str, tuple[str, ...]] | None = None
+    hardware_parameters: Mapping[str, Parameter] | None = None
+    joint_parameters: Mapping[str, Parameter] | None = None
+    deprecated: bool = False
+    replacement: Replacement | None = None
+
+
+class PluginChild(NamedTuple):
+    """An element that a simulator plugin reads. `names` says what its text must name: a `joint` or a `link`."""
+
+    name: str
+    type: str
+    required: bool = False
+    default: object = None
+    repeatable: bool = False
+    names: str | None = None
+    validators: Mapping[str, object] = NOTHING
+    aliases: tuple[str, ...] = ()
+    note: str | None = None
+
+
+class SimulatorPlugin(NamedTuple):
+    """A plugin of a simulator: by its library's file names, and by its own names where they are not free."""
+
+    id: str
+    simulator: str
+    package: str | None
+    filenames: tuple[str, ...]
+    names: tuple[str, ...]
+    children: Mapping[str, PluginChild]
+    hosts_control: bool = False
+    default_hardware: str | None = None
+    of_sensor: bool = False
+    one_per_model: bool = False
+
+
+class TransmissionType(NamedTuple):
+    """How many ends of each side a type of transmission wants, and their roles where they have some.
+
+    A `legacy` one is of another loader than ros_control's.
+    """
+
+    type: str
+    joints: int | None
+    actuators: int | None
+    joint_roles: tuple[str, ...] = ()
+    actuator_roles: tuple[str, ...] = ()
+    interfaces: tuple[str, ...] = ()
+    legacy: bool = False
+
+
+def hardware_type(own: Plain, distro: str) -> HardwareType:
+    """A hardware plugin of its plain entry."""
+    sensors = own.get("sensor_interfaces")
+    return HardwareType(
+        own["type"],
+        distro,
+        own.get("package", own["type"].partition("/")[0]),
+        tuple(own.get("component_types", ("system",))),
+        own.get("simulator"),
+        own.get("host"),
+        _interfaces(own.get("command_interfaces")),
+        _interfaces(own.get("state_interfaces")),
+        {kind: tuple(names) for kind, names in sensors.items()} if sensors is not None else None,
+        _parameters(own.get("hardware_parameters"), distro),
+        _parameters(own.get("joint_parameters"), distro),
+        _holds(own.get("deprecated"), distro),
+        replacement_of(own),
+    )
+
+
+def simulator_plugin(own: Plain, distro: str) -> SimulatorPlugin:
+    """A simulator plugin of its plain entry."""
+    children = {name: in_distro(child, distro) for name, child in own["children"].items()}
+    return SimulatorPlugin(
+        own["id"],
+        own["simulator"],
+        own.get("package"),
+        tuple(own["filenames"]),
+        (*own.get("names", ()), *own.get("names_of_fortress", ())),
+        {name: _child(name, child) for name, child in children.items() if child is not None},
+        own.get("hosts_ros2_control", False) or own.get("hosts_ros_control", False),
+        own.get("default_hardware"),
+        own.get("of_sensor", False),
+        own.get("one_per_model", False),
+    )
+
+
+def transmission_type(own: Plain, distro: str) -> TransmissionType:
+    """A type of transmission of its plain entry."""
+    del distro  # its overrides are applied
+    return TransmissionType(
+        own["type"],
+        own.get("joints"),
+        own.get("actuators"),
+        tuple(own.get("joint_roles", ())),
+        tuple(own.get("actuator_roles", ())),
+        tuple(own.get("interfaces", ())),
+        own.get("legacy", False),
+    )
+
+
+def _child(name: str, own: Plain) -> PluginChild:
+    return PluginChild(
+        name,
+        own["type"],
+        own.get("required", False),
+        own.get("default"),
+        own.get("repeatable", False),
+        own.get("names"),
+        own.get("validators", NOTHING),
+        tuple(own.get("aliases", ())),
+        own.get("note"),
+    )
+
+
+def _interfaces(plain: list[str] | str | None) -> tuple[str, ...] | None:
+    return tuple(plain) if isinstance(plain, list) else None
+
+
+def _parameters(plain: Mapping[str, Plain] | None, distro: str) -> Mapping[str, Parameter] | None:
+    return read_parameters(plain, distro) if plain is not None else None
+
+
+def _holds(span: str | None, distro: str) -> bool:
+    return span is not None and in_distro({"distros": span}, distro) is not None

@@ -1,0 +1,1 @@
+"""What a controller manager works out of controllers, their parameters and the robot."""

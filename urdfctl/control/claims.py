@@ -1,0 +1,223 @@
+"""Which interfaces a controller claims and exports, by the rules of its entry in the catalogue.
+
+A claim that hangs on a value that is not known is left out, and the whole is told not to be complete.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from typing import NamedTuple
+
+from urdfctl.catalog.entries import ClaimRule, Condition, ControllerType
+from urdfctl.catalog.map_parameters import matching
+from urdfctl.catalog.values import elements, is_known, is_list, is_set
+
+_PLACEHOLDER = re.compile(r"\{(\w+)\}")
+
+
+class Claim(NamedTuple):
+    """An interface that a controller claims or exports: `component`/`interface`.
+
+    `parameter` and `element` tell what named the component, or the whole name: the parameter, and which of its
+    elements; None where the controller names it of itself. `interface_parameter` and `interface_element` tell the
+    same of the interface. A claim of `best_effort` that nothing offers is passed over in silence.
+    """
+
+    component: str
+    interface: str
+    parameter: str | None = None
+    element: int | None = None
+    interface_parameter: str | None = None
+    interface_element: int | None = None
+    best_effort: bool = False
+
+    @property
+    def name(self) -> str:
+        """The whole name."""
+        return f"{self.component}/{self.interface}" if self.interface else self.component
+
+
+class RobotFacts(NamedTuple):
+    """What claims may hang on: the movable joints, and the state interfaces offered, as (component, interface)."""
+
+    movable_joints: tuple[str, ...] = ()
+    state_interfaces: tuple[tuple[str, str], ...] = ()
+
+
+NO_FACTS = RobotFacts()
+
+
+class Claims(NamedTuple):
+    """What a controller claims. It may claim more where they are not `complete`."""
+
+    command: tuple[Claim, ...] = ()
+    state: tuple[Claim, ...] = ()
+    complete: bool = True
+
+
+class Exports(NamedTuple):
+    """What a controller offers to those before it. It may offer more where they are not `complete`."""
+
+    reference: tuple[Claim, ...] = ()
+    state: tuple[Claim, ...] = ()
+    complete: bool = True
+
+
+def claims(
+    controller: ControllerType, name: str, values: Mapping[str, object], robot: RobotFacts = NO_FACTS
+) -> Claims | None:
+    """What a controller of some name and parameters claims; None where the catalogue does not know."""
+    if controller.claims is None:
+        return None
+    evaluation = _Evaluation(controller, name, values, robot)
+    command, state = evaluation.of(controller.claims.command), evaluation.of(controller.claims.state)
+    return Claims(command, state, evaluation.complete)
+
+
+def exports(controller: ControllerType, name: str, values: Mapping[str, object]) -> Exports:
+    """What a controller of some name and parameters exports for others to claim."""
+    evaluation = _Evaluation(controller, name, values, NO_FACTS)
+    reference, state = evaluation.of(controller.exports.reference), evaluation.of(controller.exports.state)
+    return Exports(reference, state, evaluation.complete)
+
+
+class _Named(NamedTuple):
+    """A text, and where it comes from."""
+
+    text: str
+    parameter: str | None = None
+    element: int | None = None
+
+
+class _Evaluation:
+    """The rules of one controller, asked about its values."""
+
+    def __init__(self, controller: ControllerType, name: str, values: Mapping[str, object], robot: RobotFacts) -> None:
+        self._controller = controller
+        self._name = name
+        self._values = values
+        self._robot = robot
+        self.complete = True
+
+    def of(self, rules: Iterable[ClaimRule]) -> tuple[Claim, ...]:
+        """What some rules yield."""
+        return tuple(claim for rule in rules for claim in self._of_rule(rule))
+
+    def _of_rule(self, rule: ClaimRule) -> Iterator[Claim]:
+        if not _names_item(rule) and not self._holds(rule, None):
+            return
+        for claim in self._claims(rule):
+            yield claim._replace(
+                component=self._filled(rule.prefix, None) + claim.component, best_effort=rule.best_effort
+            )
+
+    def _claims(self, rule: ClaimRule) -> Iterator[Claim]:
+        if rule.all:
+            wanted = rule.interfaces
+            offered = (Claim(*pair) for pair in self._robot.state_interfaces)
+            yield from (claim for claim in offered if not wanted or claim.interface in wanted)
+        for named in self._texts(rule.names_from) if rule.names_from else ():
+            yield _whole(named)
+        for name in rule.names:
+            yield from map(_whole, self._known(_Named(self._filled(name, None))))
+        if rule.all_if_none and not any(self._interfaces(rule, item) for item in self._components(rule)):
+            yield from self._offered_by(tuple(self._components(rule)))
+        for component in self._components(rule):
+            if not _names_item(rule) or self._holds(rule, component.text):
+                for interface in self._interfaces(rule, component):
+                    yield Claim(
+                        component.text,
+                        interface.text,
+                        component.parameter,
+                        component.element,
+                        interface.parameter,
+                        interface.element,
+                    )
+
+    def _components(self, rule: ClaimRule) -> Iterator[_Named]:
+        if rule.for_each:
+            chosen = rule.for_each
+            if rule.or_else and not is_set(self._value(chosen)):
+                chosen = rule.or_else
+            yield from self._texts(chosen)
+        for component in rule.components:
+            yield from self._known(_Named(self._filled(component, None)))
+        if rule.movable_joints:
+            yield from (_Named(joint) for joint in self._robot.movable_joints)
+
+    def _interfaces(self, rule: ClaimRule, component: _Named) -> tuple[_Named, ...]:
+        found = [_Named(interface) for interface in rule.interfaces]
+        if rule.interfaces_from:
+            found += self._texts(self._filled(rule.interfaces_from, component.text))
+        if rule.interfaces_in:
+            prefix = rule.interfaces_in.rstrip("*")
+            names = (*self._controller.parameters, *self._values)
+            for name in dict.fromkeys(name for name in names if name.startswith(prefix)):
+                found += [named for named in self._texts(name) if named.text not in rule.interfaces]
+        return tuple(found)
+
+    def _offered_by(self, components: tuple[_Named, ...]) -> Iterator[Claim]:
+        for component in components:
+            for offering, interface in self._robot.state_interfaces:
+                if offering == component.text:
+                    yield Claim(offering, interface, component.parameter, component.element)
+
+    def _holds(self, rule: ClaimRule, item: str | None) -> bool:
+        every = all(self._is_met(condition, item) for condition in rule.when)
+        return every and (not rule.when_any or any(self._is_met(condition, item) for condition in rule.when_any))
+
+    def _is_met(self, condition: Condition, item: str | None) -> bool:
+        value = self._value(self._filled(condition.param, item))
+        if not is_known(value):
+            self.complete = False
+            return False
+        if condition.is_set is not None:
+            return is_set(value) == condition.is_set
+        return value == condition.value
+
+    def _texts(self, parameter: str) -> list[_Named]:
+        """The texts that a parameter holds: of a list its elements, of a text the text. Others are left out."""
+        value = self._value(parameter)
+        given = parameter if parameter in self._values else None
+        found = [
+            _Named(part, given, index if given and is_list(value) else None)
+            for index, part in enumerate(elements(value))
+            if isinstance(part, str) and part
+        ]
+        return [named for each in found for named in self._known(each)]
+
+    def _known(self, named: _Named) -> Iterator[_Named]:
+        """It, where it is known."""
+        if is_known(named.text):
+            yield named
+        else:
+            self.complete = False
+
+    def _value(self, parameter: str) -> object:
+        """The value that the controller reads: none where this distro's does not read such a parameter."""
+        found = matching(parameter, self._controller.parameters)
+        if found is None:
+            return None
+        return self._values.get(parameter, self._controller.parameters[found[0]].default)
+
+    def _filled(self, text: str, item: str | None) -> str:
+        """A text with its placeholders filled in: the controller's name, the element at hand, a parameter's value."""
+
+        def filling(placeholder: re.Match[str]) -> str:
+            if placeholder[1] == "controller":
+                return self._name
+            if placeholder[1] == "item":
+                return item or ""
+            return str(self._value(placeholder[1]) or "")
+
+        return _PLACEHOLDER.sub(filling, text)
+
+
+def _whole(named: _Named) -> Claim:
+    component, _, interface = named.text.rpartition("/")
+    return Claim(component or interface, interface if component else "", named.parameter, named.element)
+
+
+def _names_item(rule: ClaimRule) -> bool:
+    return any("{item}" in condition.param for condition in (*rule.when, *rule.when_any))
