@@ -148,3 +148,9 @@ def test_the_files_that_no_robot_has_read_are_known(folder: Folder) -> None:
     read = [str(folder.path / name) for name in ("robot.xacro", "used.xacro")]
     assert found.unread(read) == [str(folder.path / "unused.xacro")]
     assert Found().unread(read) == []
+
+
+@pytest.mark.parametrize("word", ["<include ", "<!--", '<xacro:include filename="'])
+def test_a_million_beginnings_without_an_end_are_searched_once(folder: Folder, word: str) -> None:
+    folder.write({"robot.urdf": "<robot " + word * (1_000_000 // len(word))})  # one by one it would take hours
+    assert roots(".") == ["robot.urdf"]

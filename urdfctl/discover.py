@@ -17,8 +17,8 @@ _CONTROLLERS = (".yaml", ".yml")
 _LAUNCHES = (".launch", ".launch.xml", ".launch.py", ".launch.yaml")
 _PRUNED = frozenset({"build", "install", "log", "devel", "node_modules", "__pycache__"})
 _IGNORE_FILES = frozenset({"COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE"})
-_INCLUDE = rb"(?s)<(?:xacro:)?include\s[^>]*?filename\s*=\s*[\"']([^\"']+)[\"']"
-_COMMENT = rb"(?s)<!--.*?-->"
+_INCLUDE = rb"(?s)<(?:xacro:)?include\s[^<>]*?filename\s*=\s*[\"']([^\"']+)[\"']"
+_COMMENT = rb"(?s)<!--.*?(?:-->|\Z)"
 _ROBOT = rb"<robot[\s>/]"
 _MAX_BYTES = 16 << 20
 

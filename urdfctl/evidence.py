@@ -78,7 +78,7 @@ def _by_manifest(package: str | None) -> tuple[tuple[str, ...], str] | None:
             text = file.read(_MANIFEST_BYTES)
     except OSError:
         return None
-    text = re.sub(r"<!--.*?-->", "", text, flags=re.DOTALL)
+    text = re.sub(r"<!--.*?(?:-->|\Z)", "", text, flags=re.DOTALL)
     ament = re.search(r"<build_type[^>]*>\s*ament|<buildtool_depend[^>]*>\s*ament", text)
     catkin = re.search(r"<build_type[^>]*>\s*catkin|<buildtool_depend[^>]*>\s*catkin", text)
     if bool(ament) == bool(catkin):

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from urdfctl.source.install_maps import InstallMap
 
 _NAME = rb"<name[^>]*>\s*([^<\s]+)\s*</name>"
-_COMMENT = rb"(?s)<!--.*?-->"
+_COMMENT = rb"(?s)<!--.*?(?:-->|\Z)"
 _IGNORE_FILES = frozenset({"COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE"})
 _PRUNED = frozenset({"build", "install", "log", "devel", "node_modules", "__pycache__", "site-packages"})
 _MOST_FOLDERS = 100_000

@@ -10,7 +10,7 @@ from typing import NamedTuple
 from urdfctl.source.dom import Element
 from urdfctl.source.span import Call, Place, SourceSpan, SourceText
 
-_GUARD = rb"""<!--.*?-->|<(/?)xacro:(?:macro|if|unless)\b(?:[^>"']|"[^"]*"|'[^']*')*>"""
+_GUARD = rb"""<!--.*?(?:-->|\Z)|<(/?)xacro:(?:macro|if|unless)\b(?:[^<>"']|"[^"<]*"|'[^'<]*')*>"""
 _COMMENT = rb"urdfctl:\s*ignore\[([A-Za-z0-9_, \t-]*)\]"
 
 
