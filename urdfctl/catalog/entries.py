@@ -15,7 +15,8 @@ class Parameter(NamedTuple):
     `type` is one of ros2_control's (`double`, `string_array`), or several between bars; `none` is a subtree of free
     form. A `default` of None is no default. Values that break the `validators` are refused, those that break what is
     `useful` are taken and do nothing. `floats_only`: integers among its numbers are refused. `if_absent`: a controller
-    that runs without it will `crash`, or `idle`. `since` is the first release of the distro that reads it.
+    that runs without it will `crash`, or `idle`. `since` is the first release of the distro that reads it. One that is
+    `ignored` is documented, and read by nobody.
     """
 
     name: str
@@ -30,6 +31,7 @@ class Parameter(NamedTuple):
     replacement: str | None = None
     note: str | None = None
     since: str | None = None
+    ignored: bool = False
 
     @property
     def types(self) -> tuple[str, ...]:

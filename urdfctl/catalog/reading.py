@@ -120,6 +120,7 @@ def _parameter(name: str, own: Plain, distro: str) -> Parameter:
         own.get("replacement"),
         own.get("note"),
         own.get("since", NOTHING).get(distro),
+        _flag(own.get("ignored", False), distro),
     )
 
 

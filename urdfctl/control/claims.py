@@ -10,8 +10,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from urdfctl.catalog.entries import ClaimRule, Condition, ControllerType
-from urdfctl.catalog.map_parameters import matching
 from urdfctl.catalog.values import elements, is_known, is_list, is_set
+from urdfctl.control.values import Values
 
 _PLACEHOLDER = re.compile(r"\{(\w+)\}")
 
@@ -94,9 +94,8 @@ class _Evaluation:
     """The rules of one controller, asked about its values."""
 
     def __init__(self, controller: ControllerType, name: str, values: Mapping[str, object], robot: RobotFacts) -> None:
-        self._controller = controller
         self._name = name
-        self._values = values
+        self._values = Values(controller, values)
         self._robot = robot
         self.complete = True
 
@@ -138,7 +137,7 @@ class _Evaluation:
     def _components(self, rule: ClaimRule) -> Iterator[_Named]:
         if rule.for_each:
             chosen = rule.for_each
-            if rule.or_else and not is_set(self._value(chosen)):
+            if rule.or_else and not is_set(self._values.get(chosen)):
                 chosen = rule.or_else
             yield from self._texts(chosen)
         for component in rule.components:
@@ -152,8 +151,7 @@ class _Evaluation:
             found += self._texts(self._filled(rule.interfaces_from, component.text))
         if rule.interfaces_in:
             prefix = rule.interfaces_in.rstrip("*")
-            names = (*self._controller.parameters, *self._values)
-            for name in dict.fromkeys(name for name in names if name.startswith(prefix)):
+            for name in (name for name in self._values if name.startswith(prefix)):
                 found += [named for named in self._texts(name) if named.text not in rule.interfaces]
         return tuple(found)
 
@@ -168,7 +166,7 @@ class _Evaluation:
         return every and (not rule.when_any or any(self._is_met(condition, item) for condition in rule.when_any))
 
     def _is_met(self, condition: Condition, item: str | None) -> bool:
-        value = self._value(self._filled(condition.param, item))
+        value = self._values.get(self._filled(condition.param, item))
         if not is_known(value):
             self.complete = False
             return False
@@ -178,8 +176,8 @@ class _Evaluation:
 
     def _texts(self, parameter: str) -> list[_Named]:
         """The texts that a parameter holds: of a list its elements, of a text the text. Others are left out."""
-        value = self._value(parameter)
-        given = parameter if parameter in self._values else None
+        value = self._values.get(parameter)
+        given = parameter if self._values.is_given(parameter) else None
         found = [
             _Named(part, given, index if given and is_list(value) else None)
             for index, part in enumerate(elements(value))
@@ -194,13 +192,6 @@ class _Evaluation:
         else:
             self.complete = False
 
-    def _value(self, parameter: str) -> object:
-        """The value that the controller reads: none where this distro's does not read such a parameter."""
-        found = matching(parameter, self._controller.parameters)
-        if found is None:
-            return None
-        return self._values.get(parameter, self._controller.parameters[found[0]].default)
-
     def _filled(self, text: str, item: str | None) -> str:
         """A text with its placeholders filled in: the controller's name, the element at hand, a parameter's value."""
 
@@ -209,7 +200,7 @@ class _Evaluation:
                 return self._name
             if placeholder[1] == "item":
                 return item or ""
-            return str(self._value(placeholder[1]) or "")
+            return str(self._values.get(placeholder[1]) or "")
 
         return _PLACEHOLDER.sub(filling, text)
 

@@ -1,0 +1,85 @@
+"""Whether a value has the type of its parameter, as the readers of ROS 1 and ROS 2 see it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from urdfctl.catalog.distros import generation
+from urdfctl.catalog.entries import Parameter
+from urdfctl.catalog.values import elements, is_known, is_list
+
+_STRICT_WITH_DOUBLES = ("galactic", "humble", "iron", "jazzy", "kilted", "lyrical", "rolling")
+"""A double takes no integer: rclcpp types parameters statically from galactic on."""
+
+
+def type_problem(value: object, parameter: Parameter, distro: str) -> str | None:
+    """What is wrong with a value's type: `must be a list of texts, not a text`. None where it fits or is not known.
+
+    ROS 1 takes integers as doubles and, rounded, doubles as integers; ROS 2 takes neither.
+    """
+    kinds = [kind for kind in parameter.types if kind in _WORDS]
+    if not kinds or len(kinds) < len(parameter.types) or not is_known(value):
+        return None
+    if any(_fits(value, kind, parameter, distro) for kind in kinds):
+        return None
+    wanted = " or ".join(_wanted(kind, parameter, distro) for kind in kinds)
+    return f"must be {wanted}, not {said(value)}"
+
+
+def said(value: object) -> str:
+    """A value in words: `the integer 1`, `a list of texts`."""
+    if is_list(value):
+        words = dict.fromkeys(_element_word(part) for part in elements(value))
+        return f"a list of {' and '.join(words)}" if words else "an empty list"
+    if isinstance(value, Mapping):
+        return "a map"
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return f"the text '{value}'"
+    return f"the {'integer' if isinstance(value, int) else 'number'} {value}" if value is not None else "nothing"
+
+
+def _element_word(part: object) -> str:
+    for kind, word in (("string", "texts"), ("bool", "booleans"), ("int", "integers"), ("double", "numbers")):
+        if _PLAIN[kind](part):
+            return word
+    return "lists" if is_list(part) else "maps" if isinstance(part, Mapping) else "nothings"
+
+
+def _fits(value: object, kind: str, parameter: Parameter, distro: str) -> bool:
+    plain = kind.removesuffix("_array")
+    if kind != plain:
+        return is_list(value) and all(_fits(part, plain, parameter, distro) for part in elements(value))
+    if kind == "double" and not _strict(parameter, distro):
+        return _PLAIN["double"](value) or _PLAIN["int"](value)
+    if kind == "int" and generation(distro) == 1:
+        return _PLAIN["double"](value) or _PLAIN["int"](value)
+    return _PLAIN[kind](value)
+
+
+def _strict(parameter: Parameter, distro: str) -> bool:
+    return parameter.floats_only or distro in _STRICT_WITH_DOUBLES
+
+
+def _wanted(kind: str, parameter: Parameter, distro: str) -> str:
+    strict = kind.startswith("double") and _strict(parameter, distro)
+    return f"{_WORDS[kind]} with a decimal point" if strict else _WORDS[kind]
+
+
+_PLAIN: Mapping[str, Callable[[object], bool]] = {
+    "bool": lambda value: isinstance(value, bool),
+    "int": lambda value: isinstance(value, int) and not isinstance(value, bool),
+    "double": lambda value: isinstance(value, float),
+    "string": lambda value: isinstance(value, str),
+}
+_WORDS = {
+    "bool": "true or false",
+    "int": "an integer",
+    "double": "a number",
+    "string": "a text",
+    "bool_array": "a list of booleans",
+    "int_array": "a list of integers",
+    "double_array": "a list of numbers",
+    "string_array": "a list of texts",
+}

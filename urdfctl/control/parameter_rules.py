@@ -1,0 +1,203 @@
+"""Whether a controller's parameters fit together, by the rules of its entry in the catalogue."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import NamedTuple
+
+from urdfctl.catalog.entries import Condition, ControllerType, ParameterRule
+from urdfctl.catalog.map_parameters import expanded
+from urdfctl.catalog.values import elements, is_known, is_set
+from urdfctl.control.values import Values
+
+
+class Breach(NamedTuple):
+    """A rule that some values break.
+
+    `message` follows the `parameter`'s name: `'left_wheel_names' must have as many elements as ...`. The parameter is
+    the one to be mended, given or not.
+    """
+
+    rule: ParameterRule
+    parameter: str
+    message: str
+
+
+def breaches(controller: ControllerType, given: Mapping[str, object]) -> Iterator[Breach]:
+    """The rules that a controller's values break. What is not known breaks none."""
+    values = Values(controller, given)
+    for rule in controller.rules:
+        if rule.kind in _KINDS and applies(rule, values):
+            yield from _KINDS[rule.kind](rule, values)
+
+
+def applies(rule: ParameterRule, values: Values) -> bool:
+    """Whether a rule's conditions hold."""
+    some = not rule.when_any or any(_is_met(condition, values) for condition in rule.when_any)
+    return some and all(_is_met(condition, values) for condition in rule.when)
+
+
+def _is_met(condition: Condition, values: Values) -> bool:
+    value = values.get(condition.param)
+    if not is_known(value):
+        return False
+    if condition.is_set is not None:
+        return is_set(value) == condition.is_set
+    return _same(value, condition.value)
+
+
+def _same(value: object, other: object) -> bool:
+    """Lists of texts are sets: their order means nothing."""
+    if isinstance(other, list):
+        return isinstance(value, list | tuple) and sorted(map(str, value)) == sorted(map(str, other))
+    return value == other
+
+
+def _known(rule: ParameterRule, values: Values, *names: str) -> bool:
+    return all(is_known(values.get(name)) for name in names or rule.params)
+
+
+def _combinations(rule: ParameterRule, values: Values) -> Iterator[Breach]:
+    [name] = rule.params
+    value, sets = values.get(name), _lists(rule, "sets")
+    if is_set(value) and is_known(value) and not any(_same(value, one) for one in sets):
+        listed = "; ".join(", ".join(one) for one in sets)
+        yield Breach(rule, name, f"must be one of these combinations: {listed}")
+
+
+def _contains(rule: ParameterRule, values: Values) -> Iterator[Breach]:
+    [name] = rule.params
+    given = elements(values.get(name))
+    missing = [wanted for wanted in _list(rule, "values") if wanted not in given]
+    if missing and given and _known(rule, values):
+        yield Breach(rule, name, f"must hold {_and(missing)}{_because(rule)}")
+
+
+def _subset(rule: ParameterRule, values: Values) -> Iterator[Breach]:
+    [name] = rule.params
+    of = rule.details.get("of_param")
+    allowed = elements(values.get(str(of))) if of else tuple(_list(rule, "of"))
+    given = elements(values.get(name))
+    others = [part for part in given if part not in allowed]
+    if rule.details.get("or_same_length") and len(given) == len(allowed):
+        return
+    if others and is_known(allowed) and _known(rule, values):
+        choices = f"what '{of}' holds" if of else _and([str(one) for one in allowed])
+        yield Breach(rule, name, f"may only hold {choices}, not {_and([str(one) for one in others])}")
+
+
+def _same_length(rule: ParameterRule, values: Values) -> Iterator[Breach]:
+    first, *others = rule.params
+    for other in others:
+        sizes = len(elements(values.get(first))), len(elements(values.get(other)))
+        if sizes[0] != sizes[1] and _known(rule, values, first, other):
+            yield Breach(rule, other, f"must have as many elements as '{first}': {sizes[0]}, not {sizes[1]}")
+
+
+def _length(rule: ParameterRule, values: Values) -> Iterator[Breach]:
+    [name] = rule.params
+    size, exact, least = len(elements(values.get(name))), rule.details.get("is"), rule.details.get("at_least")
+    if not _known(rule, values):
+        return
+    if isinstance(exact, int) and size != exact:
+        yield Breach(rule, name, f"must have exactly {_count(exact)}, not {size}")
+    if isinstance(least, int) and size < least:
+        yield Breach(rule, name, f"must have at least {_count(least)}, not {size}")
+
+
+def _not_empty(rule: ParameterRule, values: Values) -> Iterator[Breach]:
+    for name in rule.params:
+        if not is_set(values.get(name)):
+            yield Breach(rule, name, "must not be empty")
+
+
+def _any_set(rule: ParameterRule, values: Values) -> Iterator[Breach]:
+    names = [whole for name in rule.params for whole in (expanded(name, values) or (name,))]
+    if not any(is_set(values.get(name)) for name in names):
+        yield Breach(rule, names[0], f"or {_or(names[1:])} must be given" if names[1:] else "must be given")
+
+
+def _needs(rule: ParameterRule, values: Values) -> Iterator[Breach]:
+    if not any(values.is_given(name) for name in rule.params):
+        yield Breach(rule, rule.params[0], f"must be given{_because(rule)}")
+
+
+def _one_group_set(rule: ParameterRule, values: Values) -> Iterator[Breach]:
+    groups = _lists(rule, "groups")
+    used = [group for group in groups if any(_is_used(name, values) for name in group)]
+    if not used:
+        yield Breach(rule, groups[0][0], f"or {_or([name for group in groups[1:] for name in group])} must be given")
+    if len(used) > 1:
+        yield Breach(rule, used[0][0], f"may not be given together with {_or([used[1][0]])}")
+
+
+def _greater(rule: ParameterRule, values: Values) -> Iterator[Breach]:
+    than = str(rule.details["than"])
+    for name, other in zip(expanded(rule.params[0], values), expanded(than, values), strict=True):
+        value, limit = values.get(name), values.get(other)
+        if not isinstance(value, int | float) or not isinstance(limit, int | float):
+            continue
+        if value <= limit and value != rule.details.get("unless"):
+            yield Breach(rule, name, f"must be greater than '{other}': {limit}, not {value}")
+
+
+def _is_used(name: str, values: Values) -> bool:
+    return any(is_set(values.get(each)) for each in (values.given_below(name) or [name]))
+
+
+def _full_interface_names(rule: ParameterRule, values: Values) -> Iterator[Breach]:
+    for name in rule.params:
+        value = values.get(name)
+        if isinstance(value, str) and value and is_known(value) and "/" not in value:
+            yield Breach(rule, name, f"must be a whole name such as 'finger/{value}', not '{value}'")
+
+
+def _lists(rule: ParameterRule, key: str) -> list[list[str]]:
+    found = rule.details[key]
+    return [[str(part) for part in elements(one)] for one in elements(found)]
+
+
+def _list(rule: ParameterRule, key: str) -> list[str]:
+    return [str(part) for part in elements(rule.details[key])]
+
+
+def _because(rule: ParameterRule) -> str:
+    reasons = [
+        f"'{condition.param}' is {', '.join(map(_plain, elements(condition.value)))}"
+        for condition in rule.when
+        if condition.is_set is None
+    ]
+    return f" where {' and '.join(reasons)}" if reasons else ""
+
+
+def _plain(value: object) -> str:
+    return str(value).lower() if isinstance(value, bool) else str(value)
+
+
+def _and(words: list[str]) -> str:
+    *most, last = [f"'{word}'" for word in words]
+    return f"{', '.join(most)} and {last}" if most else last
+
+
+def _or(words: list[str]) -> str:
+    *most, last = [f"'{word}'" for word in words]
+    return f"{', '.join(most)} or {last}" if most else last
+
+
+def _count(number: int) -> str:
+    return f"{number} element{'s' if number != 1 else ''}"
+
+
+_KINDS: Mapping[str, Callable[[ParameterRule, Values], Iterator[Breach]]] = {
+    "combinations": _combinations,
+    "contains": _contains,
+    "subset": _subset,
+    "same_length": _same_length,
+    "length": _length,
+    "not_empty": _not_empty,
+    "any_set": _any_set,
+    "needs": _needs,
+    "one_group_set": _one_group_set,
+    "greater": _greater,
+    "full_interface_names": _full_interface_names,
+}
