@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from urdfctl.catalog.catalog import CATALOG
+from urdfctl.catalog.additions import NO_ADDITIONS, Additions
+from urdfctl.catalog.catalog import CATALOG, catalog_with
 from urdfctl.catalog.distros import ALL, ROS1, ROS2, spanned
 from urdfctl.catalog.entries import Parameter, Replacement
 from urdfctl.catalog.map_parameters import expanded, expected, matching
+from urdfctl.model.project import Project
 
 TRAJECTORY = "joint_trajectory_controller/JointTrajectoryController"
 GROUP = "position_controllers/JointGroupPositionController"
@@ -208,9 +210,7 @@ def test_what_the_controller_manager_reads_is_known() -> None:
 def test_the_users_entries_go_over_the_catalogues() -> None:
     mine = {"type": "my_controllers/Mine", "extends": TRAJECTORY, "parameters": {"speed": {"type": "double"}}}
     theirs = {"type": TRAJECTORY, "parameters": {}}
-    ours = CATALOG.extended(
-        controllers=(mine,), hardware=({"type": "my_driver/Mine", "command_interfaces": ["effort"]},)
-    )
+    ours = CATALOG.extended(Additions((mine,), ({"type": "my_driver/Mine", "command_interfaces": ["effort"]},)))
     controller = ours.controller("my_controllers/Mine", "jazzy")
     assert controller is not None
     assert {"speed", "joints"} <= set(controller.parameters)
@@ -220,6 +220,14 @@ def test_the_users_entries_go_over_the_catalogues() -> None:
     driver = ours.hardware("my_driver/Mine", "jazzy")
     assert driver is not None
     assert driver.command_interfaces == ("effort",)
-    replaced = ours.extended(controllers=(theirs,)).controller(TRAJECTORY, "jazzy")
+    replaced = ours.extended(Additions((theirs,))).controller(TRAJECTORY, "jazzy")
     assert replaced is not None
     assert replaced.parameters == {}
+
+
+def test_a_project_has_the_catalogue_with_the_users_entries() -> None:
+    additions = Additions(({"type": "my_controllers/Mine"},))
+    assert Project(None).catalog is CATALOG
+    assert Project(None, additions=additions).catalog.controller("my_controllers/Mine", "jazzy") is not None
+    assert catalog_with(additions) is catalog_with(additions)
+    assert catalog_with(NO_ADDITIONS).controller("my_controllers/Mine", "jazzy") is None

@@ -106,6 +106,7 @@ class Loader:
             self.settings.started,
             read.problems,
             controllers=read.model(evidence.ros, self.settings.started),
+            additions=self.settings.additions,
         )
         return _linted(project, files, lint(project, files.sources(), self.selection))
 
@@ -128,6 +129,7 @@ class Loader:
             expansion.complete,
             expansion.library,
             read.model(evidence.ros, self.settings.started) if read else None,
+            self.settings.additions,
         )
 
 

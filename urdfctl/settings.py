@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
+from urdfctl.catalog.additions import NO_ADDITIONS, Additions
 from urdfctl.catalog.distros import ALL, SIMULATORS
 from urdfctl.errors import UserError
 from urdfctl.suggest import did_you_mean
@@ -29,16 +30,18 @@ class Settings(NamedTuple):
     trust: bool = False
     timeout: float = 20.0
     memory: int = 2 << 30
+    additions: Additions = NO_ADDITIONS
 
     def to_json(self) -> dict[str, Any]:
         """As plain data."""
-        return {**self._asdict(), "environ": dict(self.environ)}
+        return {**self._asdict(), "environ": dict(self.environ), "additions": self.additions._asdict()}
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Settings:
         """From plain data."""
         plain: dict[str, Any] = {n: tuple(value) if isinstance(value, list) else value for n, value in data.items()}
-        return cls(**plain)
+        additions = {kind: tuple(entries) for kind, entries in data.get("additions", {}).items()}
+        return cls(**{**plain, "additions": Additions(**additions) if any(additions.values()) else NO_ADDITIONS})
 
 
 def checked(settings: Settings) -> Settings:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
+from urdfctl.catalog.additions import NO_ADDITIONS, Additions
 from urdfctl.catalog.distros import generation
 from urdfctl.catalog.entries import ControllerType, Parameter, Replacement
 from urdfctl.catalog.reading import controller_type, distros_of, extension, in_distro, read_parameters, replacement_of
@@ -130,11 +131,11 @@ class Catalog:
 
     # -- the user's ---------------------------------------------------------------------------------------------------
 
-    def extended(self, controllers: tuple[Plain, ...] = (), hardware: tuple[Plain, ...] = ()) -> Catalog:
+    def extended(self, additions: Additions) -> Catalog:
         """A catalogue with further entries, which go over those of the same type."""
         return Catalog(
-            {**self._controllers, **{entry["type"]: entry for entry in controllers}},
-            {**self._hardware, **{entry["type"]: entry for entry in hardware}},
+            {**self._controllers, **{entry["type"]: entry for entry in additions.controllers}},
+            {**self._hardware, **{entry["type"]: entry for entry in additions.hardware}},
         )
 
     def _controller_entries(self, ros: int) -> Iterator[tuple[str, Plain]]:
@@ -154,6 +155,15 @@ class Catalog:
 
 CATALOG = Catalog()
 """The catalogue without anything of the user's."""
+
+_LAST: list[tuple[Additions, Catalog]] = [(NO_ADDITIONS, CATALOG)]
+
+
+def catalog_with(additions: Additions) -> Catalog:
+    """The catalogue with the user's entries: the same one as the last time, where they are the same."""
+    if _LAST[0][0] is not additions:
+        _LAST[0] = (additions, CATALOG.extended(additions))
+    return _LAST[0][1]
 
 
 @cache

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
+from urdfctl.catalog.additions import NO_ADDITIONS, Additions
 from urdfctl.catalog.distros import ALL
 from urdfctl.model.robot import Robot
 from urdfctl.source.problem import Problem, ProblemKind
 
 if TYPE_CHECKING:
+    from urdfctl.catalog.catalog import Catalog
     from urdfctl.model.controllers import Controllers
 
 
@@ -33,6 +35,7 @@ class Project(NamedTuple):
     complete: bool = True
     library: bool = False
     controllers: Controllers | None = None
+    additions: Additions = NO_ADDITIONS
 
     @property
     def ros(self) -> int | None:
@@ -41,6 +44,13 @@ class Project(NamedTuple):
 
         generations = {generation(distro) for distro in self.distros}
         return generations.pop() if len(generations) == 1 else None
+
+    @property
+    def catalog(self) -> Catalog:
+        """What the world offers, with what the user adds; read when it is first asked for."""
+        from urdfctl.catalog.catalog import catalog_with
+
+        return catalog_with(self.additions)
 
     @property
     def may_be_simulated(self) -> bool:
