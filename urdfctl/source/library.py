@@ -8,10 +8,10 @@ from typing import Any
 
 from urdfctl.source.dom import Document, Element, Node
 from urdfctl.source.expressions import ForbiddenExpression
-from urdfctl.source.leftovers import leftovers
+from urdfctl.source.leftovers import leftovers, unused_arguments
 from urdfctl.source.opaque import UNKNOWN, AnyArgument, NotKnown, Opaque
 from urdfctl.source.problem import ProblemKind
-from urdfctl.source.span import Call
+from urdfctl.source.span import Call, Place
 from urdfctl.source.xacro import Expander, Expansion
 from urdfctl.source.xacro_errors import Blame
 
@@ -69,8 +69,12 @@ class LibraryExpander(Expander):
             for body in uncalled:
                 root.appendChild(_call_of(body, self._tables[0]))
             self._eval_all(root, *self._tables)
-        for problem in leftovers(document, self.files.sources(), self.macros, self._properties):
+        sources = self.files.sources()
+        for problem in leftovers(document, sources, self.macros, self._properties):
             self._add(problem)
+        for problem in unused_arguments(self._declared, {}, sources, Place(root.source, root.start)):
+            if problem.hint:  # others may be used by the file that includes this one
+                self._add(problem)
 
     # -- the replaced helpers ----------------------------------------------------------------------------------------
 

@@ -31,6 +31,7 @@ from urdfctl.rules.urdf.joint_without_type import joint_without_type
 from urdfctl.rules.urdf.limit_incomplete import limit_incomplete
 from urdfctl.rules.urdf.limits_leave_no_range import limits_leave_no_range
 from urdfctl.rules.urdf.limits_reversed import limits_reversed
+from urdfctl.rules.urdf.link_named_without_prefix import link_named_without_prefix
 from urdfctl.rules.urdf.link_number_malformed import link_number_malformed
 from urdfctl.rules.urdf.link_with_two_parents import link_with_two_parents
 from urdfctl.rules.urdf.link_without_name import link_without_name
@@ -117,4 +118,5 @@ RULES: tuple[Rule, ...] = (
     element_misspelt,
     attribute_misspelt,
     gazebo_reference_unknown,
+    link_named_without_prefix,
 )
