@@ -47,6 +47,12 @@ def _ros2_control() -> Rules:
     return RULES
 
 
+def _controllers() -> Rules:
+    from urdfctl.rules.controllers import RULES
+
+    return RULES
+
+
 def _has_transmissions(project: Project) -> bool:
     robot = project.robot
     if robot is None or not set(ROS1) & set(project.distros):
@@ -67,6 +73,7 @@ FAMILIES = (
     Family("UC1", _urdf, lambda project: project.robot is not None),
     Family("UC2", _transmissions, _has_transmissions),
     Family("UC3", _ros2_control, _is_controlled_by_ros2),
+    Family("UC4", _controllers, lambda project: project.controllers is not None),
 )
 
 

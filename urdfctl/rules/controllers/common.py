@@ -1,0 +1,22 @@
+"""What the rules on controllers' files share."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.model.controllers import Controllers, Fault, FaultKind
+from urdfctl.rule import Project
+
+NOTHING = Controllers(())
+
+
+def controllers_in(project: Project) -> Controllers:
+    """What the controllers' files say; of a project without any, nothing."""
+    return project.controllers or NOTHING
+
+
+def faults(project: Project, *kinds: FaultKind) -> Iterator[Fault]:
+    """What the readers of the controllers' files refuse, of some kinds."""
+    for fault in controllers_in(project).faults:
+        if fault.kind in kinds:
+            yield fault
