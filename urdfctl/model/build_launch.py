@@ -1,0 +1,260 @@
+"""Builds the model of a launch file: roslaunch's XML, with what it includes."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Iterator, Mapping
+from typing import NamedTuple
+
+from urdfctl.model.controllers import FileReference
+from urdfctl.model.launch import Description, Launch, ParameterLoad, Spawn
+from urdfctl.model.substitutions import Substitutions
+from urdfctl.source.dom import Document, Element
+from urdfctl.source.opaque import UNKNOWN
+from urdfctl.source.span import Place
+
+_MOST_DEPTH = 16
+_MOST_INCLUDES = 200
+_SIMULATOR_ALONE = ("gazebo_ros", "gazebo_worlds")
+"""Packages whose launch files start a simulator, and no controllers."""
+_OPTIONS_WITH_VALUE = ("--namespace", "--timeout", "--wait-for", "--shutdown-timeout")
+_XACRO = ("xacro", "xacro.py")
+_SPAWNING = {"spawn": True, "load": False, "start": True}
+
+
+class Sources(NamedTuple):
+    """Where a launch file's texts come from: the tree of a file (None where it cannot be read), where a file lies in
+    the sources and whether it is there (None where nobody may look), the folder of a package (None where it is not
+    known), and the environment."""
+
+    read: Callable[[str], Document | None]
+    locate: Callable[[str], tuple[str, bool | None]]
+    find: Callable[[str], str | None]
+    environ: Mapping[str, str]
+
+
+class _Scope(NamedTuple):
+    """What holds for the elements of a launch, group or include: their namespace (UNKNOWN where it is not known)."""
+
+    file: str
+    namespace: str
+    arguments: dict[str, str]
+    sure: bool
+    depth: int = 0
+    in_node: bool = False
+
+    def joined(self, namespace: str) -> str:
+        return joined(self.namespace, namespace)
+
+
+def joined(namespace: str, name: str) -> str:
+    """A name in a namespace, as roslaunch joins them: empty for the root."""
+    if UNKNOWN in name:
+        return UNKNOWN
+    whole = name if name.startswith("/") else f"{namespace}/{name}"
+    return UNKNOWN if UNKNOWN in whole else "".join(f"/{part}" for part in whole.split("/") if part)
+
+
+def launch_of(path: str, arguments: Mapping[str, str], sources: Sources) -> Launch | None:
+    """The facts of a launch file of ROS 1 that is started with some arguments; None where it is no such file."""
+    document = sources.read(path)
+    root = document.documentElement if document else None
+    if root is None or root.tagName != "launch" or _is_of_ros2(root):
+        return None
+    builder = _Builder(sources)
+    builder.walk(root, _Scope(path, "", dict(arguments), sure=True))
+    return Launch(
+        path, 1, tuple(builder.descriptions), tuple(builder.loads), tuple(builder.spawns), complete=builder.complete
+    )
+
+
+def _is_of_ros2(root: Element) -> bool:
+    """Whether a launch file is one of ROS 2: its nodes have an `exec`, its substitutions another form."""
+    for element in _all(root):
+        if "exec" in element.attrs or "namespace" in element.attrs or element.tagName == "let":
+            return True
+        if any("$(var " in value or "$(find-pkg-share " in value for value in element.attrs.values()):
+            return True
+    return False
+
+
+def _all(element: Element) -> Iterator[Element]:
+    pending = [element]
+    while pending:
+        current = pending.pop()
+        yield current
+        pending.extend(current.elements())
+
+
+class _Builder:
+    def __init__(self, sources: Sources) -> None:
+        self.sources = sources
+        self.descriptions: list[Description] = []
+        self.loads: list[ParameterLoad] = []
+        self.spawns: list[Spawn] = []
+        self.complete = True
+        self._includes = 0
+
+    def walk(self, parent: Element, scope: _Scope) -> None:
+        for element in parent.elements():
+            texts = self._texts(scope)
+            held = self._held(element, texts)
+            if held is False:
+                continue
+            inner = scope._replace(sure=scope.sure and held is True)
+            namespace = texts.resolve(element.attrs.get("ns", "")).strip()
+            if element.tagName == "arg":
+                self._argument(element, inner, texts)
+            elif element.tagName == "group":
+                own = {**inner.arguments}
+                self.walk(element, inner._replace(namespace=inner.joined(namespace), arguments=own))
+            elif element.tagName == "include":
+                self._include(element, inner._replace(namespace=inner.joined(namespace)), texts)
+            elif element.tagName == "node":
+                self._node(element, inner._replace(namespace=inner.joined(namespace)), texts)
+            elif element.tagName == "param":
+                self._param(element, inner, texts)
+            elif element.tagName == "rosparam":
+                self._rosparam(element, inner, texts)
+
+    def _texts(self, scope: _Scope) -> Substitutions:
+        return Substitutions(scope.file, scope.arguments, self.sources.find, self.sources.environ)
+
+    @staticmethod
+    def _held(element: Element, texts: Substitutions) -> bool | None:
+        """Whether an element's conditions let it count; None where that is not known."""
+        if "if" in element.attrs:
+            return texts.truth(element.attrs["if"])
+        if "unless" in element.attrs:
+            truth = texts.truth(element.attrs["unless"])
+            return None if truth is None else not truth
+        return True
+
+    # -- elements ----------------------------------------------------------------------------------------------------
+
+    @staticmethod
+    def _argument(element: Element, scope: _Scope, texts: Substitutions) -> None:
+        name = element.attrs.get("name", "")
+        given = element.attrs.get("value")
+        if given is None and name in scope.arguments:
+            return
+        text = given if given is not None else element.attrs.get("default")
+        scope.arguments[name] = UNKNOWN if text is None or not scope.sure else texts.resolve(text)
+
+    def _include(self, element: Element, scope: _Scope, texts: Substitutions) -> None:
+        written = element.attrs.get("file", "")
+        path = texts.resolve(written)
+        if any(f"$(find {package})" in written for package in _SIMULATOR_ALONE):
+            return
+        self._includes += 1
+        arguments = dict(scope.arguments) if element.attrs.get("pass_all_args", "").lower() in ("true", "1") else {}
+        for child in element.elements():
+            if child.tagName == "arg" and self._held(child, texts) is not False:
+                text = child.attrs.get("value", child.attrs.get("default"))
+                sure = self._held(child, texts) is True
+                arguments[child.attrs.get("name", "")] = texts.resolve(text) if text is not None and sure else UNKNOWN
+        document = None
+        if UNKNOWN not in path and scope.depth < _MOST_DEPTH and self._includes <= _MOST_INCLUDES:
+            document = self.sources.read(path)
+        if document is None or document.documentElement is None:
+            self.complete = False
+            return
+        inner = _Scope(path, scope.namespace, arguments, scope.sure, scope.depth + 1)
+        self.walk(document.documentElement, inner)
+
+    def _param(self, element: Element, scope: _Scope, texts: Substitutions) -> None:
+        name = joined(scope.namespace, texts.resolve(element.attrs.get("name", "")))
+        if name.rpartition("/")[2] != "robot_description":
+            return
+        path: str | None = None
+        arguments: tuple[tuple[str, str], ...] | None = ()
+        source = "command" if "command" in element.attrs else "textfile"
+        written = re.sub(r"\$\(find xacro\)", "xacro", element.attrs.get(source, ""))
+        if source == "command":
+            path, arguments = _of_command(texts.resolve(written))
+        elif written:
+            path = _known(texts.resolve(written))
+        reference = self._reference(written, element.at[source], path)
+        self.descriptions.append(
+            Description(reference, arguments, _known(name.rpartition("/")[0]), element.at, scope.sure)
+        )
+
+    def _rosparam(self, element: Element, scope: _Scope, texts: Substitutions) -> None:
+        if "file" not in element.attrs or element.attrs.get("command", "load") != "load":
+            return
+        below = "/".join(texts.resolve(element.attrs[name]) for name in ("ns", "param") if element.attrs.get(name))
+        namespace = joined(scope.namespace, below)
+        self._load(element.attrs["file"], element.at["file"], namespace, scope, texts)
+
+    def _load(self, written: str, at: Place, namespace: str, scope: _Scope, texts: Substitutions) -> None:
+        reference = self._reference(written, at, _known(texts.resolve(written)))
+        self.loads.append(ParameterLoad(reference, _known(namespace), at, scope.sure, scope.in_node))
+
+    def _reference(self, written: str, at: Place, path: str | None) -> FileReference:
+        located, exists = self.sources.locate(path) if path else (None, None)
+        return FileReference(written, at, located, exists)
+
+    def _node(self, element: Element, scope: _Scope, texts: Substitutions) -> None:
+        name = texts.resolve(element.attrs.get("name", ""))
+        inside = scope._replace(namespace=scope.joined(name), arguments={**scope.arguments}, in_node=True)
+        self.walk(element, inside)
+        kind = element.attrs.get("type", "")
+        if element.attrs.get("pkg") != "controller_manager" or kind not in ("spawner", "controller_manager"):
+            return
+        words = texts.resolve(element.attrs.get("args", "")).split()
+        active = True
+        if kind == "controller_manager":
+            if not words or words[0] not in _SPAWNING:
+                return
+            active = _SPAWNING[words.pop(0)]
+        self._spawn(element, words, scope, texts, active=active)
+
+    def _spawn(self, element: Element, words: list[str], scope: _Scope, texts: Substitutions, *, active: bool) -> None:
+        names: list[tuple[str, Place]] = []
+        namespace, complete = scope.namespace, True
+        at = element.at["args"]
+        rest = iter(words)
+        for word in rest:
+            option, mark, value = word.partition("=")
+            if option in _OPTIONS_WITH_VALUE:
+                value = value if mark else next(rest, "")
+                namespace = scope.joined(value) if option == "--namespace" else namespace
+            elif option == "--stopped":
+                active = False
+            elif UNKNOWN in word:
+                complete = False
+            elif word.endswith((".yaml", ".yml")):
+                self._load(word, at, "", scope, texts)
+                complete = False
+            elif not word.startswith("-"):
+                names.append((word, _place_in(at, word)))
+        self.spawns.append(Spawn(tuple(names), _known(namespace), at, active, scope.sure, complete))
+
+
+def _known(text: str) -> str | None:
+    return None if UNKNOWN in text else text
+
+
+def _place_in(at: Place, word: str) -> Place:
+    """Where a word stands in an attribute's value; the whole value where it is not written there."""
+    found = re.search(rf"(?<!\S){re.escape(word)}(?!\S)", at.span.text)
+    if found is None:
+        return at
+    start = at.start + len(at.span.text[: found.start()].encode())
+    return Place(at.source, start, at.call, end=start + len(word.encode()))
+
+
+def _of_command(command: str) -> tuple[str | None, tuple[tuple[str, str], ...] | None]:
+    """The file that a command prints or expands, and the arguments it gives to xacro."""
+    words = [re.sub(r"^(['\"])(.*)\1$", r"\2", word) for word in re.findall(r"'[^']*'|\"[^\"]*\"|\S+", command)]
+    if words[:2] == ["rosrun", "xacro"]:
+        words = words[2:]
+    if not words or os.path.basename(words[0]) not in (*_XACRO, "cat"):
+        return None, None
+    files = [word for word in words[1:] if ":=" not in word and not word.startswith("-")]
+    pairs = [word.partition(":=") for word in words[1:] if ":=" in word]
+    arguments = tuple((name, value.strip("'\"")) for name, _, value in pairs)
+    unknown = any(UNKNOWN in word for word in words[1:] if word not in files)
+    path = _known(files[0]) if len(files) == 1 else None
+    return path, None if unknown else arguments
