@@ -96,3 +96,45 @@ def test_the_distro_names_the_generation(folder: Folder) -> None:
 def test_the_simulator_is_the_one_that_the_user_names(folder: Folder) -> None:
     assert linted(folder, {"r.urdf": PLAIN.format("")}).simulator is None
     assert linted(folder, {"r.urdf": PLAIN.format("")}, Settings(simulator="gz")).simulator == "gz"
+
+
+CONTROL = '<ros2_control name="c" type="system"><hardware><plugin>{}</plugin></hardware></ros2_control>'
+
+
+@pytest.mark.parametrize(
+    ("inside", "simulator"),
+    [
+        (plugin("libgazebo_ros_control.so"), "gazebo-classic"),
+        (plugin("libgazebo_ros2_control.so"), "gazebo-classic"),
+        (plugin("libgz_ros2_control-system.so"), "gz"),
+        (plugin("ign_ros2_control-system"), "gz"),
+        (CONTROL.format("gz_ros2_control/GazeboSimSystem"), "gz"),
+        (CONTROL.format("mujoco_ros2_control/MujocoSystem"), "mujoco"),
+        (CONTROL.format("mock_components/GenericSystem"), None),
+        (CONTROL.format("gz_ros2_control/GazeboSimSystem") + plugin("libgazebo_ros2_control.so"), None),
+        (plugin("libgazebo_ros_laser.so"), None),
+    ],
+)
+def test_else_it_is_the_one_that_the_plugins_of_control_are_made_for(
+    folder: Folder, inside: str, simulator: str | None
+) -> None:
+    files = {"r.urdf": PLAIN.format(inside)}
+    assert linted(folder, files).simulator == simulator
+    assert linted(folder, files, Settings(simulator="none")).simulator == "none"
+
+
+def test_the_form_of_the_controllers_files_tells_the_generation(folder: Folder) -> None:
+    folder.write(
+        {
+            "r.urdf": PLAIN.format(TRANSMISSION),
+            "2.yaml": "controller_manager: {ros__parameters: {update_rate: 100}}",
+            "1.yaml": "arm: {type: position_controllers/JointPositionController}",
+        }
+    )
+    for name, ros, told_by in (("2.yaml", 2, "ros__parameters"), ("1.yaml", 1, "its controllers' types")):
+        loader = Loader(Settings(), Selection())
+        for target in (Target("r.urdf", controllers=(name,)), Target(name)):
+            found = loader.lint(target)
+            assert (found.ros, found.distro_from) == (ros, told_by)
+    named = Loader(Settings(distro="jazzy"), Selection()).lint(Target("1.yaml"))
+    assert (named.ros, named.distro, named.distro_from) == (2, "jazzy", "--distro")

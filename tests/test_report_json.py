@@ -39,8 +39,9 @@ def everything(folder: Folder) -> Report:
     )
     bare = Diagnostic("UC105", "several-root-links", Severity.INFO, "bare", Location("/r.urdf", 1, 1, 1, 1, 0, 0))
     outcome = Outcome([whole, bare], [])
-    known = Linted(file, 1, "noetic", "--distro", "gz", True, False, "r", 2, (file,), outcome)
-    unknown = Linted("/r.urdf", None, None, None, None, False, False, None, None, (), outcome)
+    yaml, launch = str(folder.path / "config/c.yaml"), str(folder.path / "launch/l.launch")
+    known = Linted(file, 1, "noetic", "--distro", "gz", True, False, "r", 2, (file,), outcome, (yaml,), launch)
+    unknown = Linted("/r.yaml", None, None, None, None, False, False, None, None, (), outcome)
     return Report((known, unknown), (whole, bare))
 
 
@@ -54,13 +55,24 @@ def test_a_report_of_everything_keeps_to_the_schema_and_says_what_was_found(fold
     assert given["targets"] == [
         {
             "robot": "urdf/größe.xacro",
+            "controllers": ["config/c.yaml"],
+            "launch": "launch/l.launch",
             "ros": 1,
             "distro": "noetic",
             "distro_from": "--distro",
             "simulator": "gz",
             "complete": True,
         },
-        {"robot": "/r.urdf", "ros": None, "distro": None, "distro_from": None, "simulator": None, "complete": False},
+        {
+            "robot": None,
+            "controllers": [],
+            "launch": None,
+            "ros": None,
+            "distro": None,
+            "distro_from": None,
+            "simulator": None,
+            "complete": False,
+        },
     ]
     assert given["findings"][0] == {
         "code": "UC201",

@@ -9,12 +9,14 @@ from fnmatch import fnmatchcase
 from functools import lru_cache
 
 from urdfctl.errors import UserError
+from urdfctl.launches import is_controllers_file, launch_roots
+from urdfctl.source.files import is_launch, is_yaml
 from urdfctl.source.packages import package_name
 from urdfctl.suggest import did_you_mean
 
 _DESCRIPTIONS = (".urdf", ".xacro")
-_CONTROLLERS = (".yaml", ".yml")
-_LAUNCHES = (".launch", ".launch.xml", ".launch.py", ".launch.yaml")
+_LAUNCHES = (".launch", ".launch.xml")
+_LOOKED_AT = (*_DESCRIPTIONS, *_LAUNCHES, ".yaml", ".yml")
 _PRUNED = frozenset({"build", "install", "log", "devel", "node_modules", "__pycache__"})
 _IGNORE_FILES = frozenset({"COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE"})
 _INCLUDE = rb"(?s)<(?:xacro:)?include\s[^<>]*?filename\s*=\s*[\"']([^\"']+)[\"']"
@@ -24,7 +26,8 @@ _MAX_BYTES = 16 << 20
 
 
 class Found:
-    """What the paths of a command mean: robots named one by one, and files in folders that may be robots."""
+    """What the paths of a command mean: robots, controllers' files and launch files named one by one; and in folders
+    what may be a robot, launch files that may tell what belongs together, and what looks like a controllers' file."""
 
     def __init__(self) -> None:
         self.robots: list[str] = []
@@ -32,6 +35,8 @@ class Found:
         self.others: list[str] = []
         self.controllers: list[str] = []
         self.launches: list[str] = []
+        self.launch_candidates: list[str] = []
+        self.controllers_candidates: list[str] = []
 
     def unread(self, files: Collection[str]) -> list[str]:
         """The descriptions in the folders that are not among some files: libraries and fragments that nothing used."""
@@ -52,12 +57,10 @@ def find(paths: Sequence[str]) -> Found:
         if not os.path.lexists(path):
             raise UserError(f"no such file or folder: '{path}'{nearest_path(path)}")
         if os.path.isdir(path):
-            texts = _descriptions_in(path)
-            found.others += texts
-            found.candidates += roots(texts)
-        elif path.endswith(_LAUNCHES):
+            _search(path, found)
+        elif is_launch(path):
             found.launches.append(path)
-        elif path.endswith(_CONTROLLERS):
+        elif is_yaml(path):
             found.controllers.append(path)
         else:
             found.robots.append(path)
@@ -83,10 +86,15 @@ def nearest_path(path: str) -> str:
         return ""
 
 
-def _descriptions_in(folder: str) -> dict[str, bytes]:
-    """The texts of the descriptions below a folder whose root element is a robot."""
-    texts = {path: _text(path) for path in sorted(_descriptions(folder))}
-    return {path: text for path, text in texts.items() if re.search(_ROBOT, text)}
+def _search(folder: str, found: Found) -> None:
+    """What may be worth linting below a folder."""
+    files = sorted(_files(folder))
+    robots = {path: text for path in files if path.endswith(_DESCRIPTIONS) and re.search(_ROBOT, text := _text(path))}
+    found.others += robots
+    found.candidates += roots(robots)
+    launches = {path: text for path in files if path.endswith(_LAUNCHES) and b"<launch" in (text := _text(path))}
+    found.launch_candidates += launch_roots(launches)
+    found.controllers_candidates += [path for path in files if is_yaml(path) and is_controllers_file(_text(path))]
 
 
 def roots(texts: Mapping[str, bytes]) -> list[str]:
@@ -95,14 +103,14 @@ def roots(texts: Mapping[str, bytes]) -> list[str]:
     return [path for path in texts if not any(_is(path, tail, package) for tail, package in included)]
 
 
-def _descriptions(folder: str) -> Iterator[str]:
+def _files(folder: str) -> Iterator[str]:
     for current, folders, files in os.walk(folder):
         if _IGNORE_FILES & set(files):
             folders.clear()
             continue
         folders[:] = sorted(name for name in folders if not name.startswith(".") and name not in _PRUNED)
         for name in files:
-            if name.endswith(_DESCRIPTIONS):
+            if name.endswith(_LOOKED_AT):
                 yield os.path.join(current, name)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from urdfctl.catalog.distros import ALL, ROS2, generation, since
@@ -15,16 +16,25 @@ ROS1 = since("indigo")
 _ANY = (*ROS1, *ROS2)
 _MANIFEST_BYTES = 65536
 _ROS1_PLUGINS = ("libgazebo_ros_control.so",)
+_SIMULATORS = {
+    "libgazebo_ros_control.so": "gazebo-classic",
+    "gazebo_ros2_control": "gazebo-classic",
+    "gz_ros2_control": "gz",
+    "ign_ros2_control": "gz",
+    "mujoco_ros2_control": "mujoco",
+}
+"""What the names of plugins hold that connect ros_control or ros2_control to a simulator."""
 _ROS2_PLUGINS = ("libgazebo_ros2_control.so", "gz_ros2_control", "ign_ros2_control")
 
 
 class Evidence(NamedTuple):
-    """The distro if it is known, those it may be, and from what."""
+    """The distro if it is known, those it may be, and from what; the simulator if it is known, and from what."""
 
     distro: str | None
     distros: tuple[str, ...]
     source: str | None
-    simulator: str | None
+    simulator: str | None = None
+    simulator_from: str | None = None
 
     @property
     def ros(self) -> int | None:
@@ -33,27 +43,59 @@ class Evidence(NamedTuple):
         return generations.pop() if len(generations) == 1 else None
 
 
-def judged(robot: Robot | None, package: str | None, settings: Settings, form: int | None = None) -> Evidence:
+class OfFiles(NamedTuple):
+    """A generation of ROS that files beside the robot are written for, and what tells so."""
+
+    ros: int
+    source: str
+
+
+def judged(robot: Robot | None, package: str | None, settings: Settings, of_files: OfFiles | None = None) -> Evidence:
     """By the settings first, then `$ROS_DISTRO`, then what the files say: the robot, then the generation of ROS that
-    its controllers' files are written for, then its package's manifest."""
-    simulator = settings.simulator
+    its controllers' files or launch file are written for, then its package's manifest."""
+    simulator, simulator_from = _simulator(robot, settings)
+    return _distro(robot, package, settings, of_files)._replace(simulator=simulator, simulator_from=simulator_from)
+
+
+def _distro(robot: Robot | None, package: str | None, settings: Settings, of_files: OfFiles | None) -> Evidence:
     if settings.distro:
-        return Evidence(settings.distro, (settings.distro,), "--distro", simulator)
+        return Evidence(settings.distro, (settings.distro,), "--distro")
     named = settings.environ.get("ROS_DISTRO", "")
     if named in ALL:
-        return Evidence(named, (named,), "$ROS_DISTRO", simulator)
+        return Evidence(named, (named,), "$ROS_DISTRO")
     by_robot = _by_robot(robot)
     if by_robot:
-        return Evidence(None, *by_robot, simulator)
-    if form is not None:
-        told = "ros__parameters" if form == 2 else "the controllers' types"  # noqa: PLR2004
-        return Evidence(None, ROS2 if form == 2 else ROS1, told, simulator)  # noqa: PLR2004
+        return Evidence(None, *by_robot)
+    if of_files is not None:
+        return Evidence(None, ROS2 if of_files.ros == 2 else ROS1, of_files.source)  # noqa: PLR2004
     by_manifest = _by_manifest(package)
     if by_manifest:
-        return Evidence(None, *by_manifest, simulator)
+        return Evidence(None, *by_manifest)
     if robot is not None and robot.transmissions:
-        return Evidence(None, ROS1, "<transmission>", simulator)
-    return Evidence(None, _ANY, None, simulator)
+        return Evidence(None, ROS1, "<transmission>")
+    return Evidence(None, _ANY, None)
+
+
+def _simulator(robot: Robot | None, settings: Settings) -> tuple[str | None, str | None]:
+    """The simulator that the user names, else the one that all plugins of Gazebo and of ros2_control are made for."""
+    if settings.simulator:
+        return settings.simulator, "--simulator"
+    found = {known: name for name, known in _simulators_of(robot)}
+    if len(found) != 1:
+        return None, None
+    simulator, plugin = found.popitem()
+    return simulator, f"the plugin '{plugin}'"
+
+
+def _simulators_of(robot: Robot | None) -> Iterator[tuple[str, str]]:
+    """The plugins that only one simulator can load, each with that simulator."""
+    if robot is None:
+        return
+    hardware = (plugin.value for control in robot.ros2_controls for part in control.hardware for plugin in part.plugins)
+    for name in (*(plugin.filename or "" for plugin in robot.plugins), *hardware):
+        for known, simulator in _SIMULATORS.items():
+            if known in name:
+                yield name, simulator
 
 
 def _by_robot(robot: Robot | None) -> tuple[tuple[str, ...], str] | None:

@@ -61,7 +61,8 @@ class Outcome(NamedTuple):
 
 class Linted(NamedTuple):
     """What became of one robot. `links` tells how many links it has, None where there is none; `robot` is its name;
-    `library` tells that the file holds macros that nothing calls; `files` are those that were read for it."""
+    `library` tells that the file holds macros that nothing calls; `files` are those that were read for it,
+    `controllers` those that configure controllers, `launch` the launch file that told which belong together."""
 
     path: str
     ros: int | None
@@ -74,6 +75,8 @@ class Linted(NamedTuple):
     links: int | None
     files: tuple[str, ...]
     outcome: Outcome
+    controllers: tuple[str, ...] = ()
+    launch: str | None = None
 
 
 def lint(

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from urdfctl.diagnostic import Finding, diagnosed
-from urdfctl.evidence import judged
+from urdfctl.evidence import Evidence, OfFiles, judged
 from urdfctl.lint import Linted, Outcome, Selection, lint
 from urdfctl.meshes import mesh_finder
 from urdfctl.model.build_robot import TOP_LEVEL, robot_of
@@ -18,11 +18,11 @@ from urdfctl.rules import rule_of
 from urdfctl.serialise import linted_from_json, linted_to_json
 from urdfctl.settings import Settings
 from urdfctl.source.dom import Document
-from urdfctl.source.files import FileProblem, Files
+from urdfctl.source.files import FileProblem, Files, is_launch, is_yaml
 from urdfctl.source.library import LibraryExpander
 from urdfctl.source.packages import PackageIndex, Packages
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
-from urdfctl.source.span import Place, SourceText
+from urdfctl.source.span import Place, SourceSpan, SourceText
 from urdfctl.source.suppressions import is_reached
 from urdfctl.source.xacro import HARMLESS, Expander, Expansion
 from urdfctl.source.xml import parse
@@ -30,17 +30,20 @@ from urdfctl.worker import Died, Limits, run
 from urdfctl.workspace import workspace_of
 
 if TYPE_CHECKING:
+    from urdfctl.launching import Launched
+    from urdfctl.model.launch import Launch
     from urdfctl.pairing import Read
 
 
 class Target(NamedTuple):
     """One robot in one variant: a file and its `name:=value` arguments; or a `fragment`, which others may include; with
-    the `controllers` that belong to it. Or a controllers' file alone."""
+    the `controllers` and the `launch` file that belong to it. Or a controllers' file or a launch file alone."""
 
     path: str
     arguments: tuple[tuple[str, str], ...] = ()
     fragment: bool = False
     controllers: tuple[str, ...] = ()
+    launch: str | None = None
 
 
 class Loader:
@@ -79,85 +82,129 @@ class Loader:
         return kind(files, packages, self.settings.environ, strict=strict, trust=self.settings.trust)
 
     def lint(self, target: Target) -> Linted:
-        """The findings in one robot, or in a file that is none: then in the macros it defines."""
+        """The findings in one robot, or in a file that is none: then in the macros it defines, or its controllers."""
         path = os.path.abspath(target.path)
-        if is_yaml(path):
-            return self._lint_controllers(path)
+        launched = self._launched(path, target)
+        described = launched.launch.description if launched and launched.launch else None
         arguments = dict(target.arguments)
+        if described and described.file.path and (is_launch(path) or _same(described.file.path, path)):
+            path, arguments = described.file.path, dict(described.arguments or ())
+        if is_yaml(path) or is_launch(path):
+            return self._lint_alone(path, target, launched)
         expander = self.expander(path, LibraryExpander if target.fragment else Expander)
         expansion = _expansion(expander, path, arguments)
         if expander.macros and not expansion.library and _is_library(expansion):
             expander = self.expander(path, LibraryExpander)
             expansion = _expansion(expander, path, arguments)
-        project = self._project(path, expansion, expander, target.controllers)
-        return _linted(project, expander.files, self._outcome(project, expander.files.sources(), expansion))
+        project = self._project(path, expansion, expander, target.controllers, launched)
+        root = expansion.document.documentElement if expansion.document else None
+        return self._linted(project, (expander.files, launched), lambda span: root is None or is_reached(span, root))
 
-    def _lint_controllers(self, path: str) -> Linted:
-        """The findings in a controllers' file that no robot uses."""
+    def _launched(self, path: str, target: Target) -> Launched | None:
+        launch = path if is_launch(path) else target.launch and os.path.abspath(target.launch)
+        if not launch:
+            return None
+        from urdfctl.launching import read_launch
+
+        arguments = dict(target.arguments) if is_launch(path) else {}
+        return read_launch(launch, arguments, *self.reading(launch), self.settings.environ)
+
+    def _lint_alone(self, path: str, target: Target, launched: Launched | None) -> Linted:
+        """The findings in controllers' files that no robot is known for."""
         from urdfctl.pairing import read_controllers
 
         files, packages = self.reading(path)
-        read = read_controllers([path], None, files)
-        evidence = judged(None, packages.own(), self.settings, read.form)
-        project = Project(
-            None,
-            path,
-            *evidence,
-            self.settings.started,
-            read.problems,
-            controllers=read.model(evidence.ros, self.settings.started),
-            additions=self.settings.additions,
-        )
-        return _linted(project, files, lint(project, files.sources(), self.selection))
+        named = [path] if is_yaml(path) else []
+        launch = launched.launch if launched else None
+        read = read_controllers([*named, *target.controllers], None, launch, files)
+        evidence = judged(None, packages.own(), self.settings, _of_files(read, launch))
+        problems = (*(launched.problems if launched else ()), *(read.problems if read else ()))
+        project = self._judged(Project(None, path, problems=problems), evidence, read, launch)
+        return self._linted(project, (files, launched), lambda _: True)
 
-    def _outcome(self, project: Project, sources: list[SourceText], expansion: Expansion) -> Outcome:
-        root = expansion.document.documentElement if expansion.document else None
-        return lint(project, sources, self.selection, reached=lambda span: root is None or is_reached(span, root))
-
-    def _project(self, path: str, expansion: Expansion, expander: Expander, controllers: Sequence[str] = ()) -> Project:
+    def _project(
+        self,
+        path: str,
+        expansion: Expansion,
+        expander: Expander,
+        controllers: Sequence[str] = (),
+        launched: Launched | None = None,
+    ) -> Project:
         root = expansion.document.documentElement if expansion.document else None
         find_mesh = mesh_finder(expander.packages, path)
         robot = robot_of(root, find_mesh, whole=expansion.complete) if root is not None else None
-        read = _read_controllers(controllers, robot, expander.files)
-        evidence = judged(robot, expander.packages.own(), self.settings, read.form if read else None)
-        return Project(
-            robot,
-            path,
-            *evidence,
-            self.settings.started,
-            (*expansion.problems, *(read.problems if read else ())),
-            expansion.complete,
-            expansion.library,
-            read.model(evidence.ros, self.settings.started) if read else None,
-            self.settings.additions,
+        launch = launched.launch if launched else None
+        read = _read_controllers(controllers, robot, launch, expander.files)
+        evidence = judged(robot, expander.packages.own(), self.settings, _of_files(read, launch))
+        problems = (
+            *expansion.problems,
+            *(launched.problems if launched else ()),
+            *(read.problems if read else ()),
+        )
+        project = Project(robot, path, problems=problems, complete=expansion.complete, library=expansion.library)
+        return self._judged(project, evidence, read, launch)
+
+    def _judged(self, project: Project, evidence: Evidence, read: Read | None, launch: Launch | None) -> Project:
+        """A project with what is known of its distro and simulator, and its controllers as that distro reads them."""
+        started = self.settings.started
+        if started is None and launch is not None:
+            started = launch.started
+        return project._replace(
+            distro=evidence.distro,
+            distros=evidence.distros,
+            distro_from=evidence.source,
+            simulator=evidence.simulator,
+            simulator_from=evidence.simulator_from,
+            started=started,
+            controllers=read.model(evidence.ros, started) if read else None,
+            launch=launch,
+            additions=self.settings.additions,
+        )
+
+    def _linted(
+        self, project: Project, read: tuple[Files, Launched | None], reached: Callable[[SourceSpan], bool]
+    ) -> Linted:
+        robot, files, launched = project.robot, read[0], read[1]
+        sources = {
+            source.path: source for one in (files, launched and launched.files) if one for source in one.sources()
+        }
+        return Linted(
+            project.path,
+            project.ros,
+            project.distro,
+            project.distro_from,
+            project.simulator,
+            project.complete,
+            project.library,
+            robot.name if robot else None,
+            len(robot.links) if robot else None,
+            tuple(sources),
+            lint(project, list(sources.values()), self.selection, reached=reached),
+            tuple(file.path for file in project.controllers.files) if project.controllers else (),
+            project.launch.path if project.launch else None,
         )
 
 
-def _read_controllers(paths: Sequence[str], robot: Robot | None, files: Files) -> Read | None:
-    """The controllers' files that belong to a robot; YAML is loaded only where there are any."""
-    if not paths and not any(plugin.setting("parameters") for plugin in (robot.plugins if robot else ())):
+def _of_files(read: Read | None, launch: Launch | None) -> OfFiles | None:
+    """The generation of ROS that the files beside a robot are written for."""
+    form = read.form if read else None
+    if form is not None:
+        return OfFiles(form, "ros__parameters" if form == 2 else "its controllers' types")  # noqa: PLR2004
+    return OfFiles(launch.ros, "its launch file") if launch else None
+
+
+def _same(path: str, other: str) -> bool:
+    return os.path.realpath(path) == os.path.realpath(other)
+
+
+def _read_controllers(paths: Sequence[str], robot: Robot | None, launch: Launch | None, files: Files) -> Read | None:
+    """The controllers' files that belong to a robot; YAML is loaded only where there may be any."""
+    named = any(plugin.setting("parameters") for plugin in (robot.plugins if robot else ()))
+    if not paths and not named and not (launch and launch.loads):
         return None
     from urdfctl.pairing import read_controllers
 
-    read = read_controllers(paths, robot, files)
-    return read if read.files or read.references or read.problems else None
-
-
-def _linted(project: Project, files: Files, outcome: Outcome) -> Linted:
-    robot = project.robot
-    return Linted(
-        project.path,
-        project.ros,
-        project.distro,
-        project.distro_from,
-        project.simulator,
-        project.complete,
-        project.library,
-        robot.name if robot else None,
-        len(robot.links) if robot else None,
-        tuple(files.read_paths()),
-        outcome,
-    )
+    return read_controllers(paths, robot, launch, files)
 
 
 def _expansion(expander: Expander, path: str, arguments: Mapping[str, str]) -> Expansion:
@@ -185,11 +232,6 @@ def _is_library(expansion: Expansion) -> bool:
     if root is None or any(child.tagName in TOP_LEVEL for child in root.elements()):
         return False
     return all(problem.kind in HARMLESS | _OF_INCLUDES for problem in expansion.problems)
-
-
-def is_yaml(path: str) -> bool:
-    """Whether a file is a controllers' file by its name."""
-    return path.endswith((".yaml", ".yml"))
 
 
 def is_xacro(source: SourceText) -> bool:
@@ -226,7 +268,7 @@ def _perform_with(loader: Loader, job: dict[str, Any]) -> dict[str, Any]:
 def _target_of(job: dict[str, Any]) -> Target:
     arguments = tuple((str(name), str(value)) for name, value in job["target"]["arguments"])
     target = job["target"]
-    return Target(target["path"], arguments, target["fragment"], tuple(target["controllers"]))
+    return Target(target["path"], arguments, target["fragment"], tuple(target["controllers"]), target["launch"])
 
 
 def perform(job: dict[str, Any]) -> dict[str, Any]:

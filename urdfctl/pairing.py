@@ -1,4 +1,5 @@
-"""Which controllers' files belong to a robot, and what they say: those named beside it, and those its plugins name."""
+"""Which controllers' files belong to a robot: those named beside it, those its plugins name, and those that a launch
+file loads."""
 
 from __future__ import annotations
 
@@ -8,6 +9,7 @@ from typing import NamedTuple
 
 from urdfctl.model.build_controllers import Loaded, controllers_of, form_of
 from urdfctl.model.controllers import Controllers, FileReference
+from urdfctl.model.launch import Launch
 from urdfctl.model.robot import Robot
 from urdfctl.source.files import FileProblem, Files
 from urdfctl.source.problem import Problem, ProblemKind
@@ -15,15 +17,17 @@ from urdfctl.source.span import Place, SourceText
 from urdfctl.source.yaml import YamlFile, read_yaml
 
 _NOT_TOLD = (ProblemKind.FILE_NOT_FOUND, ProblemKind.OUTSIDE_WORKSPACE)
-"""A file that a plugin names and that is not there is a fact of the robot; rules tell it."""
+"""A file that something names and that is not there is a fact of what names it; rules tell it."""
 
 
 class Read(NamedTuple):
-    """The files that were read, those that the robot names, and what was wrong with any of them."""
+    """The files that were read, those that the robot or a launch file names, and what was wrong with any of them. Not
+    `whole`: a launch file may load more."""
 
     files: tuple[Loaded, ...]
     references: tuple[FileReference, ...]
     problems: tuple[Problem, ...]
+    whole: bool = True
 
     @property
     def form(self) -> int | None:
@@ -33,27 +37,80 @@ class Read(NamedTuple):
 
     def model(self, ros: int | None, started: Sequence[str] | None) -> Controllers:
         """What the files say to a generation of ROS."""
-        return controllers_of(self.files, ros, started, self.references)
+        return controllers_of(self.files, ros, started, self.references)._replace(whole=self.whole)
 
 
-def read_controllers(paths: Iterable[str], robot: Robot | None, files: Files) -> Read:
-    """Read the files of some paths, and those that the robot's ros2_control plugins name in `<parameters>`."""
-    read: dict[str, YamlFile] = {}
-    problems: list[Problem] = []
-    references = []
+def read_controllers(paths: Iterable[str], robot: Robot | None, launch: Launch | None, files: Files) -> Read | None:
+    """The files of some paths, those that the robot's ros2_control plugins name in `<parameters>`, and those that a
+    launch file loads; None where there are none."""
+    reader = _Reader(files)
     for text, at in _named_by(robot):
-        reference, problem = _read_reference(text, at, files, read)
-        references.append(reference)
-        problems += [problem] if problem else []
-    for path in map(os.path.abspath, paths):
-        try:
-            source = files.read(path)
-        except FileProblem as error:
-            problems.append(error.at(Place(SourceText(path, b""), 0, end=0)))
+        reader.reference(text, at)
+    for load in launch.loads if launch else ():
+        if not load.sure or load.namespace is None or load.file.path is None:
+            reader.whole = False
         else:
-            read.setdefault(source.path, read_yaml(source))
-    problems += [problem for file in read.values() for problem in file.problems]
-    return Read(tuple(map(Loaded, read.values())), tuple(references), tuple(problems))
+            reader.load(load.file, load.namespace, in_node=load.in_node)
+    for path in map(os.path.abspath, paths):
+        reader.named(path)
+    return reader.read()
+
+
+class _Reader:
+    def __init__(self, files: Files) -> None:
+        self.files = files
+        self.whole = True
+        self._trees: dict[str, YamlFile] = {}
+        self._loaded: list[Loaded] = []
+        self._references: list[FileReference] = []
+        self._problems: list[Problem] = []
+
+    def read(self) -> Read | None:
+        used = {loaded.yaml.source.path for loaded in self._loaded}
+        problems = [p for path, tree in self._trees.items() if path in used for p in tree.problems]
+        found = Read(tuple(self._loaded), tuple(self._references), (*self._problems, *problems), self.whole)
+        return found if found.files or found.references or found.problems or not self.whole else None
+
+    def named(self, path: str) -> None:
+        """A file that the user names: it has to be there."""
+        try:
+            tree = self._tree(path)
+        except FileProblem as error:
+            self._problems.append(error.at(Place(SourceText(path, b""), 0, end=0)))
+        else:
+            if not any(loaded.yaml is tree for loaded in self._loaded):
+                self._loaded.append(Loaded(tree))
+
+    def reference(self, text: str, at: Place) -> None:
+        """A file that a plugin names: only an absolute path is the same wherever the simulator runs."""
+        if not os.path.isabs(text) or "$" in text:
+            self._references.append(FileReference(text, at, None, exists=None))
+            return
+        tree, exists = self._existing(text, at)
+        self._references.append(FileReference(text, at, tree.source.path if tree else text, exists))
+        if tree is not None:
+            self._loaded.append(Loaded(tree))
+
+    def load(self, file: FileReference, namespace: str, *, in_node: bool) -> None:
+        """A file that a launch file loads: of those for a single node only what has controllers is kept."""
+        tree, exists = self._existing(file.path or "", file.at)
+        self._references.append(file._replace(exists=exists))
+        if tree is not None and not (in_node and form_of(tree) is None):
+            self._loaded.append(Loaded(tree, namespace))
+
+    def _existing(self, path: str, at: Place) -> tuple[YamlFile | None, bool | None]:
+        try:
+            return self._tree(path), True
+        except FileProblem as error:
+            if error.kind not in _NOT_TOLD:
+                self._problems.append(error.at(at))
+            return None, False if error.kind is ProblemKind.FILE_NOT_FOUND else None
+
+    def _tree(self, path: str) -> YamlFile:
+        source = self.files.read(path)
+        if source.path not in self._trees:
+            self._trees[source.path] = read_yaml(source)
+        return self._trees[source.path]
 
 
 def _named_by(robot: Robot | None) -> Iterator[tuple[str, Place]]:
@@ -62,20 +119,3 @@ def _named_by(robot: Robot | None) -> Iterator[tuple[str, Place]]:
             for tag in plugin.tag.named("parameters"):
                 if tag.text:
                     yield tag.text, tag.at.content
-
-
-def _read_reference(
-    text: str, at: Place, files: Files, read: dict[str, YamlFile]
-) -> tuple[FileReference, Problem | None]:
-    """What a plugin names: only an absolute path is the same file wherever the simulator runs."""
-    if not os.path.isabs(text) or "$" in text:
-        return FileReference(text, at, None, exists=None), None
-    try:
-        source = files.read(text)
-    except FileProblem as error:
-        exists = False if error.kind is ProblemKind.FILE_NOT_FOUND else None
-        told = error.kind not in _NOT_TOLD
-        return FileReference(text, at, text, exists), error.at(at) if told else None
-    if source.path not in read:
-        read[source.path] = read_yaml(source)
-    return FileReference(text, at, source.path, exists=True), None

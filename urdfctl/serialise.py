@@ -15,7 +15,8 @@ def linted_to_json(linted: Linted) -> dict[str, Any]:
 
 def linted_from_json(data: dict[str, Any]) -> Linted:
     """The linted robot that plain data stands for."""
-    return Linted(**{**data, "files": tuple(data["files"]), "outcome": outcome_from_json(data["outcome"])})
+    files = {"files": tuple(data["files"]), "controllers": tuple(data["controllers"])}
+    return Linted(**{**data, **files, "outcome": outcome_from_json(data["outcome"])})
 
 
 def outcome_to_json(outcome: Outcome) -> dict[str, Any]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 from urdfctl.cli.words import codes, settings_from, split_arguments
@@ -70,7 +71,7 @@ def run_lint(wanted: Wanted, settings: Settings) -> int:
     """Lint what the words mean, report it, and give the exit status."""
     paths, arguments = split_arguments(wanted.words)
     found = find(paths)
-    if not found.descriptions() and not found.controllers and not found.launches:
+    if not (found.descriptions() or found.controllers or found.launches or found.controllers_candidates):
         sys.stderr.write(f"urdfctl: no robot found in {', '.join(paths) or 'this folder'}\n")
     kept, looked_at = _linted(found, tuple(arguments.items()), settings, wanted)
     outcomes = [one.outcome for one in looked_at]
@@ -86,17 +87,50 @@ def run_lint(wanted: Wanted, settings: Settings) -> int:
 def _linted(
     found: Found, arguments: tuple[tuple[str, str], ...], settings: Settings, wanted: Wanted
 ) -> tuple[list[Linted], list[Linted]]:
-    """The robots, and all that was looked at: in folders also the macro libraries and fragments that no robot uses."""
-    descriptions = found.descriptions()
-    belonging = tuple(found.controllers) if len(descriptions) == 1 else ()
-    targets = [Target(path, arguments, controllers=belonging) for path, _ in descriptions]
-    linted = lint_all(targets, settings, wanted.selection, wanted.jobs or None)
-    robots = [one for one, (_, named) in zip(linted, descriptions, strict=True) if named or _is_robot(one)]
+    """The robots, and all that was looked at: in folders also the macro libraries, fragments and controllers' files
+    that no robot uses."""
+
+    def linted(targets: list[Target]) -> Iterator[Linted]:
+        return lint_all(targets, settings, wanted.selection, wanted.jobs or None)
+
+    targets, kept = _targets(found, arguments)
+    robots = [one for one, keep in zip(linted(targets), kept, strict=True) if keep(one)]
     read = {file for robot in robots for file in robot.files}
-    alone = [Target(path) for path in found.controllers if os.path.abspath(path) not in read]
-    robots += lint_all(alone, settings, wanted.selection, wanted.jobs or None)
+    robots += linted([Target(path) for path in found.controllers if os.path.abspath(path) not in read])
+    read |= {os.path.abspath(path) for path in found.controllers}
+    alone = [Target(path) for path in found.controllers_candidates if os.path.abspath(path) not in read]
     rest = [Target(path, fragment=True) for path in found.unread(read)]
-    return robots, [*robots, *lint_all(rest, settings, wanted.selection, wanted.jobs or None)]
+    return robots, [*robots, *linted([*rest, *alone])]
+
+
+def _targets(
+    found: Found, arguments: tuple[tuple[str, str], ...]
+) -> tuple[list[Target], list[Callable[[Linted], bool]]]:
+    """What is to be linted, and of each what tells whether it is worth to be told of. What is named beside a single
+    robot belongs to it."""
+    descriptions = found.descriptions()
+    targets: list[Target] = []
+    kept: list[Callable[[Linted], bool]] = []
+    single = len(descriptions) == 1
+    controllers = tuple(found.controllers) if single else ()
+    for path, named in descriptions:
+        for launch in (found.launches if single else ()) or (None,):
+            targets.append(Target(path, arguments, controllers=controllers, launch=launch))
+            kept.append(_always if named else _is_robot)
+    if not single:
+        targets += [Target(path, arguments) for path in found.launches]
+        kept += [_always] * len(found.launches)
+    targets += [Target(path) for path in found.launch_candidates]
+    kept += [_has_controllers] * len(found.launch_candidates)
+    return targets, kept
+
+
+def _always(_: Linted) -> bool:
+    return True
+
+
+def _has_controllers(linted: Linted) -> bool:
+    return bool(linted.controllers)
 
 
 def _is_robot(linted: Linted) -> bool:

@@ -248,7 +248,7 @@ class _Ros1:
         self.children: dict[tuple[str, ...], list[tuple[str, ...]]] = {}
         for path in self.leaves:
             self.children.setdefault(path[:-1], []).append(path)
-        self.started = [tuple(part for part in name.split("/") if part) for name in started]
+        self.started = [(name.startswith("/"), tuple(part for part in name.split("/") if part)) for name in started]
 
     def made(self) -> _Made:
         controllers: list[Controller] = []
@@ -266,7 +266,9 @@ class _Ros1:
                 inside.add(path)
         found = {(*_parts(controller.namespace), controller.name) for controller in controllers}
         controllers += [
-            _missing("/".join(name)) for name in self.started if not any(path[-len(name) :] == name for path in found)
+            _missing("/" * full + "/".join(name))
+            for full, name in self.started
+            if not any(_is_meant(path, name, full=full) for path in found)
         ]
         return _Made([], controllers, others)
 
@@ -274,7 +276,7 @@ class _Ros1:
         return [path for path, leaf in self.leaves.items() if leaf.value.kind is Kind.MAP and self._is_controller(path)]
 
     def _is_controller(self, path: tuple[str, ...]) -> bool:
-        if any(path[-len(started) :] == started for started in self.started):
+        if any(_is_meant(path, name, full=full) for full, name in self.started):
             return True
         kind = self._type(path)
         return (
@@ -305,7 +307,13 @@ def _parts(namespace: str | None) -> tuple[str, ...]:
     return tuple(part for part in (namespace or "").split("/") if part)
 
 
+def _is_meant(path: tuple[str, ...], name: tuple[str, ...], *, full: bool) -> bool:
+    """Whether a name that is started means a path: all of it where it is a full name."""
+    return path == name if full else path[-len(name) :] == name
+
+
 def _missing(name: str) -> Controller:
     """A controller that is started, and in no file."""
-    namespace, _, last = name.rpartition("/")
-    return Controller(last, f"/{namespace}" if namespace else None, None, None, Parameters(), Parameters())
+    namespace, slash, last = name.rpartition("/")
+    known = f"/{namespace.strip('/')}" if namespace.strip("/") else "" if name.startswith("/") else None
+    return Controller(last, known if slash else None, None, None, Parameters(), Parameters())

@@ -161,7 +161,8 @@ class Controllers(NamedTuple):
     """What all files of a robot say together; later ones win.
 
     `others` are sections that no manager and no controller of these files reads: other nodes, other settings, or a name
-    that is misspelt. `references` are the files that the robot itself names.
+    that is misspelt. `references` are the files that the robot itself or a launch file names. Not `whole`: other files
+    may be loaded too, by a launch file whose conditions are not known.
     """
 
     files: tuple[ControllersFile, ...]
@@ -169,11 +170,12 @@ class Controllers(NamedTuple):
     controllers: tuple[Controller, ...] = ()
     others: tuple[Section, ...] = ()
     references: tuple[FileReference, ...] = ()
+    whole: bool = True
 
     @property
     def complete(self) -> bool:
-        """Whether every file could be read: else nothing may be claimed to be absent."""
-        return all(file.readable for file in self.files) and all(r.exists for r in self.references)
+        """Whether every file is known and could be read: else nothing may be claimed to be absent."""
+        return self.whole and all(file.readable for file in self.files) and all(r.exists for r in self.references)
 
     @property
     def faults(self) -> tuple[Fault, ...]:
@@ -181,9 +183,10 @@ class Controllers(NamedTuple):
         return tuple(fault for file in self.files for fault in file.faults)
 
     def controller(self, name: str) -> Controller | None:
-        """The controller of a name, which may have a namespace before it."""
-        end = f"/{name.lstrip('/')}"
-        return next((c for c in self.controllers if f"/{c.full_name}".endswith(end)), None)
+        """The controller of a name, which may have a namespace before it; of a full name where a slash begins it."""
+        if name.startswith("/"):
+            return next((c for c in self.controllers if c.full_name == name), None)
+        return next((c for c in self.controllers if f"/{c.full_name}".endswith(f"/{name}")), None)
 
     def other(self, name: str) -> Section | None:
         """The first other section of a name."""

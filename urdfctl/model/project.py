@@ -12,6 +12,7 @@ from urdfctl.source.problem import Problem, ProblemKind
 if TYPE_CHECKING:
     from urdfctl.catalog.catalog import Catalog
     from urdfctl.model.controllers import Controllers
+    from urdfctl.model.launch import Launch
 
 
 class Project(NamedTuple):
@@ -21,7 +22,8 @@ class Project(NamedTuple):
     controllers started together, None where nothing tells. `complete` is False where a part of the robot could not be
     expanded: then nothing may be claimed to be absent. In a macro `library` what conditions guard stands side by side:
     then nothing may be claimed to be there twice. `controllers` is None where no controllers' file belongs to the
-    robot; a controllers' file without a robot is a project too.
+    robot; a controllers' file without a robot is a project too. `launch` is the launch file that told which belong
+    together. `simulator_from` tells what named the simulator.
     """
 
     robot: Robot | None
@@ -36,6 +38,8 @@ class Project(NamedTuple):
     library: bool = False
     controllers: Controllers | None = None
     additions: Additions = NO_ADDITIONS
+    launch: Launch | None = None
+    simulator_from: str | None = None
 
     @property
     def ros(self) -> int | None:
@@ -58,9 +62,14 @@ class Project(NamedTuple):
         return self.simulator != "none"
 
     @property
+    def named_simulator(self) -> str | None:
+        """The simulator that the user names; None where only a plugin does: such a robot may be real all the same."""
+        return self.simulator if self.simulator_from in (None, "--simulator") else None
+
+    @property
     def may_be_hardware(self) -> bool:
-        """Whether real hardware may run it: no simulator is named."""
-        return self.simulator in (None, "none")
+        """Whether real hardware may run it: the user names no simulator."""
+        return self.named_simulator in (None, "none")
 
     def of_kind(self, kind: ProblemKind) -> tuple[Problem, ...]:
         """The problems of a kind that reading met."""

@@ -8,11 +8,13 @@ from typing import NamedTuple
 
 from urdfctl.diagnostic import Diagnostic, Location, Severity
 from urdfctl.lint import Linted
+from urdfctl.source.files import is_launch, is_yaml
 
 
 class Report(NamedTuple):
-    """What a run found: the robots it looked at, the findings in their stable order, and how many other descriptions it
-    looked at: macro libraries and fragments in folders, which no robot uses."""
+    """What a run found: the robots it looked at (and controllers' files and launch files named alone), the findings in
+    their stable order, and how many other files it looked at: macro libraries, fragments and controllers' files in
+    folders, which no robot uses."""
 
     targets: tuple[Linted, ...]
     findings: tuple[Diagnostic, ...]
@@ -21,6 +23,11 @@ class Report(NamedTuple):
     def count(self, severity: Severity) -> int:
         """How many findings have a severity."""
         return sum(finding.severity is severity for finding in self.findings)
+
+
+def is_robot(target: Linted) -> bool:
+    """Whether a target is a robot, and no controllers' file or launch file alone."""
+    return not (is_yaml(target.path) or is_launch(target.path))
 
 
 def shown(path: str) -> str:

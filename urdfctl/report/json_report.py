@@ -7,7 +7,7 @@ from typing import Any
 
 from urdfctl import __version__
 from urdfctl.diagnostic import Diagnostic, Repair, Severity
-from urdfctl.report.common import Report, relative, shown
+from urdfctl.report.common import Report, is_robot, relative, shown
 
 
 def render(report: Report) -> str:
@@ -28,7 +28,9 @@ def document(report: Report) -> dict[str, Any]:
         "tool": {"name": "urdfctl", "version": __version__},
         "targets": [
             {
-                "robot": shown(target.path),
+                "robot": shown(target.path) if is_robot(target) else None,
+                "controllers": [shown(path) for path in target.controllers],
+                "launch": shown(target.launch) if target.launch else None,
                 "ros": target.ros,
                 "distro": target.distro,
                 "distro_from": target.distro_from,

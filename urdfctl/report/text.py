@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from urdfctl.diagnostic import Diagnostic, Severity, Step
-from urdfctl.report.common import Report, relative, shown, visible
+from urdfctl.report.common import Report, is_robot, relative, shown, visible
 from urdfctl.report.concise import place
 
 MOST_CHAINS = 4
@@ -115,17 +115,24 @@ def _summary(report: Report) -> Iterator[Piece]:
 
 
 def _what(report: Report) -> str:
-    robots, others = len(report.targets), report.others
-    what = shown(report.targets[0].path) if robots == 1 else f"{robots} robots"
-    libraries = f"{others} file{'' if others == 1 else 's'} that no robot uses"
-    return what if not others else f"{what} and {libraries}" if robots else libraries
+    """What was looked at: a single file by its path; variants of one robot are one."""
+    paths = {target.path: is_robot(target) for target in report.targets}
+    robots = sum(paths.values())
+    counts = [f"{robots} robots" if robots != 1 else "1 robot"] if robots or not (paths or report.others) else []
+    counts += [_files(len(paths) - robots, "alone")] if len(paths) > robots else []
+    counts = [shown(next(iter(paths)))] if len(paths) == 1 else counts
+    return " and ".join([*counts, *([_files(report.others, "that no robot uses")] if report.others else [])])
+
+
+def _files(number: int, which: str) -> str:
+    return f"{number} file{'' if number == 1 else 's'} {which}"
 
 
 def _about(report: Report) -> str:
-    """For a single robot, which distro it was judged for and what tells so."""
-    if len(report.targets) != 1:
+    """For a single robot, which distro it was judged for and what tells so: of its variants, one that tells it."""
+    if len({target.path for target in report.targets}) != 1:
         return ""
-    target = report.targets[0]
+    target = next((target for target in report.targets if target.distro_from), report.targets[0])
     distro = target.distro or (f"ROS {target.ros}" if target.ros else "")
     source = f", from {target.distro_from}" if target.distro_from and not target.distro_from.startswith("--") else ""
     partly = "; not all of it could be expanded" if not target.complete else ""

@@ -10,6 +10,18 @@ from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import Place, SourceText
 
 MAX_BYTES = 16 << 20
+_LAUNCHES = (".launch", ".launch.xml", ".launch.py", ".launch.yaml")
+_YAML = (".yaml", ".yml")
+
+
+def is_launch(path: str) -> bool:
+    """Whether a file is a launch file by its name."""
+    return path.endswith(_LAUNCHES)
+
+
+def is_yaml(path: str) -> bool:
+    """Whether a file is a parameter file by its name."""
+    return path.endswith(_YAML) and not is_launch(path)
 
 
 class FileProblem(Exception):

@@ -85,9 +85,9 @@ def in_gazebo(project: Project) -> Severity | None:
     """
     plugins = control_plugins(project)
     default = [plugin for plugin in plugins if _simulation(plugin) in _DEFAULT_SIMULATION]
-    if project.simulator not in (None, "gazebo-classic") or (plugins and not default):
+    if project.named_simulator not in (None, "gazebo-classic") or (plugins and not default):
         return None
-    return Severity.ERROR if default or project.simulator else Severity.WARNING
+    return Severity.ERROR if default or project.named_simulator else Severity.WARNING
 
 
 def _simulation(plugin: Plugin) -> str:
@@ -97,7 +97,7 @@ def _simulation(plugin: Plugin) -> str:
 
 def on_hardware(project: Project) -> Severity:
     """How bad it is what only real hardware's loader refuses: an error where nothing but hardware runs it."""
-    return Severity.ERROR if project.simulator == "none" else Severity.WARNING
+    return Severity.ERROR if project.named_simulator == "none" else Severity.WARNING
 
 
 # -- what would be right ---------------------------------------------------------------------------------------------

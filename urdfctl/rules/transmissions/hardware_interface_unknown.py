@@ -88,15 +88,15 @@ def _severity(project: Project, interface: Text, meant: str | None, *, first: bo
         return simulated if simulated is Severity.ERROR else None
     if meant is None and "/" in interface.value and not interface.value.startswith((PREFIX, PACKAGE)):
         return _of_another_package(project) if simulated is Severity.ERROR else None
-    if simulated is Severity.ERROR or (project.simulator == "none" and first):
+    if simulated is Severity.ERROR or (project.named_simulator == "none" and first):
         return Severity.ERROR
-    if project.simulator == "gazebo-classic":
+    if project.named_simulator == "gazebo-classic":
         return None
-    return Severity.ERROR if meant and first and project.simulator is None else Severity.WARNING
+    return Severity.ERROR if meant and first and project.named_simulator is None else Severity.WARNING
 
 
 def _of_another_package(project: Project) -> Severity:
-    return Severity.ERROR if project.simulator == "gazebo-classic" else Severity.INFO
+    return Severity.ERROR if project.named_simulator == "gazebo-classic" else Severity.INFO
 
 
 def _meant(text: str) -> str | None:

@@ -61,7 +61,7 @@ def transmission_of_two_joints_in_gazebo(project: Project) -> Iterator[Finding]:
     """
     if in_gazebo(project) is not Severity.ERROR:
         return
-    severity = Severity.ERROR if project.simulator else Severity.WARNING
+    severity = Severity.ERROR if project.named_simulator else Severity.WARNING
     for transmission in read_transmissions(project):
         kept = transmission.kept_joints
         if len(kept) > 1:

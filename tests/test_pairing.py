@@ -1,0 +1,253 @@
+"""Which controllers' files and launch files belong to a robot, and what is known of them then."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import pytest
+from folder import Folder
+
+from urdfctl.lint import Selection
+from urdfctl.load import Loader, Target
+from urdfctl.model.controllers import Controllers
+from urdfctl.model.project import Project
+from urdfctl.settings import Settings
+
+ROBOT = """\
+<robot name="r">
+  <link name="base"/>
+  <link name="tip"/>
+  <joint name="j" type="revolute">
+    <parent link="base"/><child link="tip"/><limit effort="1" velocity="1" lower="0" upper="1"/>
+  </joint>
+  {}
+</robot>
+"""
+PLUGIN = '<gazebo><plugin filename="libgz_ros2_control-system.so" name="p">{}</plugin></gazebo>'
+ROS2 = (
+    "controller_manager:\n  ros__parameters:\n    arm: {type: a_controller/A}\narm:\n  ros__parameters: {joints: [j]}\n"
+)
+ROS1 = "arm: {type: position_controllers/JointPositionController, joint: j}\n"
+
+
+class Seen(Exception):
+    """Carries out the project that was linted."""
+
+
+def project(target: Target, settings: Settings, monkeypatch: pytest.MonkeyPatch) -> Project:
+    """The project that a target becomes."""
+    seen: list[Project] = []
+    loader = Loader(settings, Selection())
+    linted = loader._linted
+
+    def kept(project: Project, *rest: Any) -> Any:
+        seen.append(project)
+        return linted(project, *rest)
+
+    monkeypatch.setattr(loader, "_linted", kept)
+    loader.lint(target)
+    return seen[0]
+
+
+def controllers(project: Project) -> Controllers:
+    assert project.controllers is not None
+    return project.controllers
+
+
+def targets(folder: Folder, *words: str) -> list[dict[str, Any]]:
+    """The targets of a run's JSON report."""
+    ran = folder.run("lint", *words, "--format", "json", "--exit-zero")
+    assert ran.returncode == 0, ran.stderr
+    found: list[dict[str, Any]] = json.loads(ran.stdout)["targets"]
+    return found
+
+
+def codes(folder: Folder, *words: str) -> list[tuple[str, str, int]]:
+    ran = folder.run("lint", *words, "--format", "json", "--exit-zero", "--select", "UC0")
+    return [(f["code"], f["file"], f["line"]) for f in json.loads(ran.stdout)["findings"]]
+
+
+# -- the command line and the plugin ---------------------------------------------------------------------------------
+
+
+def test_files_named_beside_one_robot_belong_to_it(folder: Folder) -> None:
+    folder.write({"r.urdf": ROBOT.format(""), "c.yaml": ROS2, "d.yaml": "arm: {ros__parameters: {x: 1}}"})
+    (target,) = targets(folder, "r.urdf", "c.yaml", "d.yaml")
+    assert (target["robot"], target["controllers"], target["ros"]) == ("r.urdf", ["c.yaml", "d.yaml"], 2)
+
+
+def test_files_named_beside_several_robots_stand_alone(folder: Folder) -> None:
+    folder.write({"a.urdf": ROBOT.format(""), "b.urdf": ROBOT.format(""), "c.yaml": ROS2})
+    found = targets(folder, "a.urdf", "b.urdf", "c.yaml")
+    assert [(t["robot"], t["controllers"]) for t in found] == [("a.urdf", []), ("b.urdf", []), (None, ["c.yaml"])]
+
+
+def test_a_controllers_file_alone_is_a_target(folder: Folder) -> None:
+    folder.write({"c.yaml": ROS2})
+    (target,) = targets(folder, "c.yaml")
+    assert (target["robot"], target["controllers"], target["ros"]) == (None, ["c.yaml"], 2)
+    assert folder.run("lint", "c.yaml").stdout == "no findings in c.yaml (ROS 2, from ros__parameters)\n"
+
+
+def test_a_plugin_names_its_files_and_what_is_missing_is_a_fact(
+    folder: Folder, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    here = str(folder.path)
+    inside = f"<parameters> {here}/c.yaml </parameters><parameters>{here}/no.yaml</parameters>"
+    inside += "<parameters>$(find p)/c.yaml</parameters>"
+    folder.write({"r.urdf": ROBOT.format(PLUGIN.format(inside)), "c.yaml": ROS2})
+    made = project(Target("r.urdf"), Settings(), monkeypatch)
+    found = controllers(made)
+    assert [file.path for file in found.files] == [f"{here}/c.yaml"]
+    assert [(r.path, r.exists, r.at.span.text) for r in found.references] == [
+        (f"{here}/c.yaml", True, f"{here}/c.yaml"),
+        (f"{here}/no.yaml", False, f"{here}/no.yaml"),
+        (None, None, "$(find p)/c.yaml"),
+    ]
+    assert not found.complete
+    assert made.problems == ()
+
+
+def test_xacro_resolves_the_package_of_a_plugins_file(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> None:
+    text = ROBOT.format(PLUGIN.format("<parameters>$(find p)/config/c.yaml</parameters>"))
+    text = text.replace("<robot ", '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" ')
+    folder.write({"p/package.xml": "<package><name>p</name></package>", "p/r.xacro": text, "p/config/c.yaml": ROS2})
+    found = controllers(project(Target("p/r.xacro"), Settings(), monkeypatch))
+    assert [c.name for c in found.controllers] == ["arm"]
+    assert found.complete
+
+
+def test_a_file_outside_the_workspace_is_not_read(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> None:
+    folder.write({"w/r.urdf": ROBOT.format(PLUGIN.format(f"<parameters>{folder.path}/c.yaml</parameters>"))})
+    folder.write({"c.yaml": ROS2})
+    made = project(Target("w/r.urdf"), Settings(workspace="w"), monkeypatch)
+    (reference,) = controllers(made).references
+    assert (reference.exists, controllers(made).files) == (None, ())
+
+
+def test_a_file_that_the_user_names_has_to_be_there(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> None:
+    folder.write({"r.urdf": ROBOT.format("")})
+    made = project(Target("r.urdf", controllers=("no.yaml",)), Settings(), monkeypatch)
+    assert [problem.kind.name for problem in made.problems] == ["FILE_NOT_FOUND"]
+
+
+def test_faults_of_yaml_are_told_where_they_stand_and_can_be_ignored(folder: Folder) -> None:
+    folder.write({"r.urdf": ROBOT.format(""), "c.yaml": "a: 1\na: 2\n# urdfctl: ignore[UC025] on purpose\na: 3\n"})
+    assert codes(folder, "r.urdf", "c.yaml") == [("UC025", "c.yaml", 2)]
+    folder.write({"c.yaml": "a: 1 # urdfctl: ignore[UC025] no reason\n"})
+    assert codes(folder, "c.yaml") == [("UC099", "c.yaml", 1)]
+
+
+def test_what_is_started_is_what_the_user_says(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> None:
+    folder.write({"r.urdf": ROBOT.format(""), "c.yaml": ROS2})
+    made = project(Target("r.urdf", controllers=("c.yaml",)), Settings(started=("arm", "x")), monkeypatch)
+    assert made.started == ("arm", "x")
+    assert [c.name for c in controllers(made).controllers] == ["arm", "x"]
+
+
+# -- launch files ----------------------------------------------------------------------------------------------------
+
+LAUNCH = """\
+<launch>
+  <arg name="ns" default="robot"/>
+  <param name="robot_description" command="$(find xacro)/xacro '$(find p)/r.urdf'"/>
+  <group ns="$(arg ns)">
+    <rosparam file="$(find p)/c.yaml"/>
+    <node name="s" pkg="controller_manager" type="spawner" args="arm"/>
+  </group>
+</launch>
+"""
+PACKAGE = {
+    "p/package.xml": "<package><name>p</name></package>",
+    "p/r.urdf": ROBOT.format(""),
+    "p/c.yaml": ROS1,
+    "p/launch/l.launch": LAUNCH,
+}
+
+
+@pytest.mark.parametrize("words", [["p"], ["p/launch/l.launch"], ["p/r.urdf", "p/launch/l.launch"]])
+def test_a_launch_file_pairs_a_robot_with_its_controllers(folder: Folder, words: list[str]) -> None:
+    folder.write(PACKAGE)
+    found = targets(folder, *words)
+    assert found[-1]["robot"] == "p/r.urdf"
+    assert found[-1]["controllers"] == ["p/c.yaml"]
+    assert found[-1]["launch"] == "p/launch/l.launch"
+    assert found[-1]["ros"] == 1
+    assert {target["robot"] for target in found} == {"p/r.urdf"}
+
+
+def test_a_launch_file_tells_namespace_and_what_is_started(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> None:
+    folder.write(PACKAGE)
+    made = project(Target("p/launch/l.launch"), Settings(), monkeypatch)
+    assert made.robot is not None
+    assert made.started == ("/robot/arm",)
+    assert [(c.full_name, c.type is not None) for c in controllers(made).controllers] == [("/robot/arm", True)]
+    other = project(Target("p/launch/l.launch", (("ns", "x"),)), Settings(started=("arm",)), monkeypatch)
+    assert other.started == ("arm",)
+    assert [c.full_name for c in controllers(other).controllers] == ["/x/arm"]
+
+
+def test_a_name_that_is_started_elsewhere_has_no_type(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> None:
+    folder.write({**PACKAGE, "p/launch/l.launch": LAUNCH.replace('type="spawner"', 'type="spawner" ns="/other"')})
+    found = controllers(project(Target("p/launch/l.launch"), Settings(), monkeypatch))
+    assert [(c.full_name, c.type is None) for c in found.controllers] == [("/robot/arm", False), ("/other/arm", True)]
+
+
+def test_a_launch_file_without_a_robot_is_a_target_too(folder: Folder) -> None:
+    text = "\n".join(line for line in LAUNCH.splitlines() if "robot_description" not in line)
+    folder.write({**PACKAGE, "p/launch/l.launch": text})
+    (target,) = targets(folder, "p/launch/l.launch")
+    assert (target["robot"], target["controllers"], target["launch"]) == (None, ["p/c.yaml"], "p/launch/l.launch")
+
+
+def test_what_a_condition_leaves_open_is_not_paired(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> None:
+    text = LAUNCH.replace("<rosparam ", '<rosparam if="$(env SIMULATED)" ')
+    folder.write({**PACKAGE, "p/launch/l.launch": text})
+    found = controllers(project(Target("p/launch/l.launch"), Settings(), monkeypatch))
+    assert (found.files, found.whole, found.complete) == ((), False, False)
+
+
+def test_a_launch_file_that_is_no_xml_is_told_of_where_it_is_named(folder: Folder) -> None:
+    folder.write({"l.launch": "<launch><node></launch>"})
+    assert codes(folder, "l.launch") == [("UC001", "l.launch", 1)]
+
+
+def test_launch_files_of_ros_2_say_nothing_yet(folder: Folder) -> None:
+    folder.write({"l.launch.xml": '<launch><node pkg="p" exec="e"/></launch>', "m.launch.py": "import os"})
+    found = targets(folder, "l.launch.xml", "m.launch.py")
+    assert [(target["robot"], target["controllers"]) for target in found] == [(None, []), (None, [])]
+
+
+# -- folders ---------------------------------------------------------------------------------------------------------
+
+
+def test_in_folders_only_what_configures_controllers_is_linted_alone(folder: Folder) -> None:
+    twice = "\nx: 1\nx: 2\n"
+    folder.write(
+        {
+            "manager.yaml": ROS2 + twice,
+            "ros1.yaml": ROS1 + twice,
+            "flow.yaml": "ns: {arm: {type: effort_controllers/JointPositionController}}" + twice,
+            "nav.yaml": "amcl: {ros__parameters: {x: 1}}" + twice,
+            "moveit.yaml": "controller_list:\n- {name: arm, type: FollowJointTrajectory}" + twice,
+            "template.yaml": ROS1 + "x: {{ y }}" + twice,
+            "other.yaml": "a: 1" + twice,
+        }
+    )
+    assert {file for _, file, _ in codes(folder, ".")} == {"manager.yaml", "ros1.yaml", "flow.yaml"}
+    assert targets(folder, ".") == []
+    assert "in 3 files that no robot uses" in folder.run("lint", ".").stdout
+
+
+def test_in_folders_a_file_that_a_robot_uses_is_not_linted_again(folder: Folder) -> None:
+    folder.write(PACKAGE)
+    ran = folder.run("lint", "p", "--select", "UC0")
+    assert ran.stdout == "no findings in p/r.urdf (ROS 1, from its controllers' types)\n"
+
+
+def test_a_launch_file_that_another_includes_is_not_linted_by_itself(folder: Folder) -> None:
+    outer = '<launch><include file="$(find p)/launch/l.launch"><arg name="ns" value="x"/></include></launch>'
+    folder.write({**PACKAGE, "p/launch/outer.launch": outer})
+    found = targets(folder, "p")
+    assert [target["launch"] for target in found] == [None, "p/launch/outer.launch"]
