@@ -137,6 +137,9 @@ def _diagnostic(rule: Rule, project: Project, finding: Finding) -> Diagnostic:
     holds = [distro for distro in project.distros if distro in rule.distros]
     if project.distro is None and len(holds) < len(project.distros):
         finding = finding._replace(notes=(*finding.notes, Note(f"this holds for {in_words(holds)}")))
+    influence = project.influence(finding.at).in_words()
+    if influence:
+        finding = finding._replace(notes=(*finding.notes, Note(influence)))
     return diagnosed(rule.code, rule.name, finding.severity or rule.severity, finding)
 
 

@@ -142,6 +142,7 @@ class Loader:
             *(read.problems if read else ()),
         )
         project = Project(robot, path, problems=problems, complete=expansion.complete, library=expansion.library)
+        project = project._replace(influence=expander.definitions().influence_on)
         return self._judged(project, evidence, read, launch)
 
     def _judged(self, project: Project, evidence: Evidence, read: Read | None, launch: Launch | None) -> Project:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
 from urdfctl.catalog.additions import NO_ADDITIONS, Additions
 from urdfctl.catalog.distros import ALL
 from urdfctl.model.robot import Robot
+from urdfctl.source.influence import Influence, no_influence
 from urdfctl.source.problem import Problem, ProblemKind
+from urdfctl.source.span import Place
 
 if TYPE_CHECKING:
     from urdfctl.catalog.catalog import Catalog
@@ -23,7 +26,7 @@ class Project(NamedTuple):
     expanded: then nothing may be claimed to be absent. In a macro `library` what conditions guard stands side by side:
     then nothing may be claimed to be there twice. `controllers` is None where no controllers' file belongs to the
     robot; a controllers' file without a robot is a project too. `launch` is the launch file that told which belong
-    together. `simulator_from` tells what named the simulator.
+    together. `simulator_from` tells what named the simulator, `influence` what the values at a place hang on.
     """
 
     robot: Robot | None
@@ -40,6 +43,7 @@ class Project(NamedTuple):
     additions: Additions = NO_ADDITIONS
     launch: Launch | None = None
     simulator_from: str | None = None
+    influence: Callable[[Place], Influence] = no_influence
 
     @property
     def ros(self) -> int | None:

@@ -15,6 +15,7 @@ from urdfctl.source import engine, xacro_hooks
 from urdfctl.source.budget import MAX_CALL_DEPTH, MAX_CALLS, MAX_ELEMENTS, MAX_PROBLEMS, OverBudget
 from urdfctl.source.dom import COMMENT, Cloning, Document, Element, Node, Text
 from urdfctl.source.files import FileProblem, Files
+from urdfctl.source.influence import Definitions
 from urdfctl.source.leftovers import leftovers, repeated_condition, unused_arguments
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.packages import Packages
@@ -79,7 +80,10 @@ class Expander:
         self._called = 0
         self.macros: dict[str, Element] = {}
         """The macros that were defined on the way, each by its last definition."""
-        self._properties: set[str] = set()
+        self.loaded: dict[str, None] = {}
+        """The YAML files that expressions loaded, in order."""
+        self._given: Mapping[str, str] = {}
+        self._properties: dict[str, set[str]] = {}
         self._declared: dict[str, Element] = {}
         self._seen: set[tuple[ProblemKind, str, str]] = set()
         self._include_failed = False
@@ -90,6 +94,7 @@ class Expander:
         """The expansion of a file with `name:=value` arguments."""
         module = self.module
         module.init_stacks(path)
+        self._given = arguments
         sys.setrecursionlimit(max(sys.getrecursionlimit(), 20 * MAX_CALL_DEPTH))
         document: Document | None = None
         try:
@@ -118,6 +123,11 @@ class Expander:
             self._add(problem)
         for problem in unused_arguments(self._declared, given, sources, Place(root.source, root.start)):
             self._add(problem)
+
+    def definitions(self) -> Definitions:
+        """What was defined on the way, and the arguments that were given."""
+        defaults = {name: element.attrs.get("default", "") for name, element in self._declared.items()}
+        return Definitions(self._properties, {**defaults, **self._given}, tuple(self.loaded))
 
     # -- the replaced helpers of xacro -------------------------------------------------------------------------------
 
@@ -205,7 +215,8 @@ class Expander:
             for problem in repeated_condition(node):
                 self._add(problem)
         elif node.tagName == "xacro:property":
-            self._properties.add(node.attrs.get("name", ""))
+            texts = self._properties.setdefault(node.attrs.get("name", ""), set())
+            texts.add(node.attrs.get("value", node.attrs.get("default", "")))
         elif node.tagName == "xacro:arg":
             self._declared.setdefault(node.attrs.get("name", ""), node)
         return self._originals["check_attrs"](node, required, optional)

@@ -174,6 +174,7 @@ def _load_yaml(expander: Expander, filename: str) -> Any:
     path = module.abs_filename_spec(filename)
     text = expander.files.read(path).data
     check_size(text)
+    expander.loaded[path] = None
     module.filestack.append(path)
     try:
         return module.YamlListWrapper.wrap(yaml.load(text, loader))  # noqa: S506 (a SafeLoader)
