@@ -87,6 +87,13 @@ def caret(told: str) -> tuple[str, str]:
     return lines[1][start : len(marks)], marks[start:]
 
 
+def test_of_a_way_without_end_the_two_ends_are_shown(folder: Folder) -> None:
+    way = tuple(Step(str(folder.path / "r.xacro"), line, 1, "macro wheel") for line in range(1, 251))
+    said = text.render(Report((), (fault(at(folder, "r.xacro", (1, 1)))._replace(expanded_from=(way,)),)))
+    calls = [f"in the call of macro 'wheel' at r.xacro:{line}:1" for line in (*range(1, 8), 250)]
+    assert ", ".join([*calls[:7], "and so on, 242 times more", calls[7]]) in said
+
+
 @pytest.mark.parametrize(
     ("line", "columns", "under"),
     [

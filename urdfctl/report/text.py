@@ -10,6 +10,7 @@ from urdfctl.report.common import Report, is_robot, relative, shown, visible
 from urdfctl.report.concise import place
 
 MOST_CHAINS = 4
+_MOST_STEPS = 8
 _WIDEST = 160
 _COLOURS = {Severity.ERROR: "bold red", Severity.WARNING: "bold yellow", Severity.INFO: "bold cyan"}
 
@@ -88,7 +89,11 @@ def _of_one_column_each(text: str) -> str:
 
 
 def _way(chain: tuple[Step, ...]) -> str:
-    return ", ".join(_step(step) for step in chain)
+    """The steps of a way, innermost first; of a very long one the two ends."""
+    steps = [_step(step) for step in chain]
+    if len(steps) > _MOST_STEPS:
+        steps[_MOST_STEPS - 1 : -1] = [f"and so on, {len(steps) - _MOST_STEPS} times more"]
+    return ", ".join(steps)
 
 
 def _step(step: Step) -> str:
