@@ -139,6 +139,12 @@ def test_faults_of_yaml_are_told_where_they_stand_and_can_be_ignored(folder: Fol
     assert codes(folder, "c.yaml") == [("UC099", "c.yaml", 1)]
 
 
+def test_rosparam_takes_no_tab_behind_a_colon_and_rcl_does(folder: Folder) -> None:
+    folder.write({"1.yaml": ROS1.replace(": j", ":\tj"), "2.yaml": ROS2.replace(": [j", ":\t[j")})
+    assert codes(folder, "1.yaml") == [("UC026", "1.yaml", 1)]
+    assert codes(folder, "2.yaml") == []
+
+
 def test_what_is_started_is_what_the_user_says(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> None:
     folder.write({"r.urdf": ROBOT.format(""), "c.yaml": ROS2})
     made = project(Target("r.urdf", controllers=("c.yaml",)), Settings(started=("arm", "x")), monkeypatch)

@@ -7,6 +7,7 @@ import time
 
 import pytest
 import yaml as pyyaml
+from folder import Folder
 
 from urdfctl.source import yaml as reader
 from urdfctl.source.kinds import Kind
@@ -78,6 +79,16 @@ def test_keys_given_twice_are_kept_and_told_where_the_second_stands() -> None:
     (found,) = file.problems
     assert (found.kind, found.at.start, found.subject) == (ProblemKind.YAML_DUPLICATE_KEY, 10, "a")
     assert "first in line 1" in found.message
+
+
+def test_of_two_maps_of_one_name_python_takes_the_last(folder: Folder) -> None:
+    (found,) = read("a: {x: 1}\na: {y: 2}\n").problems
+    assert (found.kind, found.at.start) == (ProblemKind.YAML_DUPLICATE_MAP, 10)
+    folder.write(
+        {"c.yaml": "a: {ros__parameters: {x: 1}}\na: {ros__parameters: {y: 2}}\n", "d.yaml": "a: {x: 1}\na: {}\n"}
+    )
+    for words, severity in ((["c.yaml"], "info"), (["d.yaml", "--distro", "noetic"], "warning")):
+        assert f"{severity} UC025" in folder.run("lint", *words, "--format", "concise", "--select", "UC0").stdout
 
 
 def test_an_alias_is_what_it_stands_for_and_its_place_is_kept() -> None:

@@ -181,7 +181,7 @@ class Loader:
             len(robot.links) if robot else None,
             tuple(sources),
             lint(project, list(sources.values()), self.selection, reached=reached),
-            tuple(file.path for file in project.controllers.files) if project.controllers else (),
+            _controllers_files(project),
             project.launch.path if project.launch else None,
         )
 
@@ -192,6 +192,14 @@ def _of_files(read: Read | None, launch: Launch | None) -> OfFiles | None:
     if form is not None:
         return OfFiles(form, "ros__parameters" if form == 2 else "its controllers' types")  # noqa: PLR2004
     return OfFiles(launch.ros, "its launch file") if launch else None
+
+
+def _controllers_files(project: Project) -> tuple[str, ...]:
+    """The files that belong to a robot; none where a launch file loads some, and none of them has controllers."""
+    found = project.controllers
+    if found is None or (project.launch and not found.managers and not found.controllers):
+        return ()
+    return tuple(dict.fromkeys(file.path for file in found.files))
 
 
 def _same(path: str, other: str) -> bool:

@@ -16,6 +16,7 @@ from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.yaml import YamlFile, read_yaml
 
+_MOST_BYTES_WITH_TABS = 1 << 20
 _NOT_TOLD = (ProblemKind.FILE_NOT_FOUND, ProblemKind.OUTSIDE_WORKSPACE)
 """A file that something names and that is not there is a fact of what names it; rules tell it."""
 
@@ -109,7 +110,10 @@ class _Reader:
     def _tree(self, path: str) -> YamlFile:
         source = self.files.read(path)
         if source.path not in self._trees:
-            self._trees[source.path] = read_yaml(source)
+            tree = read_yaml(source)
+            if b"\t" in source.data[:_MOST_BYTES_WITH_TABS] and form_of(tree) == 1:
+                tree = read_yaml(source, by_python=True)
+            self._trees[source.path] = tree
         return self._trees[source.path]
 
 

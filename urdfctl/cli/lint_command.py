@@ -94,13 +94,15 @@ def _linted(
         return lint_all(targets, settings, wanted.selection, wanted.jobs or None)
 
     targets, kept = _targets(found, arguments)
-    robots = [one for one, keep in zip(linted(targets), kept, strict=True) if keep(one)]
-    read = {file for robot in robots for file in robot.files}
-    robots += linted([Target(path) for path in found.controllers if os.path.abspath(path) not in read])
+    all_kept = [one for one, keep in zip(linted(targets), kept, strict=True) if keep(one)]
+    read = {file for one in all_kept for file in one.files}
+    all_kept += linted([Target(path) for path in found.controllers if os.path.abspath(path) not in read])
     read |= {os.path.abspath(path) for path in found.controllers}
     alone = [Target(path) for path in found.controllers_candidates if os.path.abspath(path) not in read]
     rest = [Target(path, fragment=True) for path in found.unread(read)]
-    return robots, [*robots, *linted([*rest, *alone])]
+    robotless = {os.path.abspath(path) for path in found.launch_candidates}
+    robots = [one for one in all_kept if one.path not in robotless]
+    return robots, [*all_kept, *linted([*rest, *alone])]
 
 
 def _targets(

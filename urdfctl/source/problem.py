@@ -37,6 +37,7 @@ class ProblemKind(Enum):
     BRACES = auto()
     YAML_SYNTAX = auto()
     YAML_DUPLICATE_KEY = auto()
+    YAML_DUPLICATE_MAP = auto()
     YAML_TAB = auto()
 
 

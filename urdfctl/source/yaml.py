@@ -95,9 +95,10 @@ class YamlFile(NamedTuple):
     readable: bool = True
 
 
-def read_yaml(source: SourceText) -> YamlFile:
-    """The tree of a file; without documents where it is no YAML, and then a problem tells why."""
-    reader = _Reader(source)
+def read_yaml(source: SourceText, *, by_python: bool = False) -> YamlFile:
+    """The tree of a file; without documents where it is no YAML, and then a problem tells why. Read `by_python`, as
+    rosparam does, a file may hold fewer tabs than libyaml takes."""
+    reader = _Reader(source, yaml.SafeLoader if by_python else _LOADER)
     try:
         reader.read()
     except ReadError as error:
@@ -127,8 +128,9 @@ _LEAF = _Weight(1, 0)
 
 
 class _Reader:
-    def __init__(self, source: SourceText) -> None:
+    def __init__(self, source: SourceText, loader: Any) -> None:
         self.source = source
+        self._loader = loader
         self.documents: list[Node] = []
         self.aliases: list[Place] = []
         self.problems: list[Problem] = []
@@ -141,7 +143,7 @@ class _Reader:
         text = self._decoded()
         loader: Any = None
         try:
-            loader = _LOADER(text)
+            loader = self._loader(text)
             while loader.check_event():
                 self._take(loader.get_event())
         except yaml.reader.ReaderError:
@@ -213,23 +215,31 @@ class _Reader:
 
     def _entries(self, opened: _Open) -> tuple[Entry, ...]:
         keys, values = opened.children[::2], opened.children[1::2]
-        seen: dict[str, Scalar] = {}
+        seen: dict[str, Entry] = {}
         entries = []
         for key, value in zip(keys, values, strict=True):
             if not isinstance(key, Scalar):
                 message = "a list or a map is no name of a parameter: quote what is a text with braces or brackets"
                 raise ReadError(Problem(ProblemKind.YAML_SYNTAX, key.at, message))
+            entry = Entry(key, value)
             if key.text in seen and key.text != "<<":
-                self._duplicate(key, seen[key.text])
-            seen[key.text] = key
-            entries.append(Entry(key, value))
+                self._duplicate(entry, seen[key.text])
+            seen[key.text] = entry
+            entries.append(entry)
         return tuple(entries)
 
-    def _duplicate(self, key: Scalar, first: Scalar) -> None:
-        if len(self.problems) < _MOST_DUPLICATES:
-            line = self.source.position(first.start).line
-            message = f"'{key.text}' is given twice in this map, first in line {line}; the last one counts"
-            self.problems.append(Problem(ProblemKind.YAML_DUPLICATE_KEY, key.at, message, key.text))
+    def _duplicate(self, entry: Entry, first: Entry) -> None:
+        if len(self.problems) >= _MOST_DUPLICATES:
+            return
+        name, line = entry.key.text, self.source.position(first.key.start).line
+        message = f"'{name}' is given twice in this map, first in line {line}; the last one counts"
+        kind = ProblemKind.YAML_DUPLICATE_KEY
+        if isinstance(entry.value, Mapping) and isinstance(first.value, Mapping):
+            kind = ProblemKind.YAML_DUPLICATE_MAP
+            message = (
+                f"'{name}' is given twice, first in line {line}: what reads YAML with Python takes the last one only"
+            )
+        self.problems.append(Problem(kind, entry.key.at, message, name))
 
     # -- places ------------------------------------------------------------------------------------------------------
 
@@ -282,6 +292,9 @@ class _Reader:
                 at = Place(self.source, self.source.offset(line), end=self.source.offset(line) + indent.end())
                 message = "this line is indented with a tab, which YAML does not allow: use blanks"
                 return ReadError(Problem(ProblemKind.YAML_TAB, at, message))
+        if self.source.data[start : start + 1] == b"\t":
+            message = "a tab stands where YAML allows blanks only"
+            return ReadError(Problem(ProblemKind.YAML_TAB, Place(self.source, start, end=start + 1), message))
         why = " ".join(part for part in (error.context, error.problem) if part) or "no YAML"
         at = Place(self.source, start, end=min(start + 1, len(self.source.data)))
         return ReadError(Problem(ProblemKind.YAML_SYNTAX, at, f"the file is not YAML: {why}"))

@@ -41,7 +41,10 @@ from urdfctl.source.problem import ProblemKind
 def yaml_key_twice(project: Project) -> Iterator[Finding]:
     """A key is given twice in one map.
 
-    No reader says a word. A value that comes first is lost. Of two maps rosparam and the spawner of ROS 2 keep the last
-    one only, while ROS 2's nodes add them up.
+    No reader says a word. A value that comes first is lost. Of two maps rosparam keeps the last one only; in ROS 2
+    nodes add them up, while the spawner and launch files, which read YAML with Python, see the last one.
     """
     yield from findings_of(project, ProblemKind.YAML_DUPLICATE_KEY)
+    severity = Severity.INFO if project.ros == 2 else None  # noqa: PLR2004
+    for finding in findings_of(project, ProblemKind.YAML_DUPLICATE_MAP):
+        yield finding._replace(severity=severity)

@@ -12,7 +12,7 @@ from urdfctl.source.problem import ProblemKind
 @rule(
     "UC026",
     severity=Severity.ERROR,
-    authority="YAML 1.1, section 4.2.1: tabs must not be used for indentation; libyaml: 'found character that cannot start any token'",
+    authority="YAML 1.1, section 4.2.1: tabs must not be used for indentation; PyYAML (roslaunch's reader) scanner.py: scan_to_next_token() skips blanks only",
     bad={
         "controllers.yaml": """
             controller_manager:
@@ -31,8 +31,9 @@ from urdfctl.source.problem import ProblemKind
     },
 )
 def yaml_tab(project: Project) -> Iterator[Finding]:
-    """A line of a controllers' file is indented with a tab.
+    """A tab stands in a controllers' file where its reader takes none.
 
-    YAML forbids it, and no reader takes the file: ROS 2's node ends when it starts, ROS 1's roslaunch stops.
+    YAML forbids tabs in the indentation, and no reader takes the file: ROS 2's node ends when it starts, ROS 1's
+    roslaunch stops. rosparam, which reads YAML with Python, takes none behind a colon or a dash either.
     """
     yield from findings_of(project, ProblemKind.YAML_TAB)
