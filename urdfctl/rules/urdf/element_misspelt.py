@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.catalog.distros import ROS2
 from urdfctl.model.parts import Tag
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import robot_in
@@ -43,22 +44,27 @@ OF_OTHERS = frozenset(
 def element_misspelt(project: Project) -> Iterator[Finding]:
     """An element is spelt nearly like one of URDF's.
 
-    urdfdom ignores what it does not know, so nobody tells of the slip: the part is just not there.
+    urdfdom ignores what it does not know, so nobody tells of the slip: the part is just not there. Without any
+    `<ros2_control>` ROS 2's controller manager refuses the description.
     """
     robot = robot_in(project)
     if robot is None:
         return
     for tag in robot.others:
-        yield from _finding(tag, "robot", "the robot")
+        for meant in _meant(tag, "robot"):
+            lost = meant == "ros2_control" and not robot.ros2_controls and set(project.distros) <= set(ROS2)
+            severity = Severity.ERROR if lost else Severity.WARNING
+            yield Finding(tag.at, f"<{tag.name}> of the robot is ignored; did you mean <{meant}>?", severity=severity)
     for tag, children, owner in read_tags(robot):
         for child in children if tag.name != "geometry" else ():
-            yield from _finding(child, tag.name, owner)
+            for meant in _meant(child, tag.name):
+                yield Finding(child.at, f"<{child.name}> of {owner} is ignored; did you mean <{meant}>?")
 
 
-def _finding(tag: Tag, parent: str, owner: str) -> Iterator[Finding]:
+def _meant(tag: Tag, parent: str) -> tuple[str, ...]:
+    """The element that was most likely meant by one that is not read; none where it may be meant as it is."""
     known = ELEMENTS[parent]
     if tag.name in known or tag.name in OF_OTHERS or ":" in tag.name:
-        return
+        return ()
     meant = nearest(tag.name, known)
-    if meant:
-        yield Finding(tag.at, f"<{tag.name}> of {owner} is ignored; did you mean <{meant}>?")
+    return (meant,) if meant else ()
