@@ -211,7 +211,7 @@ def test_async_properties_are_read_where_the_component_is_asynchronous(
     inside = f"{MOCK}{ELBOW}<properties>{properties}</properties>"
     part = component(inside, 'name="arm" type="system" is_async="true"')
     assert told(robot, part, "jazzy") == expected
-    assert told(robot, part, "humble") == ["error UC304"]
+    assert "error UC304" in told(robot, part, "humble")
     assert told(robot, component(inside), "jazzy") == ["warning UC323"]
 
 

@@ -60,6 +60,7 @@ def robot_of(root: dom.Element, find_mesh: MeshFinder | None = None, *, whole: b
         root.tagName,
         root.attrs.get("version"),
         tuple(_meshes(links, find_mesh)),
+        Tag(root),
     )
 
 

@@ -69,6 +69,13 @@ def leading_number(text: str) -> float | None:
     return float(found.group(0)) if found else None
 
 
+class Comment(NamedTuple):
+    """A comment; where the source does not write it literally, `at` is the element that it stands in."""
+
+    text: str
+    at: Place
+
+
 class Tag:
     """An element that the model has no type of its own for: a view of the tree, which is never changed through it."""
 
@@ -102,6 +109,10 @@ class Tag:
             self._children = tuple([Tag(child) for child in self._element.elements()])
         return self._children
 
+    def comments(self) -> Iterator[Comment]:
+        """The comments below it, in order."""
+        return _comments(self._element)
+
     def named(self, name: str) -> Iterator[Tag]:
         """The children of a name."""
         return (child for child in self.children if child.name == name)
@@ -119,3 +130,22 @@ def text_of(element: Element) -> Text:
             return Text("", element.at, value, padded) if comment else Text(value, element.at, padded=padded)
         first = first.nextSibling
     return Text("", element.at)
+
+
+def _comments(element: Element) -> Iterator[Comment]:
+    pending = [(element, element.children())]
+    while pending:
+        after, nodes = pending.pop()
+        for node in nodes:
+            if isinstance(node, Element):
+                pending += [(node, nodes), (node, node.children())]
+                break
+            if isinstance(node, Characters) and node.nodeType == COMMENT:
+                yield Comment(node.data, _place_of(node.data, after))
+
+
+def _place_of(comment: str, after: Element) -> Place:
+    """Where a comment stands that follows the start tag of an element."""
+    written = f"<!--{comment}-->".encode()
+    start = after.source.data.find(written, after.start)
+    return Place(after.source, start, after.call, end=start + len(written)) if start >= 0 else after.at

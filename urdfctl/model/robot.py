@@ -146,6 +146,7 @@ class Robot(NamedTuple):
     element: str = "robot"
     version: str | None = None
     meshes: tuple[Mesh, ...] = ()
+    tag: Tag | None = None
 
     def joint(self, name: str) -> Joint | None:
         """The first joint of a name."""

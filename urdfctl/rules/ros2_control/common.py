@@ -4,21 +4,26 @@ from __future__ import annotations
 
 import re
 from collections.abc import Container, Iterable, Iterator
+from typing import TYPE_CHECKING
 
-from urdfctl.catalog.distros import since, until
-from urdfctl.model.parts import Tag
+from urdfctl.catalog.distros import ROS2, since, until
+from urdfctl.model.parts import Tag, Text
 from urdfctl.model.ros2_control import Interface, Parameter, Part, Ros2Control
-from urdfctl.rule import Note, Project
+from urdfctl.rule import Edit, Fix, Note, Project
 from urdfctl.rules.common import is_known, is_whole, label, robot_in
 from urdfctl.rules.ros2_control.facts import INTERFACES_OF_ROS1
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place, SourceSpan
+
+if TYPE_CHECKING:
+    from urdfctl.catalog.hardware import HardwareType
 
 JAZZY = since("jazzy")
 """The distros whose parser compares the tag with the URDF, and reads limits, data types and rates."""
 OLD = until("iron")
 """Those whose parser reads the tag alone."""
 
+_NUMBER = r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?"
 _CONDITION = re.compile(rb"<xacro:(if|unless)\b")
 
 
@@ -138,3 +143,35 @@ def replacement(joints: Iterable[tuple[str | None, list[str]]], there: Container
         inside = [f'<command_interface name="{word}"/>' for word in commands]
         inside += [f'<state_interface name="{word}"/>' for word in dict.fromkeys(("position", "velocity", *commands))]
         yield Note(f'in <ros2_control> it is <joint name="{name}">{"".join(inside)}</joint>')
+
+
+def is_number(text: str) -> bool:
+    """Whether ros2_control reads a text as a number: a finite decimal with nothing behind it."""
+    return bool(re.fullmatch(_NUMBER, text.strip())) and abs(float(text)) != float("inf")
+
+
+def known_hardware(project: Project, control: Ros2Control) -> tuple[HardwareType, ...]:
+    """What the catalogue knows of a component's plugin, for each distro that the project may be for and that has it."""
+    name = control.plugin or ""
+    found = (project.catalog.hardware(name, distro) for distro in project.distros if distro in ROS2) if name else ()
+    return tuple(each for each in found if each is not None)
+
+
+def is_deaf(project: Project, control: Ros2Control, name: str) -> bool:
+    """Whether a component's plugin is one that does not read a joint's parameter, in a distro that it may be for."""
+    return any(
+        each.joint_parameters is not None and name not in each.joint_parameters
+        for each in known_hardware(project, control)
+    )
+
+
+def folded(name: str) -> str:
+    """A plugin's name without what people get wrong in it: letters' case, separators and quotes."""
+    return name.strip("\"' ").lower().replace("::", "/").replace("-", "_")
+
+
+def mended(text: Text, right: str) -> Fix:
+    """The repair that writes another text into an element; for a person to make where the source does not write it so."""
+    content = text.at.content.span
+    edits = (Edit(content, right),) if content.text == text.past_comments else ()
+    return Fix(f"write '{right}'", edits)

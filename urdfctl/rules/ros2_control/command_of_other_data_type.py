@@ -1,0 +1,59 @@
+"""UC358."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.common import label, severity_where
+from urdfctl.rules.ros2_control.common import JAZZY, called, known_hardware, parts
+from urdfctl.rules.ros2_control.facts import DATA_TYPES
+
+_MOCK = "mock_components/GenericSystem"
+_MIRRORED = ("position", "velocity", "acceleration", "effort")
+
+
+@rule(
+    "UC358",
+    severity=Severity.ERROR,
+    distros=JAZZY,
+    authority="measured with jazzy's mock_components/GenericSystem: \"Data type: 'int32' will not be casted to "
+    'double for interface: elbow/position. Use get_optional<int32>() instead."',
+    options=["--distro=jazzy"],
+    bad={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="elbow">
+                <command_interface name="position" data_type="«int32»"/>
+                <state_interface name="position"/>
+              </joint>
+            </ros2_control>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="elbow">
+                <command_interface name="position"/>
+                <state_interface name="position"/>
+              </joint>
+            </ros2_control>
+        """,
+    },
+)
+def command_of_other_data_type(project: Project) -> Iterator[Finding]:
+    """A command of mock hardware's joint is not of type double, and its state is to follow it.
+
+    From jazzy on mock hardware stops at the first read, and is deactivated.
+    """
+    for control, part in parts(project, "joint"):
+        if not any(each.type == _MOCK for each in known_hardware(project, control)):
+            continue
+        states = {interface.name for interface in part.states}
+        for interface in part.commands:
+            kind = interface.tag.attributes.get("data_type", "double").strip()
+            if kind in DATA_TYPES and kind != "double" and interface.name in states & set(_MIRRORED):
+                message = f"the data type of {called(interface)} of {label('joint', part.name)} is '{kind}'; it is 'double' here"
+                yield Finding(interface.at["data_type"], message, severity=severity_where(project, JAZZY))

@@ -1,0 +1,48 @@
+"""UC346."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS2
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.common import label
+from urdfctl.rules.ros2_control.common import lacks, parts
+
+
+@rule(
+    "UC346",
+    severity=Severity.INFO,
+    distros=ROS2,
+    authority="ros2_controllers: joint_trajectory_controller asks for state interfaces of each joint; "
+    "joint_state_broadcaster publishes those that there are",
+    bad={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              «<joint name="elbow">»<command_interface name="position"/></joint>
+            </ros2_control>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="elbow">
+                <command_interface name="position"/>
+                <state_interface name="position"/>
+              </joint>
+            </ros2_control>
+        """,
+    },
+)
+def command_without_state(project: Project) -> Iterator[Finding]:
+    """A joint can be commanded, and nothing of it can be read.
+
+    It is in no joint state, so that RViz does not move it, and controllers with feedback do not take it. Mock
+    hardware and Gazebo have its position for the asking.
+    """
+    for control, part in parts(project, "joint"):
+        if part.commands and not part.states and lacks(project, part.tag) and (control.type or "").strip() == "system":
+            message = f"{label('joint', part.name)} has a command interface and no state interface; add its position"
+            yield Finding(part.at, message)

@@ -1,0 +1,67 @@
+"""UC348."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import since
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.common import label
+from urdfctl.rules.ros2_control.common import components, lacks
+
+
+@rule(
+    "UC348",
+    severity=Severity.WARNING,
+    distros=since("humble"),
+    authority='ros2_control transmission_interface/src/differential_transmission_loader.cpp: "Failed to construct '
+    'transmission"; "There should be exactly two unique joint names"',
+    bad={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>arm_drivers/Arm</plugin></hardware>
+              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+              «<transmission name="elbow_gear">»
+                <plugin>transmission_interface/SimpleTransmission</plugin>
+                <joint name="elbow" role="joint1"><mechanical_reduction>30</mechanical_reduction></joint>
+              </transmission>
+            </ros2_control>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>arm_drivers/Arm</plugin></hardware>
+              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+              <transmission name="elbow_gear">
+                <plugin>transmission_interface/SimpleTransmission</plugin>
+                <joint name="elbow" role="joint1"><mechanical_reduction>30</mechanical_reduction></joint>
+                <actuator name="elbow_motor" role="actuator1"/>
+              </transmission>
+            </ros2_control>
+        """,
+    },
+)
+def component_transmission_ends(project: Project) -> Iterator[Finding]:
+    """A transmission in a component has not the joints or actuators that its type wants.
+
+    A simple one has one of each, a differential and a four-bar linkage two. The description loads, and hardware that
+    loads the transmission stops at one with too few; of too many the first are taken. An actuator component has its
+    actuator made.
+    """
+    for control in components(project):
+        for transmission in control.transmissions:
+            name = transmission.plugins[0].past_comments if transmission.plugins else ""
+            kinds = [project.catalog.transmission(name, distro) for distro in project.distros]
+            kind = next((kind for kind in kinds if kind), None)
+            if kind is None or not lacks(project, transmission.tag) or (control.type or "").strip() == "actuator":
+                continue
+            for what, ends, due in (
+                ("joint", transmission.joints, kind.joints),
+                ("actuator", transmission.actuators, kind.actuators),
+            ):
+                if due is not None and len(ends) != due:
+                    there = {0: f"no {what}", 1: f"one {what}"}.get(len(ends), f"{len(ends)} {what}s")
+                    short = name.rsplit("/")[-1]
+                    message = f"{label('transmission', transmission.name)} has {there}; a {short} has {due}"
+                    yield Finding(transmission.at, message)

@@ -1,0 +1,69 @@
+"""UC347."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from urdfctl.catalog.distros import ROS2
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.common import is_known, label
+from urdfctl.rules.ros2_control.common import component, components
+from urdfctl.suggest import nearest
+
+
+@rule(
+    "UC347",
+    severity=Severity.WARNING,
+    distros=ROS2,
+    authority='ros2_control transmission_interface/ros2_control_plugins.xml has three types; "Failed to construct '
+    'transmission" for any other',
+    bad={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>arm_drivers/Arm</plugin></hardware>
+              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+              <transmission name="elbow_gear">
+                «<plugin>»transmission_interface/SimpelTransmission</plugin>
+                <joint name="elbow" role="joint1"><mechanical_reduction>30</mechanical_reduction></joint>
+                <actuator name="elbow_motor" role="actuator1"/>
+              </transmission>
+            </ros2_control>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>arm_drivers/Arm</plugin></hardware>
+              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+              <transmission name="elbow_gear">
+                <plugin>transmission_interface/SimpleTransmission</plugin>
+                <joint name="elbow" role="joint1"><mechanical_reduction>30</mechanical_reduction></joint>
+                <actuator name="elbow_motor" role="actuator1"/>
+              </transmission>
+            </ros2_control>
+        """,
+    },
+)
+def component_transmission_unknown(project: Project) -> Iterator[Finding]:
+    """A transmission in a component is of a type that ROS 2 does not have.
+
+    The description loads, and hardware that loads the transmission stops at it. Up to galactic there is none to be
+    loaded.
+    """
+    known = {name for distro in project.distros for name in project.catalog.known_transmissions(distro)}
+    for control in components(project):
+        for transmission in control.transmissions:
+            name = transmission.plugins[0].past_comments if transmission.plugins else ""
+            if not name or not is_known(name) or name in known:
+                continue
+            meant = nearest(name, known) or _slashed(name, known)
+            if meant is None and not name.startswith("transmission_interface"):
+                continue
+            of = f"{label('transmission', transmission.name)} in {component(control)}"
+            what = f"; did you mean '{meant}'?" if meant else "; there are Simple, Differential and FourBarLinkage"
+            yield Finding(transmission.plugins[0].at, f"unknown type '{name}' of {of}{what}")
+
+
+def _slashed(name: str, known: Iterable[str]) -> str | None:
+    tail = name.replace("::", "/").rsplit("/")[-1]
+    return next((each for each in known if each.endswith("/" + tail)), None)

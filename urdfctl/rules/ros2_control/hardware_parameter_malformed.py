@@ -1,0 +1,69 @@
+"""UC357."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS2
+from urdfctl.catalog.hardware import HardwareType
+from urdfctl.model.ros2_control import Parameter
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.common import is_known, severity_where
+from urdfctl.rules.ros2_control.common import JAZZY, components, is_boolean, is_number, known_hardware
+
+_RIGHT = {"bool": "'true' or 'false'", "double": "a number"}
+
+
+@rule(
+    "UC357",
+    severity=Severity.ERROR,
+    distros=ROS2,
+    authority="ros2_control hardware_interface/src/lexical_casts.cpp: \"Input string : 'yes' is not a valid boolean "
+    "value. Expected 'true' or 'false'.\", \"Failed converting string to real number\"",
+    options=["--distro=jazzy"],
+    bad={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware>
+                <plugin>mock_components/GenericSystem</plugin>
+                «<param name="calculate_dynamics">»yes</param>
+              </hardware>
+              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+            </ros2_control>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware>
+                <plugin>mock_components/GenericSystem</plugin>
+                <param name="calculate_dynamics">true</param>
+              </hardware>
+              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+            </ros2_control>
+        """,
+    },
+)
+def hardware_parameter_malformed(project: Project) -> Iterator[Finding]:
+    """A parameter of a component's plugin is not of its type.
+
+    From jazzy on mock hardware is not initialized with it, and the description refused. Before, and with other
+    hardware, anything but `true` is false.
+    """
+    for control in components(project):
+        found = known_hardware(project, control)
+        for parameter in control.hardware[-1].parameters if found else ():
+            types = {
+                (each.hardware_parameters or {})[parameter.name or ""].type for each in found if _knows(each, parameter)
+            }
+            kind = types.pop() if len(types) == 1 else ""
+            right, takes = _RIGHT.get(kind), is_boolean if kind == "bool" else is_number
+            if right and is_known(parameter.value) and not takes(parameter.value):
+                message = f"'{parameter.name}' of '{found[0].type}' is '{parameter.value}'; it is {right}"
+                is_mock = found[0].simulator == "mock"
+                severity = severity_where(project, JAZZY) if is_mock else Severity.WARNING
+                yield Finding(parameter.at, message, severity=severity)
+
+
+def _knows(hardware: HardwareType, parameter: Parameter) -> bool:
+    return parameter.name in (hardware.hardware_parameters or ())

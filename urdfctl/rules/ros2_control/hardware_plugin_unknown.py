@@ -1,0 +1,108 @@
+"""UC353."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS2
+from urdfctl.catalog.distros import in_words as in_distros
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.common import is_known
+from urdfctl.rules.ros2_control.common import component, components, folded, mended
+from urdfctl.suggest import nearest
+
+_CORE = ("mock_components", "fake_components")
+"""Packages that come with ros2_control."""
+_WHOLE = (*_CORE, "gz_ros2_control", "ign_ros2_control", "gazebo_ros2_control")
+"""Packages all of whose plugins are in the catalogue."""
+
+
+@rule(
+    "UC353",
+    severity=Severity.ERROR,
+    distros=ROS2,
+    authority='pluginlib class_loader: "According to the loaded plugin descriptions the class '
+    "mock_component/GenericSystem with base class type hardware_interface::SystemInterface does not "
+    'exist."',
+    options=["--distro=jazzy"],
+    bad={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware>«<plugin>»mock_component/GenericSystem</plugin></hardware>
+              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+            </ros2_control>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="elbow">
+                <command_interface name="position"/>
+                <state_interface name="position"/>
+              </joint>
+            </ros2_control>
+        """,
+    },
+)
+def hardware_plugin_unknown(project: Project) -> Iterator[Finding]:
+    """A component's plugin does not exist in this distro, or is spelt nearly like one that does.
+
+    The component is not loaded, and the description refused. Where a distro has no release of the plugin it may be
+    built from its source; a name that is like none that is known may be one of your own.
+    """
+    for control in components(project):
+        for hardware in control.hardware[-1:]:
+            for plugin in hardware.plugins[:1]:
+                name = plugin.past_comments
+                fault = _fault(project, name) if name and is_known(name) else None
+                if fault is None:
+                    continue
+                meant, reason, severity = fault
+                fix = mended(plugin, meant) if meant else None
+                yield Finding(plugin.at, f"{reason} in {component(control)}{_hint(meant)}", fix=fix, severity=severity)
+
+
+Fault = tuple[str | None, str, Severity]
+
+
+def _hint(meant: str | None) -> str:
+    return f"; did you mean '{meant}'?" if meant else ""
+
+
+def _fault(project: Project, name: str) -> Fault | None:
+    """What is most likely meant, what is wrong, and how bad it is; None where nothing is known to be."""
+    distros = [distro for distro in project.distros if distro in ROS2]
+    having = {distro for distro in ROS2 if project.catalog.hardware(name, distro)}
+    if having & set(distros):
+        return None
+    if having:
+        meant = project.catalog.hardware_replacement(name, distros[-1])
+        severity = Severity.ERROR if name.startswith(_CORE) else Severity.WARNING
+        return meant, f"the plugin '{name}' is not in {in_distros(distros)}, but in {in_distros(having)}", severity
+    if "${" in name or "$(" in name:
+        return None, f"'{name}' is a xacro expression that nothing expands, and names no plugin", Severity.ERROR
+    known = {each for distro in distros for each in project.catalog.known_hardware(distro)}
+    same = {folded(each): each for each in known}.get(folded(name))
+    if same is not None:
+        return same, f"unknown plugin '{name}'", Severity.ERROR
+    package = re.split("/|::", name)[0]
+    of_package = [each for each in known if re.split("/|::", each)[0] == package]
+    if of_package and package in _WHOLE:
+        severity = Severity.ERROR if name.startswith(_CORE) else Severity.WARNING
+        return nearest(name, of_package) or of_package[0], f"'{package}' has no plugin '{name}'", severity
+    near = next((each for each in sorted(known) if _is_slip(name, each)), None)
+    severity = Severity.ERROR if near and near.startswith(_WHOLE) else Severity.WARNING
+    return (near, f"unknown plugin '{name}'", severity) if near else None
+
+
+def _is_slip(name: str, other: str) -> bool:
+    """Whether one letter is missing, too many, wrong, or two have changed places."""
+    short, long = sorted((name, other), key=len)
+    if len(long) - len(short) > 1 or short == long:
+        return False
+    start = next((i for i, (a, b) in enumerate(zip(short, long, strict=False)) if a != b), len(short))
+    tail, rest = short[start:], long[start:]
+    swapped = len(rest) > 1 and len(tail) == len(rest) and tail == rest[1] + rest[0] + rest[2:]
+    return rest[1:] in (tail, tail[1:]) or swapped

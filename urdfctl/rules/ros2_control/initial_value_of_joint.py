@@ -1,0 +1,72 @@
+"""UC342."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS2
+from urdfctl.model.ros2_control import Part, Ros2Control
+from urdfctl.rule import Finding, Fix, Project, Severity, rule
+from urdfctl.rules.common import is_known, label
+from urdfctl.rules.ros2_control.common import is_deaf, known_hardware, parts
+
+_OLD_NAME = "initial_<interface>"
+
+
+@rule(
+    "UC342",
+    severity=Severity.WARNING,
+    distros=ROS2,
+    authority="ros2_control component_parser.cpp reads initial_value in interfaces alone; mock_components "
+    'generic_system.cpp: "Parsing of optional initial interface values failed or uses a deprecated '
+    'format"',
+    options=["--distro=jazzy"],
+    bad={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="elbow">
+                «<param name="initial_position">»0.5</param>
+                <command_interface name="position"/>
+                <state_interface name="position"/>
+              </joint>
+            </ros2_control>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="elbow">
+                <command_interface name="position"/>
+                <state_interface name="position"><param name="initial_value">0.5</param></state_interface>
+              </joint>
+            </ros2_control>
+        """,
+    },
+)
+def initial_value_of_joint(project: Project) -> Iterator[Finding]:
+    """An initial value or a limit stands in a joint instead of its interface.
+
+    It is not read there: the joint starts at 0. Up to iron mock hardware still took `initial_position` of a joint.
+    """
+    for control, part in parts(project):
+        for parameter in part.parameters:
+            name = parameter.name or ""
+            wrong = name == "initial_value" or (name.startswith("initial_") and _is_old(project, control))
+            if not wrong or not is_known(name) or not _of_interface(part, name):
+                continue
+            interface = name.removeprefix("initial_").replace("value", "position")
+            right = f'<state_interface name="{interface}"><param name="initial_value">{parameter.value}</param>'
+            message = f"'{name}' of {label(part.kind, part.name)} belongs into its interface, and is not read here"
+            yield Finding(parameter.at, message, fix=Fix(f"write {right}"))
+
+
+def _is_old(project: Project, control: Ros2Control) -> bool:
+    """Whether the component's hardware does not read an initial value of a joint, or soon will not."""
+    found = [(each.joint_parameters or {}).get(_OLD_NAME) for each in known_hardware(project, control)]
+    return is_deaf(project, control, _OLD_NAME) or any(each is not None and each.deprecated for each in found)
+
+
+def _of_interface(part: Part, name: str) -> bool:
+    return name == "initial_value" or any(name == f"initial_{interface.name}" for interface in part.interfaces)

@@ -1,0 +1,57 @@
+"""UC336."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS2
+from urdfctl.model.ros2_control import Interface
+from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rules.common import is_known, label
+from urdfctl.rules.ros2_control.common import called, parts
+
+
+@rule(
+    "UC336",
+    severity=Severity.WARNING,
+    distros=ROS2,
+    authority="measured with jazzy's controller manager, which takes the second without a word",
+    in_library=False,
+    bad={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="elbow">
+                <command_interface name="position"/>
+                <state_interface name="position"/>
+                <state_interface name="«position»"/>
+              </joint>
+            </ros2_control>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="elbow">
+                <command_interface name="position"/>
+                <state_interface name="position"/>
+              </joint>
+            </ros2_control>
+        """,
+    },
+)
+def interface_twice(project: Project) -> Iterator[Finding]:
+    """A joint, sensor or gpio has the same interface twice.
+
+    There is one interface: what the second says, such as its limits or its initial value, is lost or takes the first
+    one's place.
+    """
+    for _, part in parts(project):
+        first: dict[tuple[str, str], Interface] = {}
+        for interface in part.interfaces:
+            name = (interface.name or "").strip()
+            before = first.setdefault((interface.kind, name), interface)
+            if before is not interface and name and is_known(name):
+                message = f"{label(part.kind, part.name)} already has a {called(before)}"
+                yield Finding(interface.at["name"], message, (Note("it is here", before.at["name"]),))

@@ -1,0 +1,55 @@
+"""UC335."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS2
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.ros2_control.common import followers, is_conditional, known_hardware, lacks, of_part, parts
+from urdfctl.rules.ros2_control.facts import INTERFACE_ELEMENTS
+from urdfctl.suggest import nearest
+
+
+@rule(
+    "UC335",
+    severity=Severity.WARNING,
+    distros=ROS2,
+    authority='ros2_control hardware_interface/src/resource_manager.cpp: "Importing state interfaces for the '
+    "hardware 'arm' returned no state interfaces.\"",
+    bad={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+              «<joint name="shoulder"/>»
+            </ros2_control>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="elbow">
+                <command_interface name="position"/>
+                <state_interface name="position"/>
+              </joint>
+            </ros2_control>
+        """,
+    },
+)
+def part_without_interfaces(project: Project) -> Iterator[Finding]:
+    """A joint, sensor or gpio of a component has no interface.
+
+    Nothing of it can be read or commanded. A joint that only mimics another may stand without, and a part with
+    parameters, which the hardware reads.
+    """
+    mimics = {id(joint) for joint, _ in followers(project)}
+    for control, part in parts(project):
+        if part.interfaces or part.parameters or id(part) in mimics or not lacks(project, part.tag):
+            continue
+        if any(nearest(other.name, INTERFACE_ELEMENTS) for other in part.others):
+            continue
+        own = part.kind == "gpio" and not any(each.simulator for each in known_hardware(project, control))
+        severity = Severity.INFO if own or is_conditional(part.at) else Severity.WARNING
+        yield Finding(part.at, f"{of_part(control, part)} has neither command nor state interface", severity=severity)

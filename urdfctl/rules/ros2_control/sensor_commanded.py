@@ -1,0 +1,52 @@
+"""UC343."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS2
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.common import label
+from urdfctl.rules.ros2_control.common import called, component, parts
+
+
+@rule(
+    "UC343",
+    severity=Severity.WARNING,
+    distros=ROS2,
+    authority="ros2_control hardware_interface: sensors export state interfaces alone; a component of type sensor "
+    "has no write()",
+    bad={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+              <sensor name="wrist_sensor">
+                «<command_interface name="tare"/>»
+                <state_interface name="force.z"/>
+              </sensor>
+            </ros2_control>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+              <sensor name="wrist_sensor"><state_interface name="force.z"/></sensor>
+              <gpio name="wrist_io"><command_interface name="tare"/></gpio>
+            </ros2_control>
+        """,
+    },
+)
+def sensor_commanded(project: Project) -> Iterator[Finding]:
+    """A sensor has a command interface.
+
+    Sensors, and all in a component of type sensor, export state interfaces alone: no controller can claim this one. A
+    `<gpio>` in a system takes commands that are no joint's.
+    """
+    for control, part in parts(project):
+        whole = (control.type or "").strip() == "sensor"
+        for interface in part.commands if whole or part.kind == "sensor" else ():
+            what = f"{component(control)} is of type sensor" if whole else f"{label('sensor', part.name)} is a sensor"
+            yield Finding(interface.at, f"{what}: its {called(interface)} is not exported")
