@@ -157,7 +157,11 @@ def test_hardware_is_known_with_the_interfaces_that_it_allows() -> None:
     assert gazebo.command_interfaces == ("position", "velocity", "effort")
     assert gazebo.simulator == "gz"
     assert gazebo.host == "gz"
-    assert CATALOG.hardware("gz_ros2_control/GazeboSimSystem", "humble") is None
+    assert CATALOG.hardware("gz_ros2_control/GazeboSimSystem", "galactic") is None
+    renamed = CATALOG.hardware("ign_ros2_control/IgnitionSystem", "humble")
+    assert renamed is not None
+    assert renamed.deprecated
+    assert CATALOG.hardware("ign_ros2_control/IgnitionSystem", "kilted") is None
     classic = CATALOG.hardware("gazebo_ros2_control/GazeboSystem", "galactic")
     assert classic is not None
     assert classic.command_interfaces == ("position", "velocity", "effort")
@@ -172,7 +176,7 @@ def test_hardware_is_known_with_the_interfaces_that_it_allows() -> None:
 
 
 def test_simulator_plugins_are_known_with_the_children_that_they_read() -> None:
-    [control] = [plugin for plugin in CATALOG.simulator_plugins("jazzy") if plugin.hosts_control]
+    [control] = [plugin for plugin in CATALOG.simulator_plugins("kilted") if plugin.hosts_control]
     assert control.filenames == ("gz_ros2_control-system", "libgz_ros2_control-system.so")
     assert control.children["parameters"].required
     assert "hold_joints" in control.children
@@ -180,6 +184,17 @@ def test_simulator_plugins_are_known_with_the_children_that_they_read() -> None:
     classic = {plugin.id: plugin for plugin in CATALOG.simulator_plugins("noetic")}
     assert classic["gazebo_ros_diff_drive"].children["leftJoint"].names == "joint"
     assert classic["gazebo_ros_control"].hosts_control
+
+
+def test_a_simulator_plugin_is_found_by_its_library_however_that_is_written() -> None:
+    for filename in ("gz-sim-diff-drive-system", "libgz-sim-diff-drive-system.so", "ignition-gazebo-diff-drive-system"):
+        plugin = CATALOG.simulator_plugin(filename, "jazzy")
+        assert plugin is not None
+        assert plugin.names == ("gz::sim::systems::DiffDrive",)
+        assert plugin.old_names == ("ignition::gazebo::systems::DiffDrive",)
+    assert CATALOG.simulator_plugin("libgazebo_ros2_control.so", "jazzy") is None
+    assert CATALOG.distros_of_library("libgazebo_ros2_control.so") == ("foxy", "galactic", "humble", "iron")
+    assert CATALOG.distros_of_library("libmine.so") == ()
 
 
 def test_transmissions_are_known_with_their_ends_and_roles() -> None:

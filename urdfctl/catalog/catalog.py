@@ -7,7 +7,7 @@ from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from urdfctl.catalog.additions import NO_ADDITIONS, Additions
-from urdfctl.catalog.distros import generation
+from urdfctl.catalog.distros import ALL, generation
 from urdfctl.catalog.entries import ControllerType, Parameter, Replacement
 from urdfctl.catalog.reading import controller_type, distros_of, extension, in_distro, read_parameters, replacement_of
 from urdfctl.catalog.store import plain, renamed
@@ -89,6 +89,17 @@ class Catalog:
         found = (in_distro(entry, distro) for entry in plain(generation(distro), "simulators").values())
         return tuple(simulator_plugin(own, distro) for own in found if own is not None)
 
+    def simulator_plugin(self, filename: str, distro: str) -> SimulatorPlugin | None:
+        """The simulator plugin of a library, by its file name with or without `lib` and `.so`, as a distro has it; None
+        where it has it not."""
+        from urdfctl.catalog.hardware import library_of
+
+        return _simulator_plugin(library_of(filename), distro)
+
+    def distros_of_library(self, filename: str) -> tuple[str, ...]:
+        """The distros of both generations that have a simulator plugin; none where it is not known at all."""
+        return tuple(distro for distro in ALL if self.simulator_plugin(filename, distro))
+
     def transmission(self, name: str, distro: str) -> TransmissionType | None:
         """A type of transmission as a distro has it; None where it has it not."""
         from urdfctl.catalog.hardware import transmission_type
@@ -164,6 +175,17 @@ def catalog_with(additions: Additions) -> Catalog:
     if _LAST[0][0] is not additions:
         _LAST[0] = (additions, CATALOG.extended(additions))
     return _LAST[0][1]
+
+
+@cache
+def _simulator_plugin(library: str, distro: str) -> SimulatorPlugin | None:
+    from urdfctl.catalog.hardware import library_of, simulator_plugin
+
+    for entry in plain(generation(distro), "simulators").values():
+        if any(library_of(name) == library for name in entry["filenames"]):
+            own = in_distro(entry, distro)
+            return simulator_plugin(own, distro) if own else None
+    return None
 
 
 @cache

@@ -49,7 +49,8 @@ class PluginChild(NamedTuple):
 
 
 class SimulatorPlugin(NamedTuple):
-    """A plugin of a simulator: by its library's file names, and by its own names where they are not free."""
+    """A plugin of a simulator as one distro has it: by its library's file names, and by its own names where they are
+    not free. `old_names` are taken too, with a warning; `replacement` is the id of the one that takes its place."""
 
     id: str
     simulator: str
@@ -61,6 +62,9 @@ class SimulatorPlugin(NamedTuple):
     default_hardware: str | None = None
     of_sensor: bool = False
     one_per_model: bool = False
+    old_names: tuple[str, ...] = ()
+    deprecated: bool = False
+    replacement: str | None = None
 
 
 class TransmissionType(NamedTuple):
@@ -106,13 +110,26 @@ def simulator_plugin(own: Plain, distro: str) -> SimulatorPlugin:
         own["simulator"],
         own.get("package"),
         tuple(own["filenames"]),
-        (*own.get("names", ()), *own.get("names_of_fortress", ())),
+        tuple(own.get("names", ())),
         {name: _child(name, child) for name, child in children.items() if child is not None},
         own.get("hosts_ros2_control", False) or own.get("hosts_ros_control", False),
         own.get("default_hardware"),
         own.get("of_sensor", False),
         own.get("one_per_model", False),
+        tuple(own.get("old_names", ())),
+        _holds(own.get("deprecated"), distro),
+        own.get("replacement"),
     )
+
+
+def library_of(filename: str) -> str:
+    """What a plugin's file name says, however it is written: without folder, `lib` and `.so`, and by gz-sim's name of
+    today where Ignition's is given."""
+    stem = filename.strip().rpartition("/")[2].removesuffix(".so").removeprefix("lib")
+    return f"gz-sim{stem.removeprefix(_OF_IGNITION)}" if stem.startswith(_OF_IGNITION) else stem
+
+
+_OF_IGNITION = "ignition-gazebo"
 
 
 def transmission_type(own: Plain, distro: str) -> TransmissionType:
