@@ -51,8 +51,8 @@ class OfFiles(NamedTuple):
 
 
 def judged(robot: Robot | None, package: str | None, settings: Settings, of_files: OfFiles | None = None) -> Evidence:
-    """By the settings first, then `$ROS_DISTRO`, then what the files say: the robot, then the generation of ROS that
-    its controllers' files or launch file are written for, then its package's manifest."""
+    """By the settings first, then `$ROS_DISTRO`, then what the files say: the robot, then its package's manifest, then
+    the generation of ROS that its controllers' files or launch file are written for."""
     simulator, simulator_from = _simulator(robot, settings)
     return _distro(robot, package, settings, of_files)._replace(simulator=simulator, simulator_from=simulator_from)
 
@@ -66,11 +66,11 @@ def _distro(robot: Robot | None, package: str | None, settings: Settings, of_fil
     by_robot = _by_robot(robot)
     if by_robot:
         return Evidence(None, *by_robot)
-    if of_files is not None:
-        return Evidence(None, ROS2 if of_files.ros == 2 else ROS1, of_files.source)  # noqa: PLR2004
     by_manifest = _by_manifest(package)
     if by_manifest:
         return Evidence(None, *by_manifest)
+    if of_files is not None:
+        return Evidence(None, ROS2 if of_files.ros == 2 else ROS1, of_files.source)  # noqa: PLR2004
     if robot is not None and robot.transmissions:
         return Evidence(None, ROS1, "<transmission>")
     return Evidence(None, _ANY, None)

@@ -11,6 +11,7 @@ from urdfctl.model.controllers import (
     Controllers,
     ControllersFile,
     FileReference,
+    Key,
     Manager,
     Section,
 )
@@ -79,21 +80,30 @@ class _Made(NamedTuple):
 
 def form_of(file: YamlFile) -> int | None:
     """1 or 2 for the generation of ROS that a file is written for; None where nothing in it tells."""
-    entries = [(depth, path, entry) for document in file.documents for depth, path, entry in _entries(document)]
-    if any(entry.key.text.startswith(PARAMETERS_KEY) for _, _, entry in entries):
-        return 2
-    for _, _, entry in entries:
-        if entry.key.text.rpartition("/")[2] == MANAGER and isinstance(entry.value, Mapping):
-            return 2
-    return 1 if any(_is_typed(entry) for _, _, entry in entries) else None
+    return _form(file)[0]
 
 
-def _entries(node: Node, path: tuple[str, ...] = ()) -> Iterable[tuple[int, tuple[str, ...], Entry]]:
-    if not isinstance(node, Mapping) or len(path) > _DEEPEST:
+def _form(file: YamlFile) -> tuple[int | None, list[Entry]]:
+    """The generation, and the entries that tell it."""
+    entries = [entry for document in file.documents for entry in _entries(document)]
+    telling = [entry for entry in entries if entry.key.text.startswith(PARAMETERS_KEY)]
+    telling = telling or [entry for entry in entries if _is_of_a_manager(entry)]
+    if telling:
+        return 2, telling
+    telling = [entry for entry in entries if _is_typed(entry)]
+    return 1 if telling else None, telling
+
+
+def _entries(node: Node, depth: int = 0) -> Iterable[Entry]:
+    if not isinstance(node, Mapping) or depth > _DEEPEST:
         return
     for entry in node.entries:
-        yield len(path), path, entry
-        yield from _entries(entry.value, (*path, entry.key.text))
+        yield entry
+        yield from _entries(entry.value, depth + 1)
+
+
+def _is_of_a_manager(entry: Entry) -> bool:
+    return entry.key.text.rpartition("/")[2] == MANAGER and isinstance(entry.value, Mapping)
 
 
 def _is_typed(entry: Entry) -> bool:
@@ -113,9 +123,11 @@ def _file(file: YamlFile) -> ControllersFile:
     at = Place(file.source, 0, end=0)
     if not file.readable:
         return ControllersFile(file.source.path, at, None, readable=False)
-    form = form_of(file)
+    form, telling = _form(file)
+    told_by = tuple(Key(entry.key.text, entry.key.at) for entry in telling)
     top = {entry.key.text for document in file.documents if isinstance(document, Mapping) for entry in document.entries}
-    return ControllersFile(file.source.path, at, form, is_moveit=form is None and bool(top & _OF_MOVEIT))
+    is_moveit = form is None and bool(top & _OF_MOVEIT)
+    return ControllersFile(file.source.path, at, form, is_moveit=is_moveit, told_by=told_by)
 
 
 # -- ROS 2 -----------------------------------------------------------------------------------------------------------

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 from typing import NamedTuple
 
-from urdfctl.model.controllers import Fault, FaultKind, Section
+from urdfctl.model.controllers import Fault, FaultKind, Key, Section
 from urdfctl.model.parameters import Kind, Parameter, Parameters, Value
 from urdfctl.source.span import Place
 from urdfctl.source.yaml import Entry, Mapping, Node, Scalar, Sequence, YamlFile
@@ -73,22 +73,24 @@ def read_by_rcl(file: YamlFile) -> Flat:
     return flat
 
 
-def _nodes(mapping: Mapping, path: tuple[str, ...], flat: Flat, at: Place | None = None) -> None:
+def _nodes(mapping: Mapping, keys: tuple[Key, ...], flat: Flat) -> None:
     for key, value in mapping.entries:
         if not key.text.startswith(PARAMETERS_KEY):  # rcl compares no more than these letters
             if isinstance(value, Mapping):
-                _nodes(value, (*path, key.text), flat, key.at)
+                _nodes(value, (*keys, Key(key.text, key.at)), flat)
             else:
-                flat.faults.append(Fault(FaultKind.OUTSIDE_PARAMETERS, key.at, key.text))
+                flat.faults.append(Fault(FaultKind.OUTSIDE_PARAMETERS, key.at, key.text, keys))
             continue
-        name = "/".join(path)
-        if at is None or not _is_node(name):
-            flat.faults.append(Fault(FaultKind.NODE_NAME, at or key.at, name))
+        name, at = "/".join(above.text for above in keys), keys[-1].at if keys else key.at
+        if not keys or not _is_node(name):
+            flat.faults.append(Fault(FaultKind.NODE_NAME, at, name, keys))
         elif isinstance(value, Mapping):
-            leaves = list(_leaves_of_rcl(value, (), flat.faults))
+            found: list[Fault] = []
+            leaves = list(_leaves_of_rcl(value, (), found))
+            flat.faults.extend(fault._replace(keys=keys) for fault in found)
             flat.sections.append(Section(name, at, parameters_of(leaves), key.at))
         else:
-            flat.faults.append(Fault(FaultKind.PARAMETERS_NOT_A_MAP, key.at, name))
+            flat.faults.append(Fault(FaultKind.PARAMETERS_NOT_A_MAP, key.at, name, keys))
 
 
 def _is_node(path: str) -> bool:

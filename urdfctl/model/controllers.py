@@ -43,12 +43,20 @@ class FaultKind(Enum):
     """ROS 1: a key that is no text: a number, a bool."""
 
 
+class Key(NamedTuple):
+    """A key of a file."""
+
+    text: str
+    at: Place
+
+
 class Fault(NamedTuple):
-    """One of those, with the name it is about."""
+    """One of those, with the name it is about, and of ROS 2 the keys above it: as far as ros__parameters."""
 
     kind: FaultKind
     at: Place
     subject: str = ""
+    keys: tuple[Key, ...] = ()
 
 
 class Section(NamedTuple):
@@ -147,6 +155,7 @@ class FileReference(NamedTuple):
 
 class ControllersFile(NamedTuple):
     """One YAML file. `form` is 1 or 2 for the generation of ROS that it is written for, None where nothing tells;
+    `told_by` are the keys that tell it: ros__parameters, the manager's, those of typed controllers of ROS 1.
     `is_moveit` tells that it lists controllers for MoveIt, and is not judged. Not `readable`: no YAML at all."""
 
     path: str
@@ -155,6 +164,7 @@ class ControllersFile(NamedTuple):
     is_moveit: bool = False
     readable: bool = True
     faults: tuple[Fault, ...] = ()
+    told_by: tuple[Key, ...] = ()
 
 
 class Controllers(NamedTuple):

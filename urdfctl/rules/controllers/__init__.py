@@ -4,5 +4,33 @@ from __future__ import annotations
 
 from urdfctl.rule import Rule
 from urdfctl.rules.controllers.alias_in_parameters import alias_in_parameters
+from urdfctl.rules.controllers.collection_empty import collection_empty
+from urdfctl.rules.controllers.controllers_file_not_a_map import controllers_file_not_a_map
+from urdfctl.rules.controllers.controllers_file_of_ros1 import controllers_file_of_ros1
+from urdfctl.rules.controllers.controllers_file_of_ros2 import controllers_file_of_ros2
+from urdfctl.rules.controllers.list_of_several_types import list_of_several_types
+from urdfctl.rules.controllers.map_in_list import map_in_list
+from urdfctl.rules.controllers.node_name_unusable import node_name_unusable
+from urdfctl.rules.controllers.ros_parameters_missing import ros_parameters_missing
+from urdfctl.rules.controllers.ros_parameters_nested import ros_parameters_nested
+from urdfctl.rules.controllers.ros_parameters_not_a_map import ros_parameters_not_a_map
+from urdfctl.rules.controllers.several_documents import several_documents
+from urdfctl.rules.controllers.value_missing import value_missing
+from urdfctl.rules.controllers.value_not_for_parameter_server import value_not_for_parameter_server
 
-RULES: tuple[Rule, ...] = (alias_in_parameters,)
+RULES: tuple[Rule, ...] = (
+    controllers_file_of_ros1,
+    controllers_file_of_ros2,
+    ros_parameters_missing,
+    ros_parameters_nested,
+    alias_in_parameters,
+    value_missing,
+    collection_empty,
+    list_of_several_types,
+    map_in_list,
+    ros_parameters_not_a_map,
+    node_name_unusable,
+    controllers_file_not_a_map,
+    several_documents,
+    value_not_for_parameter_server,
+)

@@ -1,0 +1,84 @@
+"""UC403."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS2
+from urdfctl.model.controllers import Controllers, Fault, FaultKind, Key
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.common import replaced
+from urdfctl.rules.controllers.common import controllers_in, faults
+from urdfctl.source.span import Place
+
+_RIGHT = "ros__parameters"
+_MEANT = ("rosparameters", "rosparameter", "rosparams", "rosparam", "parameters", "params")
+
+
+@rule(
+    "UC403",
+    severity=Severity.ERROR,
+    distros=ROS2,
+    authority="rcl rcl_yaml_param_parser/src/parse.c: 'Cannot have a value before ros__parameters at line 3'",
+    options=["--distro=jazzy"],
+    bad={
+        "controllers.yaml": """
+            controller_manager:
+              «ros_parameters»:
+                update_rate: 100
+                arm: {type: forward_command_controller/ForwardCommandController}
+            arm:
+              ros__parameters:
+                joints: [shoulder, elbow]
+                interface_name: position
+        """
+    },
+    good={
+        "controllers.yaml": """
+            controller_manager:
+              ros__parameters:
+                update_rate: 100
+                arm: {type: forward_command_controller/ForwardCommandController}
+            arm:
+              ros__parameters:
+                joints: [shoulder, elbow]
+                interface_name: position
+        """
+    },
+)
+def ros_parameters_missing(project: Project) -> Iterator[Finding]:
+    """Parameters stand below no `ros__parameters` (two underscores).
+
+    ROS 2's reader refuses the whole file then, and the node that is given it, most often the controller manager, ends at
+    once. A key without a value, as a section that is still empty, is refused likewise.
+    """
+    told: set[Place] = set()
+    for fault in faults(project, FaultKind.OUTSIDE_PARAMETERS):
+        if not _is_judged(controllers_in(project), fault):
+            continue
+        slip = next((key for key in fault.keys if _is_meant(key.text)), None)
+        key = slip or (fault.keys[0] if fault.keys else Key(fault.subject, fault.at))
+        if key.at in told:
+            continue
+        told.add(key.at)
+        if slip:
+            message = f"'{slip.text}' is not '{_RIGHT}', and ROS 2 refuses the file; mind the two underscores"
+            yield Finding(slip.at, message, fix=replaced(slip.at, slip.text, _RIGHT, safe=True))
+        else:
+            message = f"there is no '{_RIGHT}:' between '{key.text}' and what stands below it; ROS 2 refuses the file"
+            yield Finding(key.at, message)
+
+
+def _is_meant(text: str) -> bool:
+    return re.sub("[^a-z]", "", text.lower()) in _MEANT
+
+
+def _is_judged(controllers: Controllers, fault: Fault) -> bool:
+    """Whether the file is surely meant for ROS 2's reader, for files of MoveIt and others may be named beside it."""
+    path = fault.at.source.path
+    file = next((file for file in controllers.files if file.path == path), None)
+    if file is None or file.form == 1:  # UC401 tells it
+        return False
+    named = any(reference.path == path for reference in controllers.references)
+    return file.form is not None or named or any(_is_meant(key.text) and "ros" in key.text for key in fault.keys)

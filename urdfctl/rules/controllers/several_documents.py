@@ -1,0 +1,49 @@
+"""UC413."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS1
+from urdfctl.model.controllers import FaultKind
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.controllers.common import faults
+
+
+@rule(
+    "UC413",
+    severity=Severity.ERROR,
+    distros=ROS1,
+    authority="ros_comm roslaunch/src/roslaunch/loader.py: yaml.safe_load, 'expected a single document in the stream'",
+    options=["--distro=noetic"],
+    bad={
+        "controllers.yaml": """
+            joint_states:
+              type: joint_state_controller/JointStateController
+              publish_rate: 50
+            ---
+            «arm:
+              type: position_controllers/JointGroupPositionController
+              joints: [shoulder, elbow]»
+        """
+    },
+    good={
+        "controllers.yaml": """
+            joint_states:
+              type: joint_state_controller/JointStateController
+              publish_rate: 50
+            arm:
+              type: position_controllers/JointGroupPositionController
+              joints: [shoulder, elbow]
+        """
+    },
+)
+def several_documents(project: Project) -> Iterator[Finding]:
+    """A file for ROS 1 holds several YAML documents.
+
+    roslaunch reads one, and refuses a file with more: take the line `---` out.
+    """
+    for fault in faults(project, FaultKind.DOCUMENTS):
+        yield Finding(
+            fault.at, "roslaunch reads one YAML document, and here begins another; take the '---' before it out"
+        )
