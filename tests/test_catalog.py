@@ -240,6 +240,18 @@ def test_the_users_entries_go_over_the_catalogues() -> None:
     assert replaced.parameters == {}
 
 
+def test_an_entry_may_extend_the_catalogues_own_of_the_same_type() -> None:
+    more = {"type": TRAJECTORY, "extends": TRAJECTORY, "parameters": {"patched": {"type": "bool"}}}
+    patched = CATALOG.extended(Additions((more,))).controller(TRAJECTORY, "jazzy")
+    assert patched is not None
+    assert {"patched", "joints"} <= set(patched.parameters)
+
+
+def test_entries_that_extend_each_other_are_none() -> None:
+    circle = ({"type": "a/A", "extends": "b/B"}, {"type": "b/B", "extends": "a/A"})
+    assert CATALOG.extended(Additions(circle)).distros_of("a/A") == ()
+
+
 def test_a_project_has_the_catalogue_with_the_users_entries() -> None:
     additions = Additions(({"type": "my_controllers/Mine"},))
     assert Project(None).catalog is CATALOG

@@ -24,18 +24,7 @@ def controllers() -> list[tuple[str, str]]:
 def test_all_that_a_controller_speaks_of_is_one_of_its_parameters(name: str, distro: str) -> None:
     controller = CATALOG.controller(name, distro)
     assert controller is not None
-    rules = [*(controller.claims or ((), ())), *controller.exports]
-    spoken = {
-        parameter
-        for rule in (one for part in rules for one in part)
-        for parameter in (rule.for_each, rule.or_else, rule.names_from, rule.interfaces_from)
-        if parameter and "{" not in parameter
-    }
-    spoken |= {param for rule in controller.rules for param in rule.params}
-    conditions = [c for rule in controller.rules for c in (*rule.when, *rule.when_any)]
-    spoken |= {condition.param for condition in conditions}
-    known = {*controller.parameters, *controller.former}
-    assert {one for one in spoken if one not in known and not any(k.startswith(f"{one}.") for k in known)} == set()
+    assert controller.undeclared == ()
     for parameter in controller.parameters.values():
         assert set(parameter.validators) | set(parameter.useful) <= NAMES
 

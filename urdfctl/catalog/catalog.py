@@ -155,13 +155,24 @@ class Catalog:
             if entry is not None:
                 yield name, entry
 
-    def _controller_entry(self, name: str, ros: int) -> Plain | None:
+    def _controller_entry(self, name: str, ros: int, above: tuple[str, ...] = ()) -> Plain | None:
+        """The entry of a type, with what it extends: another type's, or the catalogue's own of the same name.
+
+        None where that is not known, or leads back to one of those `above`.
+        """
         own = self._controllers.get(name)
         if own is None:
             return plain(ros, "controllers").get(name)
         extended = own.get("extends")
-        base = self._controller_entry(extended, ros) if extended and extended != name else None
-        return extension(base, own) if base else own
+        if extended is None:
+            return own
+        if extended in above:
+            return None
+        if extended == name:
+            base = plain(ros, "controllers").get(name)
+        else:
+            base = self._controller_entry(extended, ros, (name, *above))
+        return extension(base, own) if base else None
 
 
 CATALOG = Catalog()
@@ -172,6 +183,8 @@ _LAST: list[tuple[Additions, Catalog]] = [(NO_ADDITIONS, CATALOG)]
 
 def catalog_with(additions: Additions) -> Catalog:
     """The catalogue with the user's entries: the same one as the last time, where they are the same."""
+    if not any(additions):
+        return CATALOG
     if _LAST[0][0] is not additions:
         _LAST[0] = (additions, CATALOG.extended(additions))
     return _LAST[0][1]

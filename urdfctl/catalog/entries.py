@@ -150,3 +150,17 @@ class ControllerType(NamedTuple):
     ignored: tuple[str, ...] = ()
     needs_robot_description: bool = False
     joints_must_be_in_urdf: bool = False
+
+    @property
+    def undeclared(self) -> tuple[str, ...]:
+        """Parameters that its claims and rules speak of, and no distro's has."""
+        known = {*self.parameters, *self.former}
+        claims = [rule for part in (*(self.claims or ()), *self.exports) for rule in part]
+        conditions = [condition for rule in (*claims, *self.rules) for condition in (*rule.when, *rule.when_any)]
+        spoken = [
+            *(name for rule in claims for name in (rule.for_each, rule.or_else, rule.names_from, rule.interfaces_from)),
+            *(name for rule in self.rules for name in rule.params),
+            *(condition.param for condition in conditions),
+        ]
+        named = dict.fromkeys(name for name in spoken if name and "{" not in name and name not in known)
+        return tuple(name for name in named if not any(one.startswith(f"{name}.") for one in known))

@@ -1,0 +1,87 @@
+"""The data of the catalogue obeys its schema, and an entry that does not is told of in words."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+import yaml
+
+import urdfctl.catalog.schema
+from urdfctl.catalog.compiled import DATA
+from urdfctl.catalog.distros import spanned
+from urdfctl.catalog.schema import flaws
+
+SCHEMA = json.loads(Path(urdfctl.catalog.schema.__file__).with_name("schema.json").read_text(encoding="utf-8"))
+FORMATS = jsonschema.FormatChecker(())
+FORMATS.checks("span", ValueError)(lambda value: not isinstance(value, str) or spanned(value, 1) is not None)
+VALIDATORS = {
+    kind: jsonschema.Draft202012Validator({**SCHEMA, "$ref": f"#/$defs/{kind}"}, format_checker=FORMATS)
+    for kind in ("controller", "hardware", "simulator", "transmission")
+}
+KINDS = {
+    "controllers": "controller",
+    "hardware": "hardware",
+    "simulators": "simulator",
+    "transmissions": "transmission",
+}
+
+
+def entries() -> Iterator[Any]:
+    for path in sorted(DATA.glob("ros?/**/*.yaml")):
+        kind = KINDS.get(path.relative_to(DATA).parts[1].removesuffix(".yaml"))
+        if kind is not None:
+            for entry in yaml.load(path.read_text(encoding="utf-8"), yaml.CSafeLoader):
+                yield pytest.param(entry, kind, id=f"{path.parts[-3]}-{entry.get('type', entry.get('id'))}")
+
+
+@pytest.mark.parametrize(("entry", "kind"), list(entries()))
+def test_the_data_obeys_the_schema(entry: dict[str, Any], kind: str) -> None:
+    assert list(flaws(entry, kind)) == []
+    VALIDATORS[kind].validate(entry)
+
+
+def test_the_schema_is_one() -> None:
+    jsonschema.Draft202012Validator.check_schema(SCHEMA)
+
+
+@pytest.mark.parametrize(
+    ("entry", "told"),
+    [
+        ({}, ": has no 'type'"),
+        ({"type": 3}, "type: must be a text, not 3"),
+        ({"type": "my Arm"}, "type: 'my Arm' is no type as pluginlib knows it, such as package/Class"),
+        ({"type": "a/B", "paramters": {}}, ": unknown key 'paramters'; did you mean 'parameters'?"),
+        ({"type": "a/B", "distros": "humbel.."}, "distros: 'humbel..' names no distro"),
+        ({"type": "a/B", "chainable": "humbel.."}, "chainable: 'humbel..' names no distro"),
+        ({"type": "a/B", "chainable": 1}, "chainable: must be a text, not 1"),
+        ({"type": "a/B", "kind": "sensor"}, 'kind: must be "controller" or "broadcaster", not "sensor"'),
+        (
+            {"type": "a/B", "parameters": {"p": {"type": "float"}}},
+            f"parameters.p.type: 'float' is no {SCHEMA['$defs']['parameter_type']['description']}",
+        ),
+        ({"type": "a/B", "parameters": {"gains.<joints>.p": {}}}, "parameters.\"gains.<joints>.p\": has no 'type'"),
+        ({"type": "a/B", "parameters": ["p"]}, 'parameters: must be a table, not ["p"]'),
+        (
+            {"type": "a/B", "parameters": {"p": {"type": "int", "validators": {"bounds": [1]}}}},
+            "parameters.p.validators.bounds: must have at least 2 elements",
+        ),
+        (
+            {"type": "a/B", "parameters": {"p": {"type": "int", "overrides": {"humbel": {}}}}},
+            "parameters.p.overrides.humbel: 'humbel' names no distro",
+        ),
+        (
+            {"type": "a/B", "claims": {"command": [{"for_each": "joints", "interface": ["effort"]}]}},
+            'claims.command[0].interface: must be a text, not ["effort"]',
+        ),
+    ],
+)
+def test_the_first_flaw_is_told_with_its_key(entry: dict[str, Any], told: str) -> None:
+    flaw = next(flaws(entry, "controller"))
+    assert f"{flaw.path}: {flaw.message}" == told
+    with pytest.raises(jsonschema.ValidationError):
+        VALIDATORS["controller"].validate(entry)
