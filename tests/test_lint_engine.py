@@ -12,7 +12,7 @@ from folder import Folder
 from urdfctl.catalog.distros import ALL, since
 from urdfctl.diagnostic import Diagnostic, Finding, Location, Severity
 from urdfctl.errors import UserError
-from urdfctl.lint import Linted, Outcome, Selection, joined, lint, selection, worst
+from urdfctl.lint import Linted, Outcome, Selection, checked, joined, lint, worst
 from urdfctl.load import Loader, Target
 from urdfctl.model.project import Project
 from urdfctl.rule import Rule
@@ -238,10 +238,11 @@ def test_the_longest_beginning_of_a_code_decides(chosen: Selection, admitted: se
 
 
 def test_a_beginning_that_no_code_has_is_the_users_mistake() -> None:
-    assert selection(["UC2"], ["UC201"], ["UC1"]) == Selection(("UC2",), ("UC201",), ("UC1",))
+    made = Selection(("UC2",), ("UC201",), ("UC1",), (("UC1", "off"),))
+    assert checked(made) is made
     for mistaken in ("UC8", "201", "transmission-joint-without-interface"):
         with pytest.raises(UserError, match=f"no rule's code begins with '{mistaken}'"):
-            selection(ignore=[mistaken])
+            checked(Selection(ignore=(mistaken,)))
 
 
 def test_a_rule_is_asked_only_for_the_distros_it_holds_for(folder: Folder) -> None:

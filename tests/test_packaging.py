@@ -49,6 +49,7 @@ def test_it_holds_every_module_of_the_package() -> None:
         "urdfctl/catalog/data/ros2/controllers.json",
         "urdfctl/catalog/data/ros2/controllers/joint_trajectory_controller.yaml",
         "urdfctl/catalog/data/provenance.yaml",
+        "urdfctl/catalog/schema.json",
         "urdfctl/rules/transmissions/transmission_joint_without_interface.py",
         "urdfctl/templates/README.md",
     ],
@@ -73,4 +74,4 @@ def test_its_metadata_name_the_command_the_licence_and_little_to_install() -> No
     metadata = Parser().parsestr(wheel()[f"{folder}/METADATA"].decode())
     needed = [line.split(";")[0] for line in metadata.get_all("Requires-Dist", []) if "extra ==" not in line]
     names = {line.split("<")[0].split(">")[0].split("=")[0].strip() for line in needed}
-    assert names == {"xacro", "pyyaml", "typer", "rich"}
+    assert names == {"xacro", "pyyaml", "typer", "rich", "tomli"}

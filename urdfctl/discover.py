@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from fnmatch import fnmatchcase
 from functools import lru_cache
 
@@ -50,14 +50,17 @@ class Found:
         return list({**found, **named}.items())
 
 
-def find(paths: Sequence[str]) -> Found:
-    """What the paths mean; with none, what the package (else the folder) holds that encloses the current folder."""
+def find(paths: Sequence[str], excluded: Callable[[str], bool] = lambda _: False) -> Found:
+    """What the paths mean; with none, what the package (else the folder) holds that encloses the current folder.
+
+    Files in folders may be excluded, those that are named are not.
+    """
     found = Found()
     for path in paths or (_enclosing_package(),):
         if not os.path.lexists(path):
             raise UserError(f"no such file or folder: '{path}'{nearest_path(path)}")
         if os.path.isdir(path):
-            _search(path, found)
+            _search(path, found, excluded)
         elif is_launch(path):
             found.launches.append(path)
         elif is_yaml(path):
@@ -86,15 +89,16 @@ def nearest_path(path: str) -> str:
         return ""
 
 
-def _search(folder: str, found: Found) -> None:
-    """What may be worth linting below a folder."""
+def _search(folder: str, found: Found, excluded: Callable[[str], bool]) -> None:
+    """What may be worth linting below a folder. What is excluded still tells what others are included by."""
     files = sorted(_files(folder))
     robots = {path: text for path in files if path.endswith(_DESCRIPTIONS) and re.search(_ROBOT, text := _text(path))}
-    found.others += robots
-    found.candidates += roots(robots)
+    found.others += (path for path in robots if not excluded(path))
+    found.candidates += (path for path in roots(robots) if not excluded(path))
     launches = {path: text for path in files if path.endswith(_LAUNCHES) and b"<launch" in (text := _text(path))}
-    found.launch_candidates += launch_roots(launches)
-    found.controllers_candidates += [path for path in files if is_yaml(path) and is_controllers_file(_text(path))]
+    found.launch_candidates += (path for path in launch_roots(launches) if not excluded(path))
+    yamls = (path for path in files if is_yaml(path) and not excluded(path))
+    found.controllers_candidates += (path for path in yamls if is_controllers_file(_text(path)))
 
 
 def roots(texts: Mapping[str, bytes]) -> list[str]:

@@ -59,7 +59,7 @@ def judged(robot: Robot | None, package: str | None, settings: Settings, of_file
 
 def _distro(robot: Robot | None, package: str | None, settings: Settings, of_files: OfFiles | None) -> Evidence:
     if settings.distro:
-        return Evidence(settings.distro, (settings.distro,), "--distro")
+        return Evidence(settings.distro, (settings.distro,), settings.distro_from or "--distro")
     named = settings.environ.get("ROS_DISTRO", "")
     if named in ALL:
         return Evidence(named, (named,), "$ROS_DISTRO")
@@ -79,7 +79,7 @@ def _distro(robot: Robot | None, package: str | None, settings: Settings, of_fil
 def _simulator(robot: Robot | None, settings: Settings) -> tuple[str | None, str | None]:
     """The simulator that the user names, else the one that all plugins of Gazebo and of ros2_control are made for."""
     if settings.simulator:
-        return settings.simulator, "--simulator"
+        return settings.simulator, settings.simulator_from or "--simulator"
     found = {known: name for name, known in _simulators_of(robot)}
     if len(found) != 1:
         return None, None

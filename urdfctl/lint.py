@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from urdfctl.catalog.distros import in_words
 from urdfctl.diagnostic import Diagnostic, Finding, Location, Note, Remark, Severity, diagnosed, located
@@ -18,11 +18,21 @@ from urdfctl.source.suppressions import Suppressed
 
 
 class Selection(NamedTuple):
-    """Which rules are asked: by prefixes of their codes; all where `select` is empty. The longest prefix decides."""
+    """Which rules are asked: by prefixes of their codes; all where `select` is empty. The longest prefix decides.
+
+    `severities` are those that the user wants, by prefix too; `off` is none.
+    """
 
     select: tuple[str, ...] = ()
     ignore: tuple[str, ...] = ()
     extend: tuple[str, ...] = ()
+    severities: tuple[tuple[str, str], ...] = ()
+
+    @classmethod
+    def from_json(cls, data: dict[str, Any]) -> Selection:
+        """From plain data, in which tuples are lists."""
+        severities = tuple((code, severity) for code, severity in data["severities"])
+        return cls(tuple(data["select"]), tuple(data["ignore"]), tuple(data["extend"]), severities)
 
     def admits(self, code: str) -> bool:
         """Whether findings of a code are wanted."""
@@ -30,13 +40,21 @@ class Selection(NamedTuple):
         if not self.select:
             wanted = max(wanted, 0)
         unwanted = max((len(p) for p in self.ignore if code.startswith(p)), default=-1)
-        return wanted > unwanted
+        return wanted > unwanted and self._wanted_severity(code) != "off"
+
+    def severity(self, code: str, own: Severity) -> Severity:
+        """The severity of a rule's finding: its own, where the user wants no other."""
+        wanted = self._wanted_severity(code)
+        return Severity(wanted) if wanted else own
+
+    def _wanted_severity(self, code: str) -> str | None:
+        fitting = [(len(prefix), severity) for prefix, severity in self.severities if code.startswith(prefix)]
+        return max(fitting)[1] if fitting else None
 
 
-def selection(select: Iterable[str] = (), ignore: Iterable[str] = (), extend: Iterable[str] = ()) -> Selection:
-    """A selection whose prefixes all mean something. UserError where one does not."""
-    made = Selection(tuple(select), tuple(ignore), tuple(extend))
-    for prefix in (*made.select, *made.ignore, *made.extend):
+def checked(made: Selection) -> Selection:
+    """A selection, if its prefixes all mean something. UserError where one does not."""
+    for prefix in (*made.select, *made.ignore, *made.extend, *(prefix for prefix, _ in made.severities)):
         if not any(rule.code.startswith(prefix) for rule in all_rules()):
             raise UserError(f"no rule's code begins with '{prefix}'; see urdfctl rules")
     return made
@@ -96,7 +114,7 @@ def lint(
             continue
         try:
             found.extend(
-                _diagnostic(rule, project, finding)
+                _diagnostic(rule, project, finding, selection)
                 for finding in rule.check(project)
                 if not suppressed.covers(rule.code, finding.at)
             )
@@ -133,14 +151,15 @@ def _applies(rule: Rule, project: Project) -> bool:
     return bool(set(rule.distros) & set(project.distros))
 
 
-def _diagnostic(rule: Rule, project: Project, finding: Finding) -> Diagnostic:
+def _diagnostic(rule: Rule, project: Project, finding: Finding, selection: Selection) -> Diagnostic:
     holds = [distro for distro in project.distros if distro in rule.distros]
     if project.distro is None and len(holds) < len(project.distros):
         finding = finding._replace(notes=(*finding.notes, Note(f"this holds for {in_words(holds)}")))
     influence = project.influence(finding.at).in_words()
     if influence:
         finding = finding._replace(notes=(*finding.notes, Note(influence)))
-    return diagnosed(rule.code, rule.name, finding.severity or rule.severity, finding)
+    severity = selection.severity(rule.code, finding.severity or rule.severity)
+    return diagnosed(rule.code, rule.name, severity, finding)
 
 
 def _crash(rule: Rule, project: Project, error: Exception) -> Diagnostic:
@@ -212,7 +231,8 @@ def _unused(outcomes: Iterable[Outcome], selection: Selection) -> Iterator[Diagn
         for use in unused:
             codes = ", ".join(use.codes) or "no code"
             message = f"nothing to ignore here: no finding of {codes} on this line or the next"
-            yield Diagnostic(rule.code, rule.name, rule.severity, message, use.at, excerpt=use.excerpt)
+            severity = selection.severity(rule.code, rule.severity)
+            yield Diagnostic(rule.code, rule.name, severity, message, use.at, excerpt=use.excerpt)
 
 
 def worst(diagnostics: Iterable[Diagnostic]) -> Severity | None:

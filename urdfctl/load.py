@@ -282,8 +282,7 @@ def _target_of(job: dict[str, Any]) -> Target:
 
 def perform(job: dict[str, Any]) -> dict[str, Any]:
     """Lint the target of a job that came as JSON."""
-    selection = Selection(**{name: tuple(value) for name, value in job["selection"].items()})
-    return _perform_with(Loader(Settings.from_json(job["settings"]), selection), job)
+    return _perform_with(Loader(Settings.from_json(job["settings"]), Selection.from_json(job["selection"])), job)
 
 
 def dead(target: Target, settings: Settings, death: Died) -> Linted:

@@ -19,7 +19,10 @@ MOST_BYTES = 1 << 40
 
 
 class Settings(NamedTuple):
-    """The options of every command that reads a robot; times in seconds, memory in bytes."""
+    """The options of every command that reads a robot; times in seconds, memory in bytes.
+
+    `distro_from` and `simulator_from` tell what set those, where it was not an option.
+    """
 
     distro: str | None = None
     simulator: str | None = None
@@ -31,6 +34,8 @@ class Settings(NamedTuple):
     timeout: float = 20.0
     memory: int = 2 << 30
     additions: Additions = NO_ADDITIONS
+    distro_from: str | None = None
+    simulator_from: str | None = None
 
     def to_json(self) -> dict[str, Any]:
         """As plain data."""

@@ -8,6 +8,7 @@ import typer
 
 from urdfctl.cli.options import (
     Arguments,
+    ConfigFile,
     Distro,
     Environment,
     Memory,
@@ -65,9 +66,12 @@ def lint(
     formats: Annotated[
         list[str] | None, typer.Option("--format", help="text, concise or json; =FILE writes it there. Repeatable.")
     ] = None,
-    fail_on: Annotated[str, typer.Option(help="Exit with 1 from this severity on: error, warning or info.")] = "error",
+    fail_on: Annotated[
+        str | None, typer.Option(help="Exit with 1 from this severity on: error (if not set), warning or info.")
+    ] = None,
     exit_zero: Annotated[bool, typer.Option("--exit-zero", help="Exit with 0 whatever is found.")] = False,
     jobs: Annotated[int, typer.Option(help="How many robots at once; 0: as many as there are processors.")] = 0,
+    config: ConfigFile = None,
 ) -> None:
     """Find what keeps a robot from loading, starting and moving.
 
@@ -91,15 +95,17 @@ def expand(
     trust: Trust = False,
     timeout: Timeout = 20.0,
     memory: Memory = 2048,
+    config: ConfigFile = None,
 ) -> None:
     """Expand xacro without ROS, byte for byte as xacro writes it.
 
     Example: urdfctl expand urdf/robot.xacro prefix:=left_ -o robot.urdf
     """
     from urdfctl.cli.expand_command import run_expand
-    from urdfctl.cli.words import settings_from
+    from urdfctl.cli.words import configured, settings_from
 
-    settings = settings_from(None, None, None, workspace, package_path, env, trust, timeout, memory)
+    chosen = configured([file], config, workspace)
+    settings = settings_from(chosen, None, None, None, workspace, package_path, env, trust, timeout, memory)
     raise typer.Exit(run_expand(file, arguments or [], settings, output, force=force))
 
 

@@ -7,13 +7,14 @@ import sys
 from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
-from urdfctl.cli.words import codes, settings_from, split_arguments
+from urdfctl.cli.words import codes, configured, settings_from, split_arguments
 from urdfctl.cli.writing import print_text, write_file
+from urdfctl.config import Config
 from urdfctl.diagnostic import Severity
 from urdfctl.discover import Found, find
 from urdfctl.errors import UserError
 from urdfctl.lint import Linted, Selection, joined, worst
-from urdfctl.lint import selection as checked_selection
+from urdfctl.lint import checked as checked_selection
 from urdfctl.load import Target, lint_all
 from urdfctl.report import FORMATS
 from urdfctl.report.common import Report
@@ -37,21 +38,24 @@ def lint_words(  # noqa: PLR0913, PLR0917 (one for each option)
     ignore: list[str] | None = None,
     extend_select: list[str] | None = None,
     formats: list[str] | None = None,
-    fail_on: str = "error",
+    fail_on: str | None = None,
     exit_zero: bool = False,  # noqa: FBT001, FBT002
     jobs: int = 0,
+    config: str | None = None,
 ) -> int:
     """Lint with the options of the command line, report it, and give the exit status."""
     if jobs < 0:
         raise UserError(f"--jobs is a number of robots, or 0 for as many as there are processors; not {jobs}")
-    settings = settings_from(distro, simulator, start, workspace, package_path, env, trust, timeout, memory)
+    chosen = configured(paths, config, workspace)
+    settings = settings_from(chosen, distro, simulator, start, workspace, package_path, env, trust, timeout, memory)
     wanted = Wanted(
         tuple(paths or ()),
-        checked_selection(codes(select), codes(ignore), codes(extend_select)),
+        _selection(chosen, codes(select), codes(ignore), codes(extend_select)),
         tuple(_output(text) for text in formats or ("text",)),
-        _severity(fail_on),
+        _severity(fail_on or chosen.fail_on or "error"),
         exit_zero,
         jobs,
+        chosen,
     )
     return run_lint(wanted, settings)
 
@@ -65,12 +69,13 @@ class Wanted(NamedTuple):
     fail_on: Severity
     exit_zero: bool
     jobs: int
+    config: Config = Config()
 
 
 def run_lint(wanted: Wanted, settings: Settings) -> int:
     """Lint what the words mean, report it, and give the exit status."""
     paths, arguments = split_arguments(wanted.words)
-    found = find(paths)
+    found = find(paths, wanted.config.excludes)
     if not (found.descriptions() or found.controllers or found.launches or found.controllers_candidates):
         sys.stderr.write(f"urdfctl: no robot found in {', '.join(paths) or 'this folder'}\n")
     kept, looked_at = _linted(found, tuple(arguments.items()), settings, wanted)
@@ -141,6 +146,18 @@ def _is_robot(linted: Linted) -> bool:
     if linted.links is None:
         return True
     return linted.links > 1 and (linted.complete or linted.robot is not None)
+
+
+def _selection(config: Config, select: tuple[str, ...], ignore: tuple[str, ...], extend: tuple[str, ...]) -> Selection:
+    """The rules that the options ask for, and where they say nothing the configuration."""
+    of_config = Selection(config.select, config.ignore, config.extend_select, config.severities)
+    try:
+        checked_selection(of_config)
+    except UserError as error:
+        raise UserError(f"{config.file}: {error}" if config.file else str(error)) from None
+    return checked_selection(
+        Selection(select or config.select, ignore or config.ignore, extend or config.extend_select, config.severities)
+    )
 
 
 def _severity(name: str) -> Severity:

@@ -18,6 +18,7 @@ ONE: dict[str, Callable[[str], Any]] = {
     "--memory": int,
     "--fail-on": str,
     "--jobs": int,
+    "--config": str,
 }
 MANY = ("--package-path", "--env", "--select", "--ignore", "--extend-select", "--format")
 FLAGS = ("--trust", "--exit-zero")

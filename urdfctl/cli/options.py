@@ -23,3 +23,6 @@ Environment = Annotated[list[str] | None, typer.Option(help="Let $(env NAME) see
 Trust = Annotated[bool, typer.Option("--trust", help="Read and evaluate whatever the description asks for.")]
 Timeout = Annotated[float, typer.Option(help="Seconds for one robot.")]
 Memory = Annotated[int, typer.Option(help="MiB for one robot.")]
+ConfigFile = Annotated[
+    str | None, typer.Option("--config", help="This urdfctl.toml or pyproject.toml, not the nearest one upwards.")
+]

@@ -10,8 +10,7 @@ import textwrap
 from urdfctl.catalog.distros import in_words
 from urdfctl.cli.writing import print_text
 from urdfctl.errors import UserError
-from urdfctl.lint import Selection, joined
-from urdfctl.lint import selection as checked_selection
+from urdfctl.lint import Selection, checked, joined
 from urdfctl.load import Loader, Target
 from urdfctl.report.common import Report
 from urdfctl.report.text import render
@@ -24,7 +23,7 @@ from urdfctl.suggest import did_you_mean
 
 def run_rules(output_format: str, prefixes: tuple[str, ...]) -> int:
     """List the rules as a table or as JSON."""
-    selection = checked_selection(prefixes)
+    selection = checked(Selection(prefixes))
     wanted = [rule for rule in all_rules() if selection.admits(rule.code)]
     if output_format == "json":
         print_text(json.dumps([_plain(rule) for rule in wanted], indent=1) + "\n")

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 
+from urdfctl.config import Config, config_for, config_of, with_environ
+from urdfctl.errors import UserError
 from urdfctl.settings import Settings, checked, passed_on
 
 
@@ -12,7 +14,18 @@ def codes(given: list[str] | None) -> tuple[str, ...]:
     return tuple(code.strip().upper() for item in given or () for code in item.split(",") if code.strip())
 
 
+def configured(words: list[str] | None, config: str | None, workspace: str | None) -> Config:
+    """What the project's configuration and the environment set: of the file named, else of the nearest."""
+    if config is None:
+        paths, _ = split_arguments(words or [])
+        return with_environ(config_for(tuple(paths), workspace), os.environ)
+    if not os.path.isfile(config):
+        raise UserError(f"no such file: '{config}'")
+    return with_environ(config_of(config) or Config(config), os.environ)
+
+
 def settings_from(  # noqa: PLR0913, PLR0917 (one for each option)
+    config: Config,
     distro: str | None,
     simulator: str | None,
     start: str | None,
@@ -23,19 +36,22 @@ def settings_from(  # noqa: PLR0913, PLR0917 (one for each option)
     timeout: float,
     memory: int,
 ) -> Settings:
-    """The settings of a run, from its options and the environment."""
+    """The settings of a run, from its options, else from the configuration, and the environment."""
     started = None if start is None else tuple(name.strip() for name in start.split(",") if name.strip())
     return checked(
         Settings(
-            distro,
-            simulator,
+            distro or config.distro,
+            simulator or config.simulator,
             started,
             workspace,
-            tuple(package_path or ()),
+            tuple(package_path or config.package_paths),
             passed_on(os.environ, tuple(env or ())),
             trust,
             timeout,
             memory << 20,
+            config.additions,
+            None if distro else config.distro_from,
+            None if simulator else config.simulator_from,
         )
     )
 
