@@ -211,7 +211,7 @@ def test_a_mimic_in_a_parameter_is_what_the_distro_takes_it_for(robot: Robot) ->
         ("gazebo_ros2_control/GazeboSystem", "jazzy", ["warning UC353"]),
         ("gazebo_ros2_control/GazeboSystem", "humble", []),
         ("gz_ros2_control/GzSimSystem", "jazzy", ["warning UC353"]),
-        ("gz_ros2_control/GazeboSimSystem", "humble", ["warning UC353"]),
+        ("gz_ros2_control/GazeboSimSystem", "galactic", ["warning UC353"]),
         ("my_robot/MyHardware", None, []),
     ],
 )
