@@ -5,6 +5,11 @@ from __future__ import annotations
 from urdfctl.rule import Rule
 from urdfctl.rules.controllers.alias_in_parameters import alias_in_parameters
 from urdfctl.rules.controllers.collection_empty import collection_empty
+from urdfctl.rules.controllers.controller_type_missing import controller_type_missing
+from urdfctl.rules.controllers.controller_type_not_catalogued import controller_type_not_catalogued
+from urdfctl.rules.controllers.controller_type_not_in_distro import controller_type_not_in_distro
+from urdfctl.rules.controllers.controller_type_of_other_ros import controller_type_of_other_ros
+from urdfctl.rules.controllers.controller_type_unknown import controller_type_unknown
 from urdfctl.rules.controllers.controllers_file_not_a_map import controllers_file_not_a_map
 from urdfctl.rules.controllers.controllers_file_of_ros1 import controllers_file_of_ros1
 from urdfctl.rules.controllers.controllers_file_of_ros2 import controllers_file_of_ros2
@@ -33,4 +38,9 @@ RULES: tuple[Rule, ...] = (
     controllers_file_not_a_map,
     several_documents,
     value_not_for_parameter_server,
+    controller_type_missing,
+    controller_type_unknown,
+    controller_type_not_in_distro,
+    controller_type_of_other_ros,
+    controller_type_not_catalogued,
 )
