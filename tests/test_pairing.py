@@ -145,6 +145,14 @@ def test_rosparam_takes_no_tab_behind_a_colon_and_rcl_does(folder: Folder) -> No
     assert codes(folder, "2.yaml") == []
 
 
+def test_all_that_the_files_declare_may_be_started(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> None:
+    folder.write({"r.urdf": ROBOT.format(""), "c.yaml": ROS1 + "hand: {type: acme/Hand}\n"})
+    target = Target("r.urdf", controllers=("c.yaml",))
+    for started, told in ((("all",), False), (("hand", "arm"), True)):
+        found = project(target, Settings(workspace=str(folder.path), started=started), monkeypatch)
+        assert (found.started, found.in_order) == (("/arm", "/hand") if started == ("all",) else started, told)
+
+
 def test_what_is_started_is_what_the_user_says(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> None:
     folder.write({"r.urdf": ROBOT.format(""), "c.yaml": ROS2})
     made = project(Target("r.urdf", controllers=("c.yaml",)), Settings(started=("arm", "x")), monkeypatch)

@@ -16,7 +16,7 @@ from urdfctl.model.project import Project
 from urdfctl.model.robot import Robot
 from urdfctl.rules import rule_of
 from urdfctl.serialise import linted_from_json, linted_to_json
-from urdfctl.settings import Settings
+from urdfctl.settings import ALL_STARTED, Settings
 from urdfctl.source.dom import Document
 from urdfctl.source.files import FileProblem, Files, is_launch, is_yaml
 from urdfctl.source.library import LibraryExpander
@@ -150,6 +150,9 @@ class Loader:
         started = self.settings.started
         if started is None and launch is not None:
             started = launch.started
+        controllers = read.model(evidence.ros, None if started == ALL_STARTED else started) if read else None
+        if started == ALL_STARTED:
+            started = tuple(one.full_name for one in controllers.controllers) if controllers else None
         return project._replace(
             distro=evidence.distro,
             distros=evidence.distros,
@@ -157,7 +160,8 @@ class Loader:
             simulator=evidence.simulator,
             simulator_from=evidence.simulator_from,
             started=started,
-            controllers=read.model(evidence.ros, started) if read else None,
+            in_order=self.settings.started not in (None, ALL_STARTED),
+            controllers=controllers,
             launch=launch,
             additions=self.settings.additions,
         )

@@ -16,6 +16,8 @@ PASSED_ON = ("ROS_", "AMENT_", "COLCON_", "CMAKE_PREFIX_PATH")
 PASSED_ON_NAMES = ("HOME", "LANG")
 MOST_SECONDS = 86_400
 MOST_BYTES = 1 << 40
+ALL_STARTED = ("all",)
+"""What to say where all controllers are started that the files declare."""
 
 
 class Settings(NamedTuple):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from urdfctl.catalog.entries import NOTHING, Parameter, Replacement
@@ -16,7 +17,8 @@ class HardwareType(NamedTuple):
 
     `simulator` is what it simulates with: a simulator's name, `mock`, `topic` or `replay`; None is real hardware.
     `host` is the id of the simulator plugin that loads it. Interfaces of None are any, or not known.
-    `sensor_interfaces` are by kind of sensor.
+    `sensor_interfaces` are by kind of sensor. `states_commanded`: a parameter that is true adds a command interface to
+    each state interface of a kind of part.
     """
 
     type: str
@@ -32,6 +34,7 @@ class HardwareType(NamedTuple):
     joint_parameters: Mapping[str, Parameter] | None = None
     deprecated: bool = False
     replacement: Replacement | None = None
+    states_commanded: Mapping[str, str] = MappingProxyType({})
 
 
 class PluginChild(NamedTuple):
@@ -99,6 +102,7 @@ def hardware_type(own: Plain, distro: str) -> HardwareType:
         _parameters(own.get("joint_parameters"), distro),
         _holds(own.get("deprecated"), distro),
         replacement_of(own),
+        own.get("states_commanded", {}),
     )
 
 

@@ -16,7 +16,7 @@ Arguments = Annotated[
 ]
 Distro = Annotated[str | None, typer.Option(help="The ROS distro, such as noetic or jazzy; else the files tell.")]
 Simulator = Annotated[str | None, typer.Option(help="gz, gazebo-classic, mujoco, or none for real hardware.")]
-Start = Annotated[str | None, typer.Option(help="The controllers started together: NAME,NAME.")]
+Start = Annotated[str | None, typer.Option(help="The controllers started together, in their order: NAME,NAME, or all.")]
 Workspace = Annotated[str | None, typer.Option(help="The folder that bounds what may be read.")]
 PackagePath = Annotated[list[str] | None, typer.Option(help="A folder with packages, looked at first. Repeatable.")]
 Environment = Annotated[list[str] | None, typer.Option(help="Let $(env NAME) see this variable. Repeatable.")]

@@ -22,11 +22,12 @@ class Project(NamedTuple):
     """One robot in one variant; a run has several.
 
     `distro` is None where neither the user nor the files tell it; `distros` are those that it may be. `started` are the
-    controllers started together, None where nothing tells. `complete` is False where a part of the robot could not be
-    expanded: then nothing may be claimed to be absent. In a macro `library` what conditions guard stands side by side:
-    then nothing may be claimed to be there twice. `controllers` is None where no controllers' file belongs to the
-    robot; a controllers' file without a robot is a project too. `launch` is the launch file that told which belong
-    together. `simulator_from` tells what named the simulator, `influence` what the values at a place hang on.
+    controllers started together, None where nothing tells; `in_order` where their order is known. `complete` is False
+    where a part of the robot could not be expanded: then nothing may be claimed to be absent. In a macro `library` what
+    conditions guard stands side by side: then nothing may be claimed to be there twice. `controllers` is None where no
+    controllers' file belongs to the robot; a controllers' file without a robot is a project too. `launch` is the launch
+    file that told which belong together. `simulator_from` tells what named the simulator, `influence` what the values
+    at a place hang on.
     """
 
     robot: Robot | None
@@ -44,6 +45,7 @@ class Project(NamedTuple):
     launch: Launch | None = None
     simulator_from: str | None = None
     influence: Callable[[Place], Influence] = no_influence
+    in_order: bool = False
 
     @property
     def ros(self) -> int | None:

@@ -1,0 +1,60 @@
+"""Controllers that cannot run together, for one wants what another has.
+
+ROS 2, controller_manager.cpp: a command interface belongs to one active controller; states are shared. ROS 1,
+hardware_interface/robot_hw.h, checkForConflict: what is claimed is a joint by its name, whatever the interface, and a
+controller that claims it in two interfaces is in conflict with itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from urdfctl.catalog.distros import generation
+from urdfctl.control.claims import Claim
+from urdfctl.control.session import Configured, Session
+
+
+class Conflict(NamedTuple):
+    """Two started controllers that claim one interface, or in ROS 1 one joint; the `second` is started later."""
+
+    first: Configured
+    second: Configured
+    claim: Claim
+    earlier: Claim
+
+
+def resource(claim: Claim, distro: str) -> str:
+    """What only one controller may have: the interface, in ROS 1 the joint."""
+    return claim.component if generation(distro) == 1 else claim.name
+
+
+def conflicts(session: Session) -> Iterator[Conflict]:
+    """The conflicts between controllers that are started; of two controllers with each resource once."""
+    taken: dict[tuple[str | None, str], tuple[Configured, Claim]] = {}
+    for controller in session.started or ():
+        for claim in _once(controller, session.distro):
+            key = controller.controller.namespace, resource(claim, session.distro)
+            if key in taken:
+                first, earlier = taken[key]
+                yield Conflict(first, controller, claim, earlier)
+            else:
+                taken[key] = controller, claim
+
+
+def _once(controller: Configured, distro: str) -> list[Claim]:
+    first: dict[str, Claim] = {}
+    for claim in controller.claims.command:
+        first.setdefault(resource(claim, distro), claim)
+    return list(first.values())
+
+
+def claimed_twice(controller: Configured, distro: str) -> Iterator[tuple[Claim, Claim]]:
+    """The claims of a controller to what it claims already, each with the earlier one: the same interface, in ROS 1 the
+    same joint in another interface."""
+    first: dict[str, Claim] = {}
+    for claim in controller.claims.command:
+        earlier = first.setdefault(resource(claim, distro), claim)
+        if earlier is claim or (generation(distro) == 1 and earlier.interface == claim.interface):
+            continue
+        yield earlier, claim

@@ -1,0 +1,53 @@
+"""What the transmissions of ROS 1 make Gazebo's default hardware simulation offer.
+
+gazebo_ros_control/src/default_robot_hw_sim.cpp: of each transmission that ros_control's parser keeps, the one joint is
+registered with the JointStateInterface, and with the first interface that it names. Real hardware registers what its
+driver likes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from urdfctl.control.hardware import UNKNOWN_HARDWARE, Hardware, Offer
+from urdfctl.model.parts import Text
+from urdfctl.model.robot import Robot
+from urdfctl.model.transmission import Transmission
+from urdfctl.source.opaque import UNKNOWN
+
+PREFIX = "hardware_interface/"
+JOINT_STATES = f"{PREFIX}JointStateInterface"
+
+
+class _Registered(NamedTuple):
+    joint: str
+    interface: Text
+
+
+def simulated_hardware(robot: Robot) -> Hardware:
+    """What the simulation offers of a robot's joints."""
+    if any(_is_unknown(transmission) for transmission in robot.transmissions):
+        return UNKNOWN_HARDWARE
+    found = [one for transmission in robot.transmissions for one in _registered(transmission)]
+    command = tuple(Offer(one.joint, _qualified(one.interface.value), one.interface.at) for one in found)
+    state = tuple(Offer(one.joint, JOINT_STATES, one.interface.at) for one in found)
+    return Hardware(command, state, joints=frozenset(robot.joint_names))
+
+
+def _registered(transmission: Transmission) -> Iterator[_Registered]:
+    """The joint of a transmission that is read, and simulated: it has a type, an actuator and one joint."""
+    kept = transmission.kept_joints
+    actuators = any(actuator.name for actuator in transmission.actuators)
+    if transmission.type is None or not transmission.type.value or not actuators or len(kept) != 1:
+        return
+    yield _Registered(kept[0].name or "", kept[0].named_interfaces[0])
+
+
+def _is_unknown(transmission: Transmission) -> bool:
+    texts = [text.value for joint in transmission.joints for text in joint.interfaces]
+    return any(UNKNOWN in (text or "") for text in (*texts, *(joint.name for joint in transmission.joints)))
+
+
+def _qualified(interface: str) -> str:
+    return interface if "/" in interface else PREFIX + interface

@@ -1,0 +1,78 @@
+"""What the components of `<ros2_control>` offer.
+
+The parser hands all that stands in the tag to the hardware plugin, and the manager refuses a plugin that does not
+export it (resource_manager.cpp, validate_storage). A plugin may export more: the catalogue's simulated ones do not, but
+for the command interfaces that parameters of mock hardware add (mock_components/src/generic_system.cpp).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.catalog import Catalog
+from urdfctl.catalog.hardware import HardwareType
+from urdfctl.control.hardware import UNKNOWN_HARDWARE, Hardware, Offer
+from urdfctl.model.robot import Robot
+from urdfctl.model.ros2_control import Interface, Part, Ros2Control
+from urdfctl.source.opaque import UNKNOWN
+
+
+def described_hardware(robot: Robot, catalog: Catalog, distro: str) -> Hardware:
+    """What all components of a robot offer together."""
+    controls = tuple(control for control in robot.ros2_controls if control.parent == robot.element)
+    if not controls or _is_partly_unknown(controls):
+        return UNKNOWN_HARDWARE
+    command: list[Offer] = []
+    state: list[Offer] = []
+    exact: set[str] = set()
+    is_open = False
+    for control in controls:
+        plugin = _hardware_type(control, catalog, distro)
+        command += _commands(control, plugin)
+        state += [offer for part in control.parts for offer in _offers(control, part, part.states)]
+        if _tells_all(plugin):
+            exact |= {part.name.strip() for part in control.parts if part.name}
+        else:
+            is_open = True
+    joints = frozenset(robot.joint_names)
+    return Hardware(tuple(command), tuple(state), frozenset(exact), joints, open=is_open)
+
+
+def _is_partly_unknown(controls: tuple[Ros2Control, ...]) -> bool:
+    """Whether a name in them could not be worked out: nothing can be said to be missing then."""
+    parts = [part for control in controls for part in control.parts]
+    names = [part.name for part in parts] + [one.name for part in parts for one in part.interfaces]
+    return any(UNKNOWN in (name or "") for name in (*names, *(control.plugin for control in controls)))
+
+
+def _hardware_type(control: Ros2Control, catalog: Catalog, distro: str) -> HardwareType | None:
+    return catalog.hardware(control.plugin.strip(), distro) if control.plugin else None
+
+
+def _tells_all(plugin: HardwareType | None) -> bool:
+    """Whether a plugin exports nothing but what the description says: the simulated ones are known to."""
+    return plugin is not None and plugin.simulator is not None
+
+
+def _commands(control: Ros2Control, plugin: HardwareType | None) -> Iterator[Offer]:
+    added = _commanded_states(control, plugin)
+    for part in control.parts:
+        if control.type != "sensor" and part.kind != "sensor":
+            yield from _offers(control, part, part.commands)
+        if part.kind in added:
+            yield from _offers(control, part, part.states)
+
+
+def _commanded_states(control: Ros2Control, plugin: HardwareType | None) -> set[str]:
+    """The kinds of parts whose states have a command interface too."""
+    if plugin is None or not control.hardware:
+        return set()
+    given = {name: control.hardware[-1].parameter(name) for name in plugin.states_commanded}
+    true = {name for name, parameter in given.items() if parameter and parameter.value.strip().lower() == "true"}
+    return {kind for name, kind in plugin.states_commanded.items() if name in true}
+
+
+def _offers(control: Ros2Control, part: Part, interfaces: tuple[Interface, ...]) -> Iterator[Offer]:
+    for interface in interfaces:
+        if part.name and interface.name:
+            yield Offer(part.name.strip(), interface.name.strip(), interface.at, control.name)
