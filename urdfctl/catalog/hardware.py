@@ -88,6 +88,7 @@ class TransmissionType(NamedTuple):
 def hardware_type(own: Plain, distro: str) -> HardwareType:
     """A hardware plugin of its plain entry."""
     sensors = own.get("sensor_interfaces")
+    parameters = _parameters(own.get("hardware_parameters"), distro)
     return HardwareType(
         own["type"],
         distro,
@@ -98,11 +99,11 @@ def hardware_type(own: Plain, distro: str) -> HardwareType:
         _interfaces(own.get("command_interfaces")),
         _interfaces(own.get("state_interfaces")),
         {kind: tuple(names) for kind, names in sensors.items()} if sensors is not None else None,
-        _parameters(own.get("hardware_parameters"), distro),
+        parameters,
         _parameters(own.get("joint_parameters"), distro),
         _holds(own.get("deprecated"), distro),
         replacement_of(own),
-        own.get("states_commanded", {}),
+        {name: kind for name, kind in own.get("states_commanded", {}).items() if name in (parameters or ())},
     )
 
 
