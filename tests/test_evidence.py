@@ -9,6 +9,7 @@ from urdfctl.catalog.distros import ROS2
 from urdfctl.evidence import ROS1
 from urdfctl.lint import Linted, Selection
 from urdfctl.load import Loader, Target
+from urdfctl.model.project import Project
 from urdfctl.settings import Settings
 
 PLAIN = '<robot name="r"><link name="a"/>{}</robot>'
@@ -121,6 +122,13 @@ def test_else_it_is_the_one_that_the_plugins_of_control_are_made_for(
     files = {"r.urdf": PLAIN.format(inside)}
     assert linted(folder, files).simulator == simulator
     assert linted(folder, files, Settings(simulator="none")).simulator == "none"
+
+
+def test_a_simulator_that_only_a_plugin_names_leaves_hardware_open() -> None:
+    guessed = Project(None, simulator="gz", simulator_from="the plugin 'gz_ros2_control-system'")
+    assert (guessed.named_simulator, guessed.may_be_hardware) == (None, True)
+    for source in ("--simulator", "urdfctl.toml", "$URDFCTL_SIMULATOR"):
+        assert not guessed._replace(simulator_from=source).may_be_hardware
 
 
 def test_the_form_of_the_controllers_files_tells_the_generation(folder: Folder) -> None:

@@ -158,6 +158,8 @@ def test_what_is_started_is_what_the_user_says(folder: Folder, monkeypatch: pyte
     made = project(Target("r.urdf", controllers=("c.yaml",)), Settings(started=("arm", "x")), monkeypatch)
     assert made.started == ("arm", "x")
     assert [c.name for c in controllers(made).controllers] == ["arm", "x"]
+    every = project(Target("r.urdf", controllers=("c.yaml",)), Settings(started=("all",)), monkeypatch)
+    assert every.started == ("/arm",)
 
 
 # -- launch files ----------------------------------------------------------------------------------------------------

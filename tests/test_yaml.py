@@ -7,7 +7,10 @@ import time
 
 import pytest
 import yaml as pyyaml
+from corpus import CORPUS, needs_corpus
 from folder import Folder
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
 from urdfctl.source import yaml as reader
 from urdfctl.source.kinds import Kind
@@ -215,3 +218,53 @@ def test_plain_scalars_are_what_pyyaml_itself_makes_of_them() -> None:
     for text, kind, value, *_ in SCALARS:
         if kind in (Kind.INT, Kind.FLOAT, Kind.BOOL, Kind.STRING) and not text.startswith(("deg", "rad", "!deg")):
             assert pyyaml.safe_load(f"a: {text}\n")["a"] == value
+
+
+PIECES = [
+    "a: ",
+    "- ",
+    "\n",
+    "  ",
+    "[",
+    "]",
+    "{",
+    "}",
+    "x",
+    "'",
+    '"',
+    "&a ",
+    "*a",
+    "<<: ",
+    "!t ",
+    "|\n",
+    "# ",
+    "\t",
+    "é",
+    "\x00",
+    "? ",
+    "---\n",
+]
+
+
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(st.lists(st.sampled_from(PIECES), max_size=40).map("".join))
+def test_whatever_a_file_holds_places_lie_within_it_and_nothing_is_raised(text: str) -> None:
+    data = text.encode()
+    file = read(data)
+    for place in (*(problem.at for problem in file.problems), *file.aliases):
+        assert 0 <= place.span.start <= place.span.end <= len(data)
+    for document in file.documents:
+        for _ in texts(document):
+            pass
+    assert file.readable or len(file.problems) == 1
+
+
+@needs_corpus
+def test_every_plain_scalar_of_the_corpus_is_what_its_span_cuts_out() -> None:
+    files = [path for path in sorted(CORPUS.glob("**/*.y*ml")) if path.is_file()]
+    assert len(files) > 1000
+    for path in files:
+        for document in read(path.read_bytes()).documents:
+            for text, cut in texts(document):
+                if cut[:1] not in ("'", '"', "|", ">", "!", "&", "*"):
+                    assert text.split() == cut.split()

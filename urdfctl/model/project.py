@@ -70,7 +70,7 @@ class Project(NamedTuple):
     @property
     def named_simulator(self) -> str | None:
         """The simulator that the user names; None where only a plugin does: such a robot may be real all the same."""
-        return self.simulator if self.simulator_from in (None, "--simulator") else None
+        return None if (self.simulator_from or "").startswith("the plugin ") else self.simulator
 
     @property
     def may_be_hardware(self) -> bool:
