@@ -6,9 +6,10 @@ import pytest
 
 from urdfctl.catalog.catalog import CATALOG
 from urdfctl.catalog.compiled import files
-from urdfctl.catalog.distros import ALL, spanned
+from urdfctl.catalog.distros import ALL, ROS1, spanned
 from urdfctl.catalog.store import plain
 from urdfctl.catalog.validators import NAMES
+from urdfctl.rules.transmissions import facts
 
 
 @pytest.mark.parametrize(("path", "text"), [pytest.param(*file, id=file[0].name) for file in files()])
@@ -39,3 +40,26 @@ def test_what_replaces_a_type_is_known(ros: int) -> None:
             for key in ("distros", "deprecated", "removed"):
                 if isinstance(entry.get(key), str):
                     assert spanned(entry[key], ros)
+
+
+@pytest.mark.parametrize("distro", ROS1)
+def test_the_rules_on_transmissions_know_what_the_catalogue_knows(distro: str) -> None:
+    """Their tables stand in the code: reading the catalogue would cost each robot of ROS 1 two milliseconds."""
+    for name, expected in facts.TYPES.items():
+        found = CATALOG.transmission(name, distro)
+        assert found is not None
+        assert (found.joints, found.actuators, bool(found.joint_roles)) == expected
+        if found.joint_roles:
+            assert (found.joint_roles, found.actuator_roles) == (facts.JOINT_ROLES, facts.ACTUATOR_ROLES)
+    interfaces = CATALOG.hardware_interfaces(distro).values()
+    accepted = {found.name.removeprefix(facts.PREFIX) for found in interfaces if found.in_gazebo == "accepted"}
+    assert accepted == set(facts.GAZEBO_INTERFACES)
+    known = {*facts.GAZEBO_INTERFACES, *facts.HARDWARE_INTERFACES}
+    of_joints = {found.name for found in interfaces if found.resource == "joint" or found.kind == "transmission_only"}
+    assert {name.removeprefix(facts.PREFIX) for name in of_joints} <= known
+
+
+def test_the_hardware_interfaces_are_those_of_ros_1() -> None:
+    assert CATALOG.hardware_interfaces("noetic")["hardware_interface/JointStateInterface"].in_gazebo == "registered"
+    assert "hardware_interface/JointModeInterface" not in CATALOG.hardware_interfaces("indigo")
+    assert CATALOG.hardware_interfaces("jazzy") == {}

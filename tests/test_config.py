@@ -47,6 +47,21 @@ def test_the_nearest_file_upwards_is_read(folder: Folder) -> None:
     assert config_for(()).distro == "noetic"
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "[tool.urdfctl]\ndistro = 'humble'",
+        "[ tool . 'urdfctl' ]\ndistro = 'humble'",
+        "[tool]\nurdfctl.distro = 'humble'",
+    ],
+)
+def test_a_pyproject_may_write_its_table_in_any_way(folder: Folder, text: str) -> None:
+    folder.write({"pyproject.toml": text})
+    config = config_of("pyproject.toml")
+    assert config is not None
+    assert config.distro == "humble"
+
+
 def test_no_file_beyond_the_workspace_is_read(folder: Folder) -> None:
     folder.write({"urdfctl.toml": "distro = 'noetic'", "ws/.git/HEAD": "", "ws/arm.urdf": ARM})
     assert config_for(("ws/arm.urdf",), workspace="ws") == Config()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
@@ -13,6 +14,7 @@ from urdfctl.workspace import workspace_of
 
 NAMES = ("urdfctl.toml", "pyproject.toml")
 _MOST_BYTES = 1 << 20
+_TABLE = rb"(?m)^\s*\[*\s*tool\s*(?:\]|\.\s*[\"']?urdfctl)"
 
 
 class Config(NamedTuple):
@@ -147,10 +149,6 @@ def _upwards(folder: str, top: str) -> Iterator[str]:
 
 
 def _toml(file: str) -> dict[str, Any]:
-    if sys.version_info >= (3, 11):
-        import tomllib
-    else:
-        import tomli as tomllib
     try:
         with open(file, "rb") as opened:
             data = opened.read(_MOST_BYTES + 1)
@@ -158,8 +156,12 @@ def _toml(file: str) -> dict[str, Any]:
         raise UserError(f"{file}: {error.strerror}") from None
     if len(data) > _MOST_BYTES:
         raise UserError(f"{file}: larger than {_MOST_BYTES >> 20} MiB")
-    if os.path.basename(file) == "pyproject.toml" and b"urdfctl" not in data:
+    if os.path.basename(file) == "pyproject.toml" and not re.search(_TABLE, data):
         return {}
+    if sys.version_info >= (3, 11):
+        import tomllib
+    else:
+        import tomli as tomllib
     try:
         return tomllib.loads(data.decode())
     except (UnicodeDecodeError, tomllib.TOMLDecodeError, RecursionError) as error:

@@ -13,7 +13,7 @@ from urdfctl.catalog.reading import controller_type, distros_of, extension, in_d
 from urdfctl.catalog.store import plain, renamed
 
 if TYPE_CHECKING:
-    from urdfctl.catalog.hardware import HardwareType, SimulatorPlugin, TransmissionType
+    from urdfctl.catalog.hardware import HardwareInterface, HardwareType, SimulatorPlugin, TransmissionType
 
 Plain = Mapping[str, Any]
 
@@ -112,6 +112,15 @@ class Catalog:
         """The types of transmissions that a distro has."""
         ros = generation(distro)
         return tuple(name for name, entry in plain(ros, "transmissions").items() if distro in distros_of(entry, ros))
+
+    def hardware_interfaces(self, distro: str) -> Mapping[str, HardwareInterface]:
+        """The hardware interfaces of ROS 1 that a distro has, by name; none in ROS 2."""
+        from urdfctl.catalog.hardware import hardware_interface
+
+        if generation(distro) != 1:
+            return {}
+        found = {name: in_distro(entry, distro) for name, entry in plain(1, "interfaces").items()}
+        return {name: hardware_interface(own) for name, own in found.items() if own}
 
     # -- the controller manager ---------------------------------------------------------------------------------------
 

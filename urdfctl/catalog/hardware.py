@@ -70,6 +70,20 @@ class SimulatorPlugin(NamedTuple):
     replacement: str | None = None
 
 
+class HardwareInterface(NamedTuple):
+    """A hardware interface of ROS 1.
+
+    `kind` is `command`, `state`, `mode`, `abstract` or `transmission_only`, None where not known. `resource` is what
+    its handles are of: a joint, an actuator, a sensor. `in_gazebo` tells what gazebo_ros_control's own simulation makes
+    of it as `<hardwareInterface>`: `accepted`, `refused`, `absent`, or `registered` for every joint, and refused.
+    """
+
+    name: str
+    kind: str | None = None
+    resource: str | None = None
+    in_gazebo: str | None = None
+
+
 class TransmissionType(NamedTuple):
     """How many ends of each side a type of transmission wants, and their roles where they have some.
 
@@ -135,6 +149,11 @@ def library_of(filename: str) -> str:
 
 
 _OF_IGNITION = "ignition-gazebo"
+
+
+def hardware_interface(own: Plain) -> HardwareInterface:
+    """A hardware interface of its plain entry."""
+    return HardwareInterface(own["name"], own.get("class"), own.get("resource"), own.get("in_gazebo"))
 
 
 def transmission_type(own: Plain, distro: str) -> TransmissionType:
