@@ -6,16 +6,8 @@ from pathlib import Path
 
 import pytest
 from arm import Robot, notes
+from components import ELBOW, MIMIC, MOCK, component, joint, told
 
-MOCK = "<hardware><plugin>mock_components/GenericSystem</plugin></hardware>"
-ELBOW = '<joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>'
-MIMIC = """
-    <link name="finger"/>
-    <joint name="grip" type="prismatic">
-      <parent link="fore"/><child link="finger"/><limit lower="0" upper="1" effort="1" velocity="1"/>
-      <mimic joint="elbow"/>
-    </joint>
-"""
 SIMPLE = "<plugin>transmission_interface/SimpleTransmission</plugin>"
 
 
@@ -24,25 +16,9 @@ def robot(tmp_path: Path) -> Robot:
     return Robot(tmp_path)
 
 
-def component(inside: str = MOCK + ELBOW, attributes: str = 'name="arm" type="system"') -> str:
-    """A part of a robot: one <ros2_control>."""
-    return f"<ros2_control {attributes}>{inside}</ros2_control>"
-
-
-def joint(inside: str, attributes: str = "") -> str:
-    """A component on mock hardware with the joint elbow."""
-    return component(f'{MOCK}<joint name="elbow"{attributes}>{inside}</joint>')
-
-
 def gear(inside: str, attributes: str = 'name="gear"') -> str:
     """A component with a transmission."""
     return component(f"{MOCK}{ELBOW}<transmission {attributes}>{inside}</transmission>")
-
-
-def told(robot: Robot, part: str, distro: str | None, **options: str) -> list[str]:
-    """Severities and codes of what the family finds."""
-    said = robot.says(part, distro=distro, **options)
-    return [found for found in said if " UC3" in found]
 
 
 REFUSED = {

@@ -1,4 +1,4 @@
-"""What the rules on <ros2_control> say of interfaces, limits, parameters, plugins and transmissions, by distro."""
+"""What the rules on <ros2_control> say of interfaces, limits and transmissions, by distro."""
 
 from __future__ import annotations
 
@@ -6,48 +6,12 @@ from pathlib import Path
 
 import pytest
 from arm import Robot, notes
-
-MOCK = "<hardware><plugin>mock_components/GenericSystem</plugin></hardware>"
-GZ = "<hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>"
-ELBOW = '<joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>'
-STATE = '<state_interface name="position"/>'
-FINGER = """
-    <link name="finger"/>
-    <joint name="grip" type="prismatic">
-      <parent link="fore"/><child link="finger"/><limit lower="0" upper="1" effort="1" velocity="1"/>
-    </joint>
-"""
-MIMIC = FINGER.replace("</joint>", '<mimic joint="elbow"/></joint>')
+from components import ELBOW, FINGER, MIMIC, MOCK, STATE, component, joint, told
 
 
 @pytest.fixture
 def robot(tmp_path: Path) -> Robot:
     return Robot(tmp_path)
-
-
-def component(inside: str, attributes: str = 'name="arm" type="system"') -> str:
-    """A part of a robot: one <ros2_control>."""
-    return f"<ros2_control {attributes}>{inside}</ros2_control>"
-
-
-def joint(inside: str, hardware: str = MOCK) -> str:
-    """A component with the joint elbow."""
-    return component(f'{hardware}<joint name="elbow">{inside}</joint>')
-
-
-def hardware(inside: str) -> str:
-    """A component on mock hardware with parameters."""
-    return component(f"<hardware><plugin>mock_components/GenericSystem</plugin>{inside}</hardware>{ELBOW}")
-
-
-def plugin(name: str, attributes: str = 'name="arm" type="system"') -> str:
-    """A component with a plugin."""
-    return component(f"<hardware><plugin>{name}</plugin></hardware>{ELBOW}", attributes)
-
-
-def told(robot: Robot, part: str, distro: str | None = "jazzy", **options: str) -> list[str]:
-    """Severities and codes of what the family finds."""
-    return [found for found in robot.says(part, distro=distro, **options) if " UC3" in found]
 
 
 # -- values of interfaces --------------------------------------------------------------------------------------------
@@ -191,119 +155,6 @@ def test_a_mimic_in_a_parameter_is_what_the_distro_takes_it_for(robot: Robot) ->
     assert "did you mean 'elbow'?" in robot.only("UC341", FINGER + unknown, distro="humble").message
 
 
-# -- plugins and their parameters ------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    ("name", "distro", "expected"),
-    [
-        ("mock_components/GenericSystem", "humble", []),
-        ("mock_components/GenericSystem", "foxy", ["error UC353"]),
-        ("fake_components/GenericSystem", "jazzy", ["error UC353"]),
-        ("fake_components/GenericSystem", None, []),
-        ("mock_components::GenericSystem", "jazzy", ["error UC353"]),
-        ("mock_components/genericsystem", "jazzy", ["error UC353"]),
-        ("mock_components/GenericActuator", "jazzy", ["error UC353"]),
-        ("mock_component/GenericSystem", "jazzy", ["error UC353"]),
-        ('"mock_components/GenericSystem"', "jazzy", ["error UC353"]),
-        ("my_components/GenericSystem", "jazzy", []),
-        ("${plugin}", "jazzy", ["error UC353"]),
-        ("gazebo_ros2_control/GazeboSystem", "jazzy", ["warning UC353"]),
-        ("gazebo_ros2_control/GazeboSystem", "humble", []),
-        ("gz_ros2_control/GzSimSystem", "jazzy", ["warning UC353"]),
-        ("gz_ros2_control/GazeboSimSystem", "galactic", ["warning UC353"]),
-        ("my_robot/MyHardware", None, []),
-    ],
-)
-def test_plugins_are_told_where_the_distro_has_none_of_the_name(
-    robot: Robot, name: str, distro: str | None, expected: list[str]
-) -> None:
-    assert told(robot, plugin(name), distro) == expected
-
-
-def test_a_plugin_s_name_is_mended(robot: Robot) -> None:
-    found = robot.only("UC353", plugin("mock_components::GenericSystem"), distro="jazzy")
-    assert "<plugin>mock_components/GenericSystem</plugin>" in robot.fixed(found)
-
-
-def test_a_plugin_of_another_type_is_an_error_where_no_condition_chose_it(robot: Robot) -> None:
-    sensor = 'name="arm" type="sensor"'
-    assert "error UC354" in told(robot, plugin("mock_components/GenericSystem", sensor))
-    chosen = '<xacro:if value="true"><plugin>mock_components/GenericSystem</plugin></xacro:if>'
-    part = component(f'<hardware>{chosen}</hardware><sensor name="s">{STATE}</sensor>', sensor)
-    assert told(robot, part, name="robot.xacro") == ["warning UC354"]
-
-
-@pytest.mark.parametrize(
-    ("inside", "hardware", "distro", "expected"),
-    [
-        (f'<command_interface name="acceleration"/>{STATE}', MOCK, "jazzy", []),
-        (f'<command_interface name="acceleration"/>{STATE}', GZ, "jazzy", ["error UC355"]),
-        ('<state_interface name="torque"/>', GZ, "jazzy", ["error UC355"]),
-        (f'<command_interface name="position_pid"/>{STATE}', GZ.replace("gz_", "gazebo_"), "humble", ["warning UC353"]),
-        (f'<command_interface name="acceleration"/>{STATE}', GZ, None, ["warning UC355"]),
-    ],
-)
-def test_interfaces_are_told_that_the_simulator_does_not_have(
-    robot: Robot, inside: str, hardware: str, distro: str | None, expected: list[str]
-) -> None:
-    assert told(robot, joint(inside, hardware), distro) == expected
-
-
-@pytest.mark.parametrize(
-    ("parameter", "humble", "jazzy"),
-    [
-        ('<param name="calculate_dynamics">true</param>', [], []),
-        ('<param name="calculate_dynamics">yes</param>', ["warning UC357"], ["error UC357"]),
-        ('<param name="calculate_dynamics"/>', ["warning UC357"], ["error UC357"]),
-        ('<param name="calculate_dynamics"><!-- no -->false</param>', [], []),
-        ('<param name="position_state_following_offset">none</param>', ["warning UC357"], ["error UC357"]),
-        ('<param name="fake_sensor_commands">true</param>', ["warning UC356"], ["warning UC356"]),
-        ('<param name="serial_port">/dev/ttyUSB0</param>', ["warning UC356"], ["warning UC356"]),
-        (
-            '<param name="disable_commands" value="true"/>',
-            ["warning UC357", "warning UC339"],
-            ["error UC357", "warning UC339"],
-        ),
-    ],
-)
-def test_parameters_of_mock_hardware_are_known_and_of_their_types(
-    robot: Robot, parameter: str, humble: list[str], jazzy: list[str]
-) -> None:
-    assert told(robot, hardware(parameter), "humble") == humble
-    assert told(robot, hardware(parameter), "jazzy") == jazzy
-
-
-def test_parameters_of_the_hardware_that_mock_hardware_stands_in_for_may_stay(robot: Robot) -> None:
-    choice = '<xacro:if value="true"><plugin>mock_components/GenericSystem</plugin></xacro:if>'
-    part = component(f'<hardware>{choice}<param name="serial_port">/dev/tty</param></hardware>{ELBOW}')
-    assert told(robot, part, name="robot.xacro") == []
-
-
-def test_of_two_parameters_of_a_name_the_last_counts(robot: Robot) -> None:
-    twice = '<param name="calculate_dynamics">true</param><param name="calculate_dynamics">{}</param>'
-    assert told(robot, hardware(twice.format("false"))) == ["warning UC340"]
-    assert told(robot, hardware(twice.format("true"))) == ["info UC340"]
-
-
-# -- names with blanks -----------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    ("distro", "expected"),
-    [("humble", ["error UC351"]), ("jazzy", ["warning UC351"]), ("rolling", []), (None, ["warning UC351"])],
-)
-def test_blanks_in_a_plugin_belong_to_it_in_old_releases(robot: Robot, distro: str | None, expected: list[str]) -> None:
-    assert told(robot, plugin("\n  mock_components/GenericSystem\n"), distro) == expected
-
-
-def test_blanks_are_taken_out_of_names(robot: Robot) -> None:
-    found = robot.only("UC351", joint('<state_interface name="position "/>'), distro="humble")
-    assert '<state_interface name="position"/>' in robot.fixed(found)
-    broken = robot.only("UC351", plugin("  mock_components/GenericSystem "), distro="humble")
-    assert "<plugin>mock_components/GenericSystem</plugin>" in robot.fixed(broken)
-
-
 # -- transmissions ---------------------------------------------------------------------------------------------------
 
 
@@ -331,35 +182,6 @@ ENDS = '<joint name="elbow" role="joint1">{}</joint><actuator name="motor" role=
 )
 def test_transmissions_are_what_their_loaders_take(robot: Robot, part: str, distro: str, expected: list[str]) -> None:
     assert sorted(told(robot, part, distro)) == sorted(expected)
-
-
-# -- comments --------------------------------------------------------------------------------------------------------
-
-CLASSIC = """
-    <gazebo><plugin filename="libgazebo_ros2_control.so" name="c"><parameters>a.yaml</parameters></plugin></gazebo>
-    <ros2_control name="arm" type="system">
-      <hardware><plugin>gazebo_ros2_control/GazeboSystem</plugin><!-- {} --></hardware>
-      <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
-    </ros2_control>
-"""
-
-
-@pytest.mark.parametrize("comment", ["see http://example.org", "a:b", "issue#1"])
-def test_comments_that_yaml_takes_are_left_alone(robot: Robot, comment: str) -> None:
-    assert told(robot, CLASSIC.format(comment), "humble") == []
-
-
-@pytest.mark.parametrize("comment", ["a: b", "a:\n b", "issue #1"])
-def test_comments_that_break_yaml_are_told_for_gazebo_classic_in_humble(robot: Robot, comment: str) -> None:
-    assert told(robot, CLASSIC.format(comment), "humble") == ["warning UC359"]
-    assert told(robot, CLASSIC.format(comment), "iron") == []
-    assert robot.only("UC359", CLASSIC.format(comment), distro="humble").excerpt.count("<!--") == 1
-
-
-def test_a_component_that_is_misspelt_is_missing(robot: Robot) -> None:
-    part = component(MOCK + ELBOW).replace("ros2_control", "Ros2_control")
-    assert robot.says(part, distro="jazzy") == ["error UC154"]
-    assert robot.says(part) == ["warning UC154"]
 
 
 def test_the_notes_lead_to_the_other_place(robot: Robot) -> None:

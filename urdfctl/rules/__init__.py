@@ -65,7 +65,7 @@ def _is_controlled_by_ros2(project: Project) -> bool:
     robot = project.robot
     if robot is None or not set(ROS2) & set(project.distros):
         return False
-    return bool(robot.ros2_controls or (project.ros == 2 and robot.transmissions))  # noqa: PLR2004 (the generation)
+    return bool(robot.ros2_controls or (project.ros == 2 and (robot.transmissions or robot.plugins)))  # noqa: PLR2004 (the generation)
 
 
 FAMILIES = (

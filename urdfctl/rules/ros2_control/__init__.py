@@ -23,6 +23,7 @@ from urdfctl.rules.ros2_control.component_transmission_unknown import component_
 from urdfctl.rules.ros2_control.component_type_unknown import component_type_unknown
 from urdfctl.rules.ros2_control.component_without_hardware import component_without_hardware
 from urdfctl.rules.ros2_control.component_without_name import component_without_name
+from urdfctl.rules.ros2_control.component_without_parts import component_without_parts
 from urdfctl.rules.ros2_control.component_without_type import component_without_type
 from urdfctl.rules.ros2_control.element_not_read import element_not_read
 from urdfctl.rules.ros2_control.hardware_given_twice import hardware_given_twice
@@ -48,7 +49,10 @@ from urdfctl.rules.ros2_control.limits_without_enable import limits_without_enab
 from urdfctl.rules.ros2_control.mimic_as_parameter import mimic_as_parameter
 from urdfctl.rules.ros2_control.mimic_attribute_without_mimic import mimic_attribute_without_mimic
 from urdfctl.rules.ros2_control.mimic_joint_commanded import mimic_joint_commanded
+from urdfctl.rules.ros2_control.mimic_state_not_mimicked import mimic_state_not_mimicked
 from urdfctl.rules.ros2_control.mimicked_joint_not_in_component import mimicked_joint_not_in_component
+from urdfctl.rules.ros2_control.parameter_empty import parameter_empty
+from urdfctl.rules.ros2_control.parameter_not_expanded import parameter_not_expanded
 from urdfctl.rules.ros2_control.parameter_twice import parameter_twice
 from urdfctl.rules.ros2_control.parameter_without_name import parameter_without_name
 from urdfctl.rules.ros2_control.part_without_interfaces import part_without_interfaces
@@ -56,6 +60,7 @@ from urdfctl.rules.ros2_control.part_without_name import part_without_name
 from urdfctl.rules.ros2_control.ros2_control_not_in_root import ros2_control_not_in_root
 from urdfctl.rules.ros2_control.rw_rate_malformed import rw_rate_malformed
 from urdfctl.rules.ros2_control.sensor_commanded import sensor_commanded
+from urdfctl.rules.ros2_control.simulator_without_component import simulator_without_component
 from urdfctl.rules.ros2_control.thread_priority_malformed import thread_priority_malformed
 from urdfctl.rules.ros2_control.transmission_joint_not_in_component import transmission_joint_not_in_component
 from urdfctl.rules.ros2_control.transmission_name_or_role_missing import transmission_name_or_role_missing
@@ -123,4 +128,9 @@ RULES: tuple[Rule, ...] = (
     hardware_parameter_malformed,
     command_of_other_data_type,
     comment_breaks_parameter,
+    mimic_state_not_mimicked,
+    simulator_without_component,
+    component_without_parts,
+    parameter_not_expanded,
+    parameter_empty,
 )

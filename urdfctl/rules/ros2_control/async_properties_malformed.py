@@ -8,7 +8,15 @@ from collections.abc import Callable, Iterator
 from urdfctl.model.parts import Tag
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, severity_where
-from urdfctl.rules.ros2_control.common import JAZZY, component, components, first_of, is_boolean, is_positive_integer
+from urdfctl.rules.ros2_control.common import (
+    JAZZY,
+    component,
+    components,
+    first_of,
+    is_boolean,
+    is_number,
+    is_positive_integer,
+)
 
 _POLICIES = ("synchronized", "detached")
 
@@ -74,7 +82,9 @@ def _faults(tag: Tag) -> Iterator[tuple[str, str]]:
 
 
 def _is_array(text: str) -> bool:
-    return bool(re.fullmatch(r"\[\s*(-?[0-9]+(\s*,\s*-?[0-9]+)*)?\s*\]", text.strip()))
+    return bool(re.fullmatch(r"\[[^\[\]]*\]", text.strip())) and all(
+        is_number(part) for part in text.strip(" []").split(",")
+    )
 
 
 def _is_policy(text: str) -> bool:

@@ -7,9 +7,8 @@ from collections.abc import Iterator
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import label, severity_where
 from urdfctl.rules.ros2_control.common import JAZZY, called, known_hardware, parts
-from urdfctl.rules.ros2_control.facts import DATA_TYPES
+from urdfctl.rules.ros2_control.facts import DATA_TYPES, MOCK
 
-_MOCK = "mock_components/GenericSystem"
 _MIRRORED = ("position", "velocity", "acceleration", "effort")
 
 
@@ -49,7 +48,7 @@ def command_of_other_data_type(project: Project) -> Iterator[Finding]:
     From jazzy on mock hardware stops at the first read, and is deactivated.
     """
     for control, part in parts(project, "joint"):
-        if not any(each.type == _MOCK for each in known_hardware(project, control)):
+        if not any(each.type == MOCK for each in known_hardware(project, control)):
             continue
         states = {interface.name for interface in part.states}
         for interface in part.commands:

@@ -175,3 +175,11 @@ def mended(text: Text, right: str) -> Fix:
     content = text.at.content.span
     edits = (Edit(content, right),) if content.text == text.past_comments else ()
     return Fix(f"write '{right}'", edits)
+
+
+def side_by_side(project: Project, first: Place, second: Place) -> bool:
+    """Whether two elements stand there both: in a library, where conditions are not decided, none may be between them."""
+    if not project.library:
+        return True
+    between = first.source.data[first.start : second.start]
+    return first.source is second.source and first.start < second.start and b"xacro:" not in between

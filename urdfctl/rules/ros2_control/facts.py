@@ -63,3 +63,5 @@ ATTRIBUTES: dict[str, dict[str, tuple[str, ...]]] = {
     "param": _NAMED,
 }
 """That are read, by the element, with the distros that read them."""
+
+MOCK = "mock_components/GenericSystem"

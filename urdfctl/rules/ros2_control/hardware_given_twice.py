@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.ros2_control.common import component, components
+from urdfctl.rules.ros2_control.common import component, components, side_by_side
 
 
 @rule(
@@ -15,7 +15,6 @@ from urdfctl.rules.ros2_control.common import component, components
     distros=ROS2,
     authority="ros2_control hardware_interface/src/component_parser.cpp reads the first <plugin>, and lets a later "
     "<hardware> take the place of an earlier one",
-    in_library=False,
     bad={
         "robot.urdf": """
             <ros2_control name="arm" type="system">
@@ -46,10 +45,11 @@ def hardware_given_twice(project: Project) -> Iterator[Finding]:
     """
     for control in components(project):
         for before, hardware in zip(control.hardware, control.hardware[1:], strict=False):
-            message = f"{component(control)} has a second <hardware>, which takes the place of the first"
-            yield Finding(hardware.at, message, (Note("this one counts for nothing", before.at),))
+            if side_by_side(project, before.at, hardware.at):
+                message = f"{component(control)} has a second <hardware>, which takes the place of the first"
+                yield Finding(hardware.at, message, (Note("this one counts for nothing", before.at),))
         for hardware in control.hardware:
-            for plugin in hardware.plugins[1:]:
-                first = hardware.plugins[0]
-                message = f"'{plugin.past_comments}' is not loaded: '{first.past_comments}' stands before it"
-                yield Finding(plugin.at, message, (Note("this one is loaded", first.at),))
+            for first, plugin in zip(hardware.plugins, hardware.plugins[1:], strict=False):
+                if side_by_side(project, first.at, plugin.at):
+                    message = f"'{plugin.past_comments}' is not loaded: '{first.past_comments}' stands before it"
+                    yield Finding(plugin.at, message, (Note("this one is before it", first.at),))

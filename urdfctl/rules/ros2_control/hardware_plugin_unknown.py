@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.catalog.distros import in_words as in_distros
@@ -56,22 +56,18 @@ def hardware_plugin_unknown(project: Project) -> Iterator[Finding]:
         for hardware in control.hardware[-1:]:
             for plugin in hardware.plugins[:1]:
                 name = plugin.past_comments
-                fault = _fault(project, name) if name and is_known(name) else None
-                if fault is None:
-                    continue
-                meant, reason, severity = fault
-                fix = mended(plugin, meant) if meant else None
-                yield Finding(plugin.at, f"{reason} in {component(control)}{_hint(meant)}", fix=fix, severity=severity)
+                fault = _fault(project, name, component(control)) if name and is_known(name) else None
+                if fault is not None:
+                    meant, message, severity = fault
+                    hint = f"; did you mean '{meant}'?" if meant else ""
+                    fix = mended(plugin, meant) if meant else None
+                    yield Finding(plugin.at, message + hint, fix=fix, severity=severity)
 
 
 Fault = tuple[str | None, str, Severity]
 
 
-def _hint(meant: str | None) -> str:
-    return f"; did you mean '{meant}'?" if meant else ""
-
-
-def _fault(project: Project, name: str) -> Fault | None:
+def _fault(project: Project, name: str, owner: str) -> Fault | None:
     """What is most likely meant, what is wrong, and how bad it is; None where nothing is known to be."""
     distros = [distro for distro in project.distros if distro in ROS2]
     having = {distro for distro in ROS2 if project.catalog.hardware(name, distro)}
@@ -80,21 +76,34 @@ def _fault(project: Project, name: str) -> Fault | None:
     if having:
         meant = project.catalog.hardware_replacement(name, distros[-1])
         severity = Severity.ERROR if name.startswith(_CORE) else Severity.WARNING
-        return meant, f"the plugin '{name}' is not in {in_distros(distros)}, but in {in_distros(having)}", severity
+        return (
+            meant,
+            f"the plugin '{name}' of {owner} is not in {in_distros(distros)}, but in {in_distros(having)}",
+            severity,
+        )
     if "${" in name or "$(" in name:
-        return None, f"'{name}' is a xacro expression that nothing expands, and names no plugin", Severity.ERROR
+        return None, f"the plugin of {owner} is '{name}', a xacro expression that nothing expands", Severity.ERROR
     known = {each for distro in distros for each in project.catalog.known_hardware(distro)}
-    same = {folded(each): each for each in known}.get(folded(name))
+    same = {folded(each): each for each in known}.get(folded(name)) or _of_whole(name, known)
     if same is not None:
-        return same, f"unknown plugin '{name}'", Severity.ERROR
+        return same, f"unknown plugin '{name}' of {owner}", Severity.ERROR
     package = re.split("/|::", name)[0]
     of_package = [each for each in known if re.split("/|::", each)[0] == package]
     if of_package and package in _WHOLE:
         severity = Severity.ERROR if name.startswith(_CORE) else Severity.WARNING
-        return nearest(name, of_package) or of_package[0], f"'{package}' has no plugin '{name}'", severity
+        return (
+            nearest(name, of_package) or of_package[0],
+            f"unknown plugin '{name}' of {owner}: its package has none of that name",
+            severity,
+        )
     near = next((each for each in sorted(known) if _is_slip(name, each)), None)
     severity = Severity.ERROR if near and near.startswith(_WHOLE) else Severity.WARNING
-    return (near, f"unknown plugin '{name}'", severity) if near else None
+    return (near, f"unknown plugin '{name}' of {owner}", severity) if near else None
+
+
+def _of_whole(name: str, known: Iterable[str]) -> str | None:
+    """The plugin whose package a name leaves out."""
+    return next((each for each in sorted(known) if each.startswith(_WHOLE) and each.endswith("/" + name)), None)
 
 
 def _is_slip(name: str, other: str) -> bool:

@@ -8,7 +8,7 @@ from urdfctl.catalog.distros import ROS2
 from urdfctl.model.ros2_control import Interface
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known, label
-from urdfctl.rules.ros2_control.common import called, parts
+from urdfctl.rules.ros2_control.common import called, parts, side_by_side
 
 
 @rule(
@@ -16,7 +16,6 @@ from urdfctl.rules.ros2_control.common import called, parts
     severity=Severity.WARNING,
     distros=ROS2,
     authority="measured with jazzy's controller manager, which takes the second without a word",
-    in_library=False,
     bad={
         "robot.urdf": """
             <ros2_control name="arm" type="system">
@@ -52,6 +51,6 @@ def interface_twice(project: Project) -> Iterator[Finding]:
         for interface in part.interfaces:
             name = (interface.name or "").strip()
             before = first.setdefault((interface.kind, name), interface)
-            if before is not interface and name and is_known(name):
+            if before is not interface and name and is_known(name) and side_by_side(project, before.at, interface.at):
                 message = f"{label(part.kind, part.name)} already has a {called(before)}"
                 yield Finding(interface.at["name"], message, (Note("it is here", before.at["name"]),))

@@ -8,7 +8,7 @@ from urdfctl.catalog.distros import ROS2
 from urdfctl.model.ros2_control import Parameter
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known
-from urdfctl.rules.ros2_control.common import parameters
+from urdfctl.rules.ros2_control.common import parameters, side_by_side
 
 
 @rule(
@@ -17,7 +17,6 @@ from urdfctl.rules.ros2_control.common import parameters
     distros=ROS2,
     authority="ros2_control hardware_interface/src/component_parser.cpp parse_parameters_from_xml(): a later "
     "parameter of a name takes the earlier one's place",
-    in_library=False,
     bad={
         "robot.urdf": """
             <ros2_control name="arm" type="system">
@@ -54,7 +53,7 @@ def parameter_twice(project: Project) -> Iterator[Finding]:
             if name is None or not is_known(name):
                 continue
             before = first.setdefault(name, parameter)
-            if before is not parameter:
+            if before is not parameter and side_by_side(project, before.at, parameter.at):
                 same = (
                     ", with the same value" if before.value == parameter.value else f", and '{parameter.value}' counts"
                 )

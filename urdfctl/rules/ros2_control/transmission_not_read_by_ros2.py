@@ -54,9 +54,9 @@ def transmission_not_read_by_ros2(project: Project) -> Iterator[Finding]:
     mimics = {joint.name for joint in robot.joints if joint.mimic}
     read = [transmission for transmission in robot.transmissions if not transmission.is_pr2]
     for transmission in read[:1]:
-        more = f" and {len(read) - 1} more are" if len(read) > 1 else " is"
+        more, their = (f" and {len(read) - 1} more are", "their") if len(read) > 1 else (" is", "its")
         missing = [joint for each in read for joint in each.joints if joint.name and joint.name not in there | mimics]
-        message = f"{transmission.label}{more} not read by ROS 2, which has <ros2_control> in their place"
+        message = f"{transmission.label}{more} not read by ROS 2, which has <ros2_control> in {their} place"
         if missing:
             message += f": {label('joint', missing[0].name)} is in none"
         joints = [(joint.name, [text.value for text in joint.interfaces]) for joint in missing[:1]]

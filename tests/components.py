@@ -1,0 +1,32 @@
+"""Components of the small arm, written as `<ros2_control>` tags, and what the family of rules on them says."""
+
+from __future__ import annotations
+
+from arm import Robot
+
+MOCK = "<hardware><plugin>mock_components/GenericSystem</plugin></hardware>"
+GZ = "<hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>"
+ELBOW = '<joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>'
+STATE = '<state_interface name="position"/>'
+FINGER = """
+    <link name="finger"/>
+    <joint name="grip" type="prismatic">
+      <parent link="fore"/><child link="finger"/><limit lower="0" upper="1" effort="1" velocity="1"/>
+    </joint>
+"""
+MIMIC = FINGER.replace("</joint>", '<mimic joint="elbow"/></joint>')
+
+
+def component(inside: str = MOCK + ELBOW, attributes: str = 'name="arm" type="system"') -> str:
+    """A part of a robot: one <ros2_control>."""
+    return f"<ros2_control {attributes}>{inside}</ros2_control>"
+
+
+def joint(inside: str, attributes: str = "", hardware: str = MOCK) -> str:
+    """A component with the joint elbow."""
+    return component(f'{hardware}<joint name="elbow"{attributes}>{inside}</joint>')
+
+
+def told(robot: Robot, part: str, distro: str | None = "jazzy", **options: str) -> list[str]:
+    """Severities and codes of what the family finds."""
+    return [found for found in robot.says(part, distro=distro, **options) if " UC3" in found]

@@ -1,0 +1,48 @@
+"""UC362."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS2
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.ros2_control.common import component, components, is_conditional, lacks
+
+
+@rule(
+    "UC362",
+    severity=Severity.WARNING,
+    distros=ROS2,
+    authority='ros2_control hardware_interface/src/resource_manager.cpp: "Importing state interfaces for the '
+    "hardware 'arm' returned no state interfaces.\"",
+    bad={
+        "robot.urdf": """
+            «<ros2_control name="arm" type="system">»
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+            </ros2_control>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="elbow">
+                <command_interface name="position"/>
+                <state_interface name="position"/>
+              </joint>
+            </ros2_control>
+        """,
+    },
+)
+def component_without_parts(project: Project) -> Iterator[Finding]:
+    """A component has no joint, sensor or gpio.
+
+    Nothing can be read from it or commanded: controllers do not find the interfaces that they ask for.
+    """
+    for control in components(project):
+        if control.parts or any(each.is_ros1 for each in control.transmissions) or not lacks(project, control.tag):
+            continue
+        severity = Severity.INFO if is_conditional(control.at) else Severity.WARNING
+        yield Finding(
+            control.at, f"{component(control)} has no <joint>, <sensor> or <gpio>, and no interface", severity=severity
+        )
