@@ -22,3 +22,14 @@ def did_you_mean(name: str, known: Iterable[str]) -> str:
     """`"; did you mean 'x'?"`, or nothing, to be put behind a message."""
     found = nearest(name, known)
     return f"; did you mean '{found}'?" if found else ""
+
+
+def is_slip(name: str, other: str) -> bool:
+    """Whether one letter is missing, too many, wrong, or two have changed places."""
+    short, long = sorted((name, other), key=len)
+    if len(long) - len(short) > 1 or short == long:
+        return False
+    start = next((i for i, (a, b) in enumerate(zip(short, long, strict=False)) if a != b), len(short))
+    tail, rest = short[start:], long[start:]
+    swapped = len(rest) > 1 and len(tail) == len(rest) and tail == rest[1] + rest[0] + rest[2:]
+    return rest[1:] in (tail, tail[1:]) or swapped

@@ -98,7 +98,9 @@ class Catalog:
 
     def distros_of_library(self, filename: str) -> tuple[str, ...]:
         """The distros of both generations that have a simulator plugin; none where it is not known at all."""
-        return tuple(distro for distro in ALL if self.simulator_plugin(filename, distro))
+        from urdfctl.catalog.hardware import library_of
+
+        return _distros_of_library(library_of(filename))
 
     def transmission(self, name: str, distro: str) -> TransmissionType | None:
         """A type of transmission as a distro has it; None where it has it not."""
@@ -208,6 +210,11 @@ def _simulator_plugin(library: str, distro: str) -> SimulatorPlugin | None:
             own = in_distro(entry, distro)
             return simulator_plugin(own, distro) if own else None
     return None
+
+
+@cache
+def _distros_of_library(library: str) -> tuple[str, ...]:
+    return tuple(distro for distro in ALL if _simulator_plugin(library, distro))
 
 
 @cache

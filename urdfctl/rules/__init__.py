@@ -53,6 +53,12 @@ def _controllers() -> Rules:
     return RULES
 
 
+def _simulation() -> Rules:
+    from urdfctl.rules.simulation import RULES
+
+    return RULES
+
+
 def _has_transmissions(project: Project) -> bool:
     robot = project.robot
     if robot is None or not set(ROS1) & set(project.distros):
@@ -68,12 +74,18 @@ def _is_controlled_by_ros2(project: Project) -> bool:
     return bool(robot.ros2_controls or (project.ros == 2 and (robot.transmissions or robot.plugins)))  # noqa: PLR2004 (the generation)
 
 
+def _loads_plugins(project: Project) -> bool:
+    robot = project.robot
+    return robot is not None and project.may_be_simulated and bool(robot.gazebos or robot.ros2_controls)
+
+
 FAMILIES = (
     Family("UC0", _reading, lambda project: bool(project.problems)),
     Family("UC1", _urdf, lambda project: project.robot is not None),
     Family("UC2", _transmissions, _has_transmissions),
     Family("UC3", _ros2_control, _is_controlled_by_ros2),
     Family("UC4", _controllers, lambda project: project.controllers is not None),
+    Family("UC5", _simulation, _loads_plugins),
 )
 
 

@@ -7,10 +7,11 @@ from collections.abc import Callable, Iterable
 from functools import wraps
 from typing import TypeVar
 
+from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Robot
 from urdfctl.rule import Edit, Fix, Project, Severity
 from urdfctl.source.opaque import UNKNOWN
-from urdfctl.source.span import Place
+from urdfctl.source.span import Place, SourceSpan
 from urdfctl.suggest import nearest
 
 _MOST_COMPARED = 20
@@ -108,6 +109,13 @@ def replaced(at: Place, old: str, new: str, *, safe: bool = False, title: str | 
     """The repair that writes `new` for `old`; for a person to make where the source does not say `old` literally."""
     edits = (Edit(at.span, new),) if at.span.text == old else ()
     return Fix(title or f"write '{new}'", edits, safe and bool(edits))
+
+
+def renamed(tag: Tag, name: str) -> tuple[Edit, ...]:
+    """The edits that give an element another name."""
+    at, length = tag.at, len(tag.name.encode())
+    starts = [at.start + len("<"), *([at.closing + len("</")] if at.closing is not None else [])]
+    return tuple(Edit(SourceSpan(at.source, start, start + length), name) for start in starts)
 
 
 def in_words(names: Iterable[str], most: int = 5) -> str:

@@ -132,13 +132,6 @@ def inserted(at: Place, element: str) -> tuple[Edit, ...]:
     return (Edit(SourceSpan(at.source, tag.end, tag.end), blanks + element),)
 
 
-def renamed(tag: Tag, name: str) -> tuple[Edit, ...]:
-    """The edits that give an element another name."""
-    at, length = tag.at, len(tag.name.encode())
-    starts = [at.start + len("<"), *([at.closing + len("</")] if at.closing is not None else [])]
-    return tuple(Edit(SourceSpan(at.source, start, start + length), name) for start in starts)
-
-
 def in_place_of_name(at: Place, name: str, right: str) -> tuple[Edit, ...]:
     """The edit that replaces an element's name; none where the source does not write it literally."""
     span = at["name"].span

@@ -1,0 +1,63 @@
+"""UC506."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS2
+from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
+from urdfctl.rules.simulation.common import IN_GAZEBO, components, control_plugins, simulator_of
+
+
+@rule(
+    "UC506",
+    severity=Severity.ERROR,
+    distros=ROS2,
+    authority="gz_ros2_control src/gz_ros2_control_plugin.cpp and gazebo_ros2_control src/gazebo_ros2_control_plugin.cpp:"
+    " 'The plugin failed to load for some reason. Error: According to the loaded plugin descriptions the class "
+    "gazebo_ros2_control/GazeboSystem ... does not exist'",
+    bad={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware>«<plugin>»gazebo_ros2_control/GazeboSystem</plugin></hardware>
+              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+            </ros2_control>
+            <gazebo>
+              <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
+                <parameters>/opt/arm/controllers.yaml</parameters>
+              </plugin>
+            </gazebo>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
+              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+            </ros2_control>
+            <gazebo>
+              <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
+                <parameters>/opt/arm/controllers.yaml</parameters>
+              </plugin>
+            </gazebo>
+        """,
+    },
+)
+def hardware_of_other_simulator(project: Project) -> Iterator[Finding]:
+    """A component's hardware is of another Gazebo than the plugin that is to load it.
+
+    Gazebo Classic's plugin loads gazebo_ros2_control/GazeboSystem and its like, that of gz
+    gz_ros2_control/GazeboSimSystem; neither finds the other's, and the joints have no interfaces.
+    """
+    hosts = control_plugins(project)
+    for control in components(project):
+        simulator = simulator_of(project, control)
+        if not hosts or simulator not in IN_GAZEBO or any(one.simulator == simulator for one in hosts):
+            continue
+        host = hosts[0]
+        right = host.any.default_hardware if host.any else None
+        message = f"'{control.plugin}' is for {IN_GAZEBO[simulator]}, and '{host.filename}' is the plugin of "
+        message += IN_GAZEBO.get(host.simulator or "", "another simulator")
+        notes = (Note("the plugin stands here", host.plugin.at),)
+        at = control.hardware[-1].plugins[0].at
+        yield Finding(at, message, notes, Fix(f"write <plugin>{right}</plugin>") if right else None)

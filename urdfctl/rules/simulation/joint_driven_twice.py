@@ -1,0 +1,79 @@
+"""UC519."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rules.common import is_known, robot_in
+from urdfctl.rules.simulation.common import components, control_plugins, loaded, named_joints
+from urdfctl.source.span import Place
+
+
+@rule(
+    "UC519",
+    severity=Severity.WARNING,
+    in_library=False,
+    authority="gazebo_plugins gazebo_ros_diff_drive.cpp sets each wheel's velocity and force in every step, and "
+    "gazebo_ros_control's DefaultRobotHWSim::writeSim writes to the same joint",
+    bad={
+        "robot.urdf": """
+            <transmission name="elbow_trans">
+              <type>transmission_interface/SimpleTransmission</type>
+              <joint name="elbow">
+                <hardwareInterface>hardware_interface/VelocityJointInterface</hardwareInterface>
+              </joint>
+              <actuator name="elbow_motor">
+                <mechanicalReduction>1</mechanicalReduction>
+              </actuator>
+            </transmission>
+            <gazebo>
+              <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so"/>
+              <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
+                <leftJoint>shoulder</leftJoint>
+                <rightJoint>«elbow»</rightJoint>
+                <wheelSeparation>0.3</wheelSeparation>
+                <wheelDiameter>0.1</wheelDiameter>
+              </plugin>
+            </gazebo>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <gazebo>
+              <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
+                <leftJoint>shoulder</leftJoint>
+                <rightJoint>elbow</rightJoint>
+                <wheelSeparation>0.3</wheelSeparation>
+                <wheelDiameter>0.1</wheelDiameter>
+              </plugin>
+            </gazebo>
+        """,
+    },
+)
+def joint_driven_twice(project: Project) -> Iterator[Finding]:
+    """Two things drive one joint: a drive plugin and ros_control, or two drive plugins.
+
+    Each writes its command in every step, and the joint obeys whichever comes last, or jerks between the two.
+    """
+    driven = dict(_controlled(project))
+    for one in loaded(project):
+        for name, place in named_joints(one) if one.moves_joints else ():
+            first = driven.setdefault(name, ("another plugin", place))
+            if first[1] is not place and is_known(name):
+                message = f"joint '{name}' is driven by '{one.filename}' and by {first[0]}: one of them must go"
+                yield Finding(place, message, (Note(f"{first[0]} drives it here", first[1]),))
+
+
+def _controlled(project: Project) -> Iterator[tuple[str, tuple[str, Place]]]:
+    """The joints that ros_control or ros2_control commands in the simulator: by what, and where."""
+    robot = robot_in(project)
+    if robot is None or not control_plugins(project):
+        return
+    for transmission in robot.transmissions if project.ros == 1 else ():
+        for joint in transmission.kept_joints:
+            yield joint.name or "", (transmission.label, joint.at["name"])
+    for control in components(project):
+        for part in control.of_kind("joint"):
+            if part.commands:
+                yield part.name or "", (f"component '{control.name}'", part.at["name"])

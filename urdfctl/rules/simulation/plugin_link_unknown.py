@@ -1,0 +1,65 @@
+"""UC516."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.common import Names, is_known, replaced, robot_in
+from urdfctl.rules.simulation.common import loaded
+
+
+@rule(
+    "UC516",
+    severity=Severity.WARNING,
+    whole_robot=True,
+    in_library=False,
+    authority="gazebo_plugins gazebo_ros_p3d.cpp: 'bodyName: forearm does not exist'; gazebo_ros_force.cpp: 'link named: "
+    "forearm does not exist'",
+    bad={
+        "robot.urdf": """
+            <gazebo>
+              <plugin name="pose" filename="libgazebo_ros_p3d.so">
+                <bodyName>«forearm»</bodyName>
+                <topicName>pose</topicName>
+              </plugin>
+            </gazebo>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <gazebo>
+              <plugin name="pose" filename="libgazebo_ros_p3d.so">
+                <bodyName>fore</bodyName>
+                <topicName>pose</topicName>
+              </plugin>
+            </gazebo>
+        """,
+    },
+)
+def plugin_link_unknown(project: Project) -> Iterator[Finding]:
+    """A plugin names a link that the robot does not have.
+
+    It does not start. The frame that a drive's odometry is told for may be any, and is not judged.
+    """
+    robot = robot_in(project)
+    if robot is None:
+        return
+    names = Names(link.name for link in robot.links)
+    for one in loaded(project):
+        children = one.children
+        for setting, tag in one.settings():
+            child = children.get(setting)
+            name = tag.text
+            if child is None or child.names != "link" or setting in _FRAMES or not name or not is_known(name):
+                continue
+            if name in names or "::" in name or name == "world":
+                continue
+            meant = names.meant_by(name)
+            hint = f"; did you mean '{meant}'?" if meant else ""
+            at = tag.at.content
+            message = f"'{one.filename}' names link '{name}', which the robot does not have{hint}"
+            yield Finding(at, message, fix=replaced(at, name, meant) if meant else None)
+
+
+_FRAMES = {"robotBaseFrame", "robot_base_frame"}

@@ -1,0 +1,74 @@
+"""UC514."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.hardware import PluginChild
+from urdfctl.model.parts import Tag
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.common import in_words, is_known
+from urdfctl.rules.simulation.common import is_written_empty, loaded, number
+
+
+@rule(
+    "UC514",
+    severity=Severity.WARNING,
+    authority="sdformat src/Param.cc: 'Invalid argument. Unable to set value', 'Unable to convert parameter[...] whose type is "
+    "string, to type double'",
+    bad={
+        "robot.urdf": """
+            <gazebo>
+              <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
+                <leftJoint>shoulder</leftJoint>
+                <rightJoint>elbow</rightJoint>
+                <wheelSeparation>0.3</wheelSeparation>
+                <wheelDiameter>0.1</wheelDiameter>
+                «<updateRate>»fast</updateRate>
+              </plugin>
+            </gazebo>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <gazebo>
+              <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
+                <leftJoint>shoulder</leftJoint>
+                <rightJoint>elbow</rightJoint>
+                <wheelSeparation>0.3</wheelSeparation>
+                <wheelDiameter>0.1</wheelDiameter>
+                <updateRate>50</updateRate>
+              </plugin>
+            </gazebo>
+        """,
+    },
+)
+def plugin_setting_malformed(project: Project) -> Iterator[Finding]:
+    """A plugin's setting is not what the plugin reads there: no number, neither true nor false, none of the choices.
+
+    Gazebo prints a line among many, and the plugin takes 0, false or its default in its place.
+    """
+    for one in loaded(project):
+        children = one.children
+        for name, tag in one.settings():
+            child = children.get(name)
+            problem = _problem(child, tag) if child and is_known(tag.text) else None
+            if problem and (tag.text or is_written_empty(tag)):
+                yield Finding(tag.at, f"<{name.removeprefix('ros/')}> of '{one.filename}' {problem}")
+
+
+def _problem(child: PluginChild, tag: Tag) -> str | None:
+    text = tag.text
+    if not text and child.type in ("double", "int", "bool"):
+        return f"is empty; {_WANTED[child.type]} must stand there"
+    choices = child.validators.get("one_of")
+    if isinstance(choices, list) and text not in [str(choice) for choice in choices]:
+        return f"is '{text}', and may only be {in_words(str(choice) for choice in choices).replace(' and ', ' or ')}"
+    if child.type in ("double", "int") and number(text) is None:
+        return f"is '{text}', and must be {_WANTED[child.type]}"
+    if child.type == "bool" and text.lower() not in ("true", "false", "1", "0"):
+        return f"is '{text}', and must be {_WANTED['bool']}"
+    return None
+
+
+_WANTED = {"double": "a number", "int": "an integer", "bool": "true or false"}

@@ -1,0 +1,45 @@
+"""UC501."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.common import label
+from urdfctl.rules.simulation.common import loaded
+
+
+@rule(
+    "UC501",
+    severity=Severity.ERROR,
+    authority="sdformat src/Element.cc: 'Required attribute[filename] in element[plugin] is not specified in SDF.'",
+    bad={
+        "robot.urdf": """
+            <gazebo>
+              «<plugin name="gazebo_ros_control">»
+                <robotNamespace>/arm</robotNamespace>
+              </plugin>
+            </gazebo>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <gazebo>
+              <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
+                <robotNamespace>/arm</robotNamespace>
+              </plugin>
+            </gazebo>
+        """,
+    },
+)
+def plugin_without_filename(project: Project) -> Iterator[Finding]:
+    """A plugin of Gazebo names no library.
+
+    Gazebo loads a library by its file name; without one the plugin is not loaded, or the whole model refused.
+    """
+    for one in loaded(project):
+        plugin = one.plugin
+        if not (plugin.filename or "").strip():
+            empty = "filename" in plugin.tag.attributes
+            told = "an empty filename" if empty else "no filename"
+            yield Finding(plugin.at, f"{label('plugin', plugin.name)} has {told}, so that Gazebo has nothing to load")
