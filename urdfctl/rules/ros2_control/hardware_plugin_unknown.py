@@ -10,7 +10,7 @@ from urdfctl.catalog.distros import in_words as in_distros
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known
 from urdfctl.rules.ros2_control.common import component, components, folded, mended
-from urdfctl.suggest import nearest
+from urdfctl.suggest import is_slip, nearest
 
 _CORE = ("mock_components", "fake_components")
 """Packages that come with ros2_control."""
@@ -96,7 +96,7 @@ def _fault(project: Project, name: str, owner: str) -> Fault | None:
             f"unknown plugin '{name}' of {owner}: its package has none of that name",
             severity,
         )
-    near = next((each for each in sorted(known) if _is_slip(name, each)), None)
+    near = next((each for each in sorted(known) if is_slip(name, each)), None)
     severity = Severity.ERROR if near and near.startswith(_WHOLE) else Severity.WARNING
     return (near, f"unknown plugin '{name}' of {owner}", severity) if near else None
 
@@ -104,14 +104,3 @@ def _fault(project: Project, name: str, owner: str) -> Fault | None:
 def _of_whole(name: str, known: Iterable[str]) -> str | None:
     """The plugin whose package a name leaves out."""
     return next((each for each in sorted(known) if each.startswith(_WHOLE) and each.endswith("/" + name)), None)
-
-
-def _is_slip(name: str, other: str) -> bool:
-    """Whether one letter is missing, too many, wrong, or two have changed places."""
-    short, long = sorted((name, other), key=len)
-    if len(long) - len(short) > 1 or short == long:
-        return False
-    start = next((i for i, (a, b) in enumerate(zip(short, long, strict=False)) if a != b), len(short))
-    tail, rest = short[start:], long[start:]
-    swapped = len(rest) > 1 and len(tail) == len(rest) and tail == rest[1] + rest[0] + rest[2:]
-    return rest[1:] in (tail, tail[1:]) or swapped

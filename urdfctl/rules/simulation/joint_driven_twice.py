@@ -71,7 +71,7 @@ def _controlled(project: Project) -> Iterator[tuple[str, tuple[str, Place]]]:
     if robot is None or not control_plugins(project):
         return
     for transmission in robot.transmissions if project.ros == 1 else ():
-        for joint in transmission.kept_joints:
+        for joint in transmission.joints:
             yield joint.name or "", (transmission.label, joint.at["name"])
     for control in components(project):
         for part in control.of_kind("joint"):
