@@ -38,6 +38,11 @@ from urdfctl.suggest import did_you_mean
                 <state_interface name="position"/>
               </joint>
             </ros2_control>
+            <gazebo>
+              <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
+                <parameters>/opt/arm/controllers.yaml</parameters>
+              </plugin>
+            </gazebo>
         """,
     },
 )

@@ -24,7 +24,7 @@ _PLUGINS = ("gazebo_ros2_control", "gz_ros2_control", "ign_ros2_control")
         "robot.urdf": """
             <gazebo>
               «<plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">»
-                <parameters>controllers.yaml</parameters>
+                <parameters>/opt/arm/controllers.yaml</parameters>
               </plugin>
             </gazebo>
         """,
@@ -33,7 +33,7 @@ _PLUGINS = ("gazebo_ros2_control", "gz_ros2_control", "ign_ros2_control")
         "robot.urdf": """
             <gazebo>
               <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
-                <parameters>controllers.yaml</parameters>
+                <parameters>/opt/arm/controllers.yaml</parameters>
               </plugin>
             </gazebo>
             <ros2_control name="arm" type="system">
