@@ -97,7 +97,7 @@ def test_a_limit_s_name_is_mended(robot: Robot, name: str, meant: str) -> None:
         (joint(""), ["warning UC335"]),
         (joint('<param name="id">3</param>'), []),
         (component(f'{MOCK}{ELBOW}<gpio name="io"/>'), ["warning UC335"]),
-        (component(f'<hardware><plugin>my/Driver</plugin></hardware>{ELBOW}<gpio name="io"/>'), ["info UC335"]),
+        (component(f'<hardware><plugin>my/Driver</plugin></hardware>{ELBOW}<gpio name="io"/>'), []),
         (MIMIC + component(f'{MOCK}{ELBOW}<joint name="grip"/>'), []),
         (joint(STATE + STATE), ["warning UC336"]),
         (component(MOCK + ELBOW + ELBOW), ["warning UC337"]),

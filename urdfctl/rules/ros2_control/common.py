@@ -24,7 +24,7 @@ OLD = until("iron")
 """Those whose parser reads the tag alone."""
 
 _NUMBER = r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?"
-_CONDITION = re.compile(rb"<xacro:(if|unless)\b")
+_CONDITION = rb"<xacro:(if|unless)\b"
 
 
 def components(project: Project) -> tuple[Ros2Control, ...]:
@@ -83,7 +83,7 @@ def lacks(project: Project, tag: Tag) -> bool:
 
 def is_conditional(at: Place) -> bool:
     """Whether conditions decide on what stands in an element, so that other arguments make another one of it."""
-    return at.closing is not None and bool(_CONDITION.search(at.source.data, at.start, at.closing))
+    return at.closing is not None and bool(re.search(_CONDITION, at.source.data[at.start : at.closing]))
 
 
 def is_boolean(text: str) -> bool:

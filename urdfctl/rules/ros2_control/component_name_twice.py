@@ -56,4 +56,5 @@ def component_name_twice(project: Project) -> Iterator[Finding]:
         before = first.setdefault(name, control)
         if before is not control:
             message = f"there is already a component '{name}'; each <ros2_control> has a name of its own"
-            yield Finding(control.at["name"], message, (Note("it is here", before.at["name"]),))
+            severity = Severity.WARNING if project.distro == "galactic" else Severity.ERROR
+            yield Finding(control.at["name"], message, (Note("it is here", before.at["name"]),), severity=severity)

@@ -9,7 +9,7 @@ from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, replaced, severity_where
 from urdfctl.rules.ros2_control.common import JAZZY, components
 
-_NODE_NAME = re.compile(r"[A-Za-z_/][A-Za-z0-9_/]*")
+_NODE_NAME = r"[A-Za-z_/][A-Za-z0-9_/]*"
 _LONGEST = 255
 
 
@@ -45,7 +45,11 @@ def component_name_unusable(project: Project) -> Iterator[Finding]:
     """
     for control in components(project):
         name = control.name
-        if name is None or not is_known(name) or (_NODE_NAME.fullmatch(name.strip()) and len(name.strip()) <= _LONGEST):
+        if (
+            name is None
+            or not is_known(name)
+            or (re.fullmatch(_NODE_NAME, name.strip()) and len(name.strip()) <= _LONGEST)
+        ):
             continue
         at, right = control.at["name"], _mended(name)
         what = f"'{name}' cannot name a component"
@@ -62,4 +66,4 @@ def component_name_unusable(project: Project) -> Iterator[Finding]:
 
 def _mended(name: str) -> str | None:
     right = re.sub(r"[^A-Za-z0-9_/]+", "_", name.strip()).strip("_")[:_LONGEST]
-    return right if _NODE_NAME.fullmatch(right) and "$" not in name else None
+    return right if re.fullmatch(_NODE_NAME, right) and "$" not in name else None

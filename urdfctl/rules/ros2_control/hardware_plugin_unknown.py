@@ -10,7 +10,7 @@ from urdfctl.catalog.distros import in_words as in_distros
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known
 from urdfctl.rules.ros2_control.common import component, components, folded, mended
-from urdfctl.suggest import is_slip, nearest
+from urdfctl.suggest import is_slip
 
 _CORE = ("mock_components", "fake_components")
 """Packages that come with ros2_control."""
@@ -59,9 +59,8 @@ def hardware_plugin_unknown(project: Project) -> Iterator[Finding]:
                 fault = _fault(project, name, component(control)) if name and is_known(name) else None
                 if fault is not None:
                     meant, message, severity = fault
-                    hint = f"; did you mean '{meant}'?" if meant else ""
                     fix = mended(plugin, meant) if meant else None
-                    yield Finding(plugin.at, message + hint, fix=fix, severity=severity)
+                    yield Finding(plugin.at, message, fix=fix, severity=severity)
 
 
 Fault = tuple[str | None, str, Severity]
@@ -70,35 +69,36 @@ Fault = tuple[str | None, str, Severity]
 def _fault(project: Project, name: str, owner: str) -> Fault | None:
     """What is most likely meant, what is wrong, and how bad it is; None where nothing is known to be."""
     distros = [distro for distro in project.distros if distro in ROS2]
-    having = {distro for distro in ROS2 if project.catalog.hardware(name, distro)}
-    if having & set(distros):
+    having = {distro: found for distro in ROS2 if (found := project.catalog.hardware(name, distro))}
+    if not having:
+        return _slip(project, name, owner)
+    if having.keys() & set(distros):
         return None
-    if having:
-        meant = project.catalog.hardware_replacement(name, distros[-1])
-        severity = Severity.ERROR if name.startswith(_CORE) else Severity.WARNING
-        return (
-            meant,
-            f"the plugin '{name}' of {owner} is not in {in_distros(distros)}, but in {in_distros(having)}",
-            severity,
-        )
+    meant = project.catalog.hardware_replacement(name, distros[-1])
+    hint = f"; use '{meant}'" if meant else ""
+    # when real robots' drivers were released is known from their branches alone
+    simulated = any(found.simulator for found in having.values())
+    severity = Severity.ERROR if name.startswith(_CORE) else Severity.WARNING if simulated else Severity.INFO
+    where = f"is not in {in_distros(distros)}, but in {in_distros(having)}"
+    return meant, f"the plugin '{name}' of {owner} {where}{hint}", severity
+
+
+def _slip(project: Project, name: str, owner: str) -> Fault | None:
+    """The same for a name that no distro knows."""
     if "${" in name or "$(" in name:
         return None, f"the plugin of {owner} is '{name}', a xacro expression that nothing expands", Severity.ERROR
-    known = {each for distro in distros for each in project.catalog.known_hardware(distro)}
-    same = {folded(each): each for each in known}.get(folded(name)) or _of_whole(name, known)
-    if same is not None:
-        return same, f"unknown plugin '{name}' of {owner}", Severity.ERROR
+    known = {each for distro in project.distros for each in project.catalog.known_hardware(distro)}
     package = re.split("/|::", name)[0]
-    of_package = [each for each in known if re.split("/|::", each)[0] == package]
-    if of_package and package in _WHOLE:
-        severity = Severity.ERROR if name.startswith(_CORE) else Severity.WARNING
-        return (
-            nearest(name, of_package) or of_package[0],
-            f"unknown plugin '{name}' of {owner}: its package has none of that name",
-            severity,
-        )
-    near = next((each for each in sorted(known) if is_slip(name, each)), None)
-    severity = Severity.ERROR if near and near.startswith(_WHOLE) else Severity.WARNING
-    return (near, f"unknown plugin '{name}' of {owner}", severity) if near else None
+    of_package = sorted(each for each in known if re.split("/|::", each)[0] == package) if package in _WHOLE else []
+    meant = {folded(each): each for each in known}.get(folded(name)) or _of_whole(name, known)
+    sure = meant is not None or name.startswith(_CORE)
+    meant = meant or next((each for each in sorted(known) if is_slip(name, each)), None)
+    sure = sure or (meant is not None and meant.startswith(_WHOLE))
+    meant = meant or (of_package[0] if of_package else None)
+    if meant is None:
+        return None
+    severity = Severity.ERROR if sure else Severity.WARNING
+    return meant, f"unknown plugin '{name}' of {owner}; did you mean '{meant}'?", severity
 
 
 def _of_whole(name: str, known: Iterable[str]) -> str | None:

@@ -42,7 +42,7 @@ def part_without_interfaces(project: Project) -> Iterator[Finding]:
     """A joint, sensor or gpio of a component has no interface.
 
     Nothing of it can be read or commanded. A joint that only mimics another may stand without, and a part with
-    parameters, which the hardware reads.
+    parameters, which the hardware reads; real hardware may ask for an empty gpio.
     """
     mimics = {id(joint) for joint, _ in followers(project)}
     for control, part in parts(project):
@@ -50,6 +50,7 @@ def part_without_interfaces(project: Project) -> Iterator[Finding]:
             continue
         if any(nearest(other.name, INTERFACE_ELEMENTS) for other in part.others):
             continue
-        own = part.kind == "gpio" and not any(each.simulator for each in known_hardware(project, control))
-        severity = Severity.INFO if own or is_conditional(part.at) else Severity.WARNING
+        if part.kind == "gpio" and not any(each.simulator for each in known_hardware(project, control)):
+            continue
+        severity = Severity.INFO if is_conditional(part.at) else Severity.WARNING
         yield Finding(part.at, f"{of_part(control, part)} has neither command nor state interface", severity=severity)
