@@ -5,6 +5,7 @@ from __future__ import annotations
 from urdfctl.rule import Rule
 from urdfctl.rules.controllers.alias_in_parameters import alias_in_parameters
 from urdfctl.rules.controllers.collection_empty import collection_empty
+from urdfctl.rules.controllers.controller_faster_than_manager import controller_faster_than_manager
 from urdfctl.rules.controllers.controller_type_missing import controller_type_missing
 from urdfctl.rules.controllers.controller_type_not_catalogued import controller_type_not_catalogued
 from urdfctl.rules.controllers.controller_type_not_in_distro import controller_type_not_in_distro
@@ -13,13 +14,26 @@ from urdfctl.rules.controllers.controller_type_unknown import controller_type_un
 from urdfctl.rules.controllers.controllers_file_not_a_map import controllers_file_not_a_map
 from urdfctl.rules.controllers.controllers_file_of_ros1 import controllers_file_of_ros1
 from urdfctl.rules.controllers.controllers_file_of_ros2 import controllers_file_of_ros2
+from urdfctl.rules.controllers.joint_for_joints import joint_for_joints
 from urdfctl.rules.controllers.list_of_several_types import list_of_several_types
 from urdfctl.rules.controllers.map_in_list import map_in_list
 from urdfctl.rules.controllers.node_name_unusable import node_name_unusable
+from urdfctl.rules.controllers.parameter_deprecated import parameter_deprecated
+from urdfctl.rules.controllers.parameter_missing import parameter_missing
+from urdfctl.rules.controllers.parameter_of_no_element import parameter_of_no_element
+from urdfctl.rules.controllers.parameter_of_other_distro import parameter_of_other_distro
+from urdfctl.rules.controllers.parameter_of_wrong_type import parameter_of_wrong_type
+from urdfctl.rules.controllers.parameter_refused import parameter_refused
+from urdfctl.rules.controllers.parameter_unknown import parameter_unknown
+from urdfctl.rules.controllers.parameter_without_effect import parameter_without_effect
+from urdfctl.rules.controllers.parameters_not_fitting import parameters_not_fitting
+from urdfctl.rules.controllers.parameters_under_manager import parameters_under_manager
 from urdfctl.rules.controllers.ros_parameters_missing import ros_parameters_missing
 from urdfctl.rules.controllers.ros_parameters_nested import ros_parameters_nested
 from urdfctl.rules.controllers.ros_parameters_not_a_map import ros_parameters_not_a_map
+from urdfctl.rules.controllers.section_not_read import section_not_read
 from urdfctl.rules.controllers.several_documents import several_documents
+from urdfctl.rules.controllers.update_rate_missing import update_rate_missing
 from urdfctl.rules.controllers.value_missing import value_missing
 from urdfctl.rules.controllers.value_not_for_parameter_server import value_not_for_parameter_server
 
@@ -38,9 +52,23 @@ RULES: tuple[Rule, ...] = (
     controllers_file_not_a_map,
     several_documents,
     value_not_for_parameter_server,
+    parameters_under_manager,
+    section_not_read,
     controller_type_missing,
     controller_type_unknown,
     controller_type_not_in_distro,
     controller_type_of_other_ros,
     controller_type_not_catalogued,
+    update_rate_missing,
+    controller_faster_than_manager,
+    parameter_unknown,
+    parameter_missing,
+    parameter_of_wrong_type,
+    parameter_refused,
+    parameters_not_fitting,
+    parameter_deprecated,
+    parameter_of_other_distro,
+    parameter_of_no_element,
+    parameter_without_effect,
+    joint_for_joints,
 )

@@ -40,27 +40,43 @@ class Reader(NamedTuple):
 Judge = Callable[[Reader], Iterator[Finding]]
 
 
-def in_each_distro(project: Project, judge: Judge) -> Iterator[Finding]:
-    """What a judge finds in each node, one finding for a place: an error where all distros that have the node give one,
-    and else with a note that names the distros it holds for."""
+def in_each_distro(project: Project, judge: Judge, *, newest: bool = False) -> Iterator[Finding]:
+    """What a judge finds in each node, one finding for a place: less grave where not all distros that have the node give
+    it, with a note that names those that do. Only what the `newest` of them gives too, where that is asked for."""
     for readers in readers_of(project):
         found: dict[Place, dict[str, Finding]] = {}
         for reader in readers:
             for finding in judge(reader):
                 found.setdefault(finding.at, {}).setdefault(reader.distro, finding)
+        idle = readers[0].controller is not None and not may_be_started(project, readers[0].controller)
         for by_distro in found.values():
-            yield _joined(by_distro, len(readers))
+            if not newest or readers[-1].distro in by_distro:
+                finding = _joined(by_distro, len(readers))
+                yield finding._replace(severity=Severity.WARNING) if idle and _is_error(finding) else finding
 
 
 def _joined(by_distro: Mapping[str, Finding], distros: int) -> Finding:
     """The newest distro's words for all."""
     last = list(by_distro.values())[-1]
-    if any(finding.severity is not Severity.ERROR for finding in by_distro.values()) or len(by_distro) < distros:
-        grave = last.severity in (Severity.ERROR, None)
-        last = last._replace(severity=Severity.WARNING if grave else last.severity)
-    if len(by_distro) < distros:
-        last = last._replace(notes=(*last.notes, Note(f"this holds for {in_words(by_distro)}")))
-    return last
+    if len(by_distro) == distros:
+        mildest = min(
+            (finding.severity or Severity.ERROR for finding in by_distro.values()), key=lambda one: one.weight
+        )
+        return last._replace(severity=mildest)
+    less = Severity.WARNING if _is_error(last) else Severity.INFO
+    return last._replace(severity=less, notes=(*last.notes, Note(f"this holds for {in_words(by_distro)}")))
+
+
+def _is_error(finding: Finding) -> bool:
+    return finding.severity is Severity.ERROR
+
+
+def may_be_started(project: Project, controller: Controller) -> bool:
+    """Whether a controller is among those that are started, or it is not known which are."""
+    if project.started is None or project.controllers is None:
+        return True
+    found = (project.controllers.controller(name) for name in project.started)
+    return "all" in project.started or any(one is controller for one in found)
 
 
 @once_per_project

@@ -1,0 +1,71 @@
+"""UC444."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.model.parameters import Kind, Parameter, Value
+from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
+from urdfctl.rules.controllers.parameters import is_number_slip, missing, slips, unread
+from urdfctl.rules.controllers.readers import Reader, in_each_distro
+
+
+@rule(
+    "UC444",
+    severity=Severity.ERROR,
+    authority="ros_controllers effort_controllers/src/joint_position_controller.cpp: 'No joint given (namespace: /arm)'; "
+    "forward_command_controller: ''joints' parameter was empty'",
+    options=["--distro=noetic"],
+    bad={
+        "controllers.yaml": """
+            elbow_controller:
+              type: position_controllers/JointPositionController
+              «joints»: [elbow]
+        """
+    },
+    good={
+        "controllers.yaml": """
+            elbow_controller:
+              type: position_controllers/JointPositionController
+              joint: elbow
+        """
+    },
+)
+def joint_for_joints(project: Project) -> Iterator[Finding]:
+    """A controller is given `joints` where it reads `joint`, or the other way round.
+
+    Controllers of one joint read its name from `joint`, those of several a list from `joints`.
+    """
+    return in_each_distro(project, _slip)
+
+
+def _slip(reader: Reader) -> Iterator[Finding]:
+    meant = slips(reader)
+    needed = {lack.name for lack in missing(reader) if lack.refused}
+    for parameter in unread(reader):
+        right = meant.get(parameter.name)
+        if right is None or not is_number_slip(parameter.name, right):
+            continue
+        kind = f"a {reader.type.type}" if reader.type else f"'{reader.name}'"
+        wants_list = reader.known[right].type.endswith("_array") if right in reader.known else False
+        form = "a list" if wants_list else "one name"
+        message = f"{kind} reads no '{parameter.name}', but '{right}', {form}"
+        severity = Severity.ERROR if right in needed else Severity.WARNING
+        yield Finding(parameter.key, message, fix=_fix(parameter, right, wants_list=wants_list), severity=severity)
+
+
+def _fix(parameter: Parameter, right: str, *, wants_list: bool) -> Fix | None:
+    value = _rewritten(parameter.value, wants_list=wants_list)
+    if value is None or parameter.key.span.text != parameter.last:
+        return None
+    edits = (Edit(parameter.key.span, right.rpartition(".")[2]), Edit(parameter.value.at.span, value))
+    return Fix(f"write '{right}: {value}'", edits)
+
+
+def _rewritten(value: Value, *, wants_list: bool) -> str | None:
+    """One name as a list, and a list of one name as that; None where it is neither."""
+    if wants_list and value.kind is Kind.STRING:
+        return f"[{value.at.span.text}]"
+    if not wants_list and len(value.items) == 1:
+        return value.items[0].at.span.text
+    return value.at.span.text if wants_list == (value.kind is Kind.LIST) else None

@@ -1,0 +1,61 @@
+"""UC435."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.controllers.parameters import known_as
+from urdfctl.rules.controllers.readers import Reader, in_each_distro
+
+
+@rule(
+    "UC435",
+    severity=Severity.WARNING,
+    authority="ros2_controllers and ros_controllers: parameters that their sources and migration notes call deprecated",
+    options=["--distro=jazzy"],
+    bad={
+        "controllers.yaml": """
+            controller_manager:
+              ros__parameters:
+                update_rate: 100
+                arm: {type: joint_trajectory_controller/JointTrajectoryController}
+            arm:
+              ros__parameters:
+                joints: [shoulder, elbow]
+                command_interfaces: [position]
+                state_interfaces: [position]
+                «open_loop_control»: true
+        """
+    },
+    good={
+        "controllers.yaml": """
+            controller_manager:
+              ros__parameters:
+                update_rate: 100
+                arm: {type: joint_trajectory_controller/JointTrajectoryController}
+            arm:
+              ros__parameters:
+                joints: [shoulder, elbow]
+                command_interfaces: [position]
+                state_interfaces: [position]
+                interpolate_from_desired_state: true
+        """
+    },
+)
+def parameter_deprecated(project: Project) -> Iterator[Finding]:
+    """A parameter is deprecated: this distro reads it still, and a coming one does not.
+
+    Coming distros ignore it without a word, and the controller takes the default.
+    """
+    return in_each_distro(project, _deprecated, newest=True)
+
+
+def _deprecated(reader: Reader) -> Iterator[Finding]:
+    for leaf in reader.located.leaves:
+        found = known_as(reader, leaf.name)
+        parameter = reader.known[found[0]] if found else None
+        if parameter is not None and parameter.deprecated:
+            instead = f"; instead: {parameter.replacement}" if parameter.replacement else ""
+            why = f": {parameter.note}" if parameter.note and not instead else ""
+            yield Finding(leaf.key, f"'{leaf.name}' is deprecated{instead}{why}", severity=Severity.WARNING)

@@ -1,0 +1,99 @@
+"""UC431."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from urdfctl.model.controllers import Controller, Controllers, FaultKind
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.common import in_words
+from urdfctl.rules.controllers.common import controllers_in
+from urdfctl.rules.controllers.parameters import Missing, missing, slips
+from urdfctl.rules.controllers.readers import Reader, in_each_distro
+from urdfctl.rules.controllers.sections import meant_for
+
+_LOSING = (FaultKind.OUTSIDE_PARAMETERS, FaultKind.NODE_NAME, FaultKind.PARAMETERS_NOT_A_MAP, FaultKind.ROOT)
+
+
+@rule(
+    "UC431",
+    severity=Severity.ERROR,
+    authority="generate_parameter_library: 'parameter 'joints' is not initialized', 'Parameter 'joints' cannot be "
+    "empty'; ros_controllers: 'No joint given', 'Could not find 'joints' parameter'",
+    options=["--distro=jazzy"],
+    bad={
+        "controllers.yaml": """
+            controller_manager:
+              ros__parameters:
+                update_rate: 100
+                arm: {type: joint_trajectory_controller/JointTrajectoryController}
+            «arm»:
+              ros__parameters:
+                joints: [shoulder, elbow]
+                command_interfaces: [position]
+        """
+    },
+    good={
+        "controllers.yaml": """
+            controller_manager:
+              ros__parameters:
+                update_rate: 100
+                arm: {type: joint_trajectory_controller/JointTrajectoryController}
+            arm:
+              ros__parameters:
+                joints: [shoulder, elbow]
+                command_interfaces: [position]
+                state_interfaces: [position, velocity]
+        """
+    },
+)
+def parameter_missing(project: Project) -> Iterator[Finding]:
+    """A controller is not given a parameter that it needs.
+
+    The controller manager does not load, or not configure, the controller then. A default that the controller's own
+    checks refuse counts as none: an empty list of joints, a wheel radius of 0.
+    """
+    controllers = controllers_in(project)
+    if not controllers.complete:
+        return
+    yield from in_each_distro(project, lambda reader: _lacking(project, reader))
+
+
+def _lacking(project: Project, reader: Reader) -> Iterator[Finding]:
+    controllers, controller = controllers_in(project), reader.controller
+    if controller is None or reader.at is None or _is_told_elsewhere(controllers, controller):
+        return
+    meant = slips(reader).values()
+    lacks = [lack for lack in missing(reader) if lack.name not in controller.under_manager and lack.name not in meant]
+    if not lacks:
+        return
+    kind = reader.type.type if reader.type else ""
+    severity = Severity.ERROR if any(lack.refused for lack in lacks) else Severity.WARNING
+    if not controller.sections:
+        if not (project.robot or any(other.sections for other in controllers.controllers)):
+            severity = Severity.WARNING  # its section may stand in another file
+        message = f"there is no section '{controller.name}:', and its type {kind} needs {_names(lacks)}"
+    else:
+        message = f"'{controller.name}' is not given {_names(lacks)}, which its type {kind} needs"
+    yield Finding(reader.at, message, severity=severity)
+
+
+def _names(lacks: list[Missing]) -> str:
+    [first, *others] = lacks
+    if not others and first.words.startswith("or "):
+        return f"'{first.name}' {first.words.removesuffix(' must be given')}"
+    return in_words([lack.name for lack in lacks])
+
+
+def _is_told_elsewhere(controllers: Controllers, controller: Controller) -> bool:
+    """Whether the controller reads a file of its own, or a greater fault than this keeps its parameters away."""
+    if controller.parameter_files or meant_for(controllers, controller) or _is_template(controller):
+        return True
+    return not controller.sections and any(fault.kind in _LOSING for fault in controllers.faults)
+
+
+def _is_template(controller: Controller) -> bool:
+    """Whether other sections take over what stands in this one: `d: &d {type: ...}`."""
+    at = controller.declared_at
+    return at is not None and re.match(rb"[ \t]*:\s*&", at.source.data[at.span.end : at.span.end + 80]) is not None

@@ -1,0 +1,83 @@
+"""UC433."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.entries import Parameter
+from urdfctl.catalog.validators import problem
+from urdfctl.catalog.value_types import said, type_problem
+from urdfctl.catalog.values import is_list
+from urdfctl.model.parameters import Kind, Value
+from urdfctl.rule import Finding, Fix, Project, Severity, rule
+from urdfctl.rules.common import replaced
+from urdfctl.rules.controllers.parameters import is_ros1, known_as
+from urdfctl.rules.controllers.readers import Reader, in_each_distro
+from urdfctl.suggest import nearest
+
+
+@rule(
+    "UC433",
+    severity=Severity.ERROR,
+    authority="generate_parameter_library: 'Invalid value set during initialization for parameter ...'",
+    options=["--distro=jazzy"],
+    bad={
+        "controllers.yaml": """
+            controller_manager:
+              ros__parameters:
+                update_rate: 100
+                base: {type: diff_drive_controller/DiffDriveController}
+            base:
+              ros__parameters:
+                left_wheel_names: [shoulder]
+                right_wheel_names: [elbow]
+                wheel_separation: 0.4
+                wheel_radius: «0.0»
+        """
+    },
+    good={
+        "controllers.yaml": """
+            controller_manager:
+              ros__parameters:
+                update_rate: 100
+                base: {type: diff_drive_controller/DiffDriveController}
+            base:
+              ros__parameters:
+                left_wheel_names: [shoulder]
+                right_wheel_names: [elbow]
+                wheel_separation: 0.4
+                wheel_radius: 0.1
+        """
+    },
+)
+def parameter_refused(project: Project) -> Iterator[Finding]:
+    """A parameter has a value that its node refuses.
+
+    The controllers check their parameters: that numbers lie in a range, that lists are not empty and name nothing twice,
+    that texts are one of some. A controller that is given another value is not loaded.
+    """
+    return in_each_distro(project, _refused)
+
+
+def _refused(reader: Reader) -> Iterator[Finding]:
+    for given in reader.located:
+        found = known_as(reader, given.name)
+        value = reader.given.get(given.name)
+        if found is None or value is None or given.value.kind is Kind.MAP:
+            continue
+        parameter = reader.known[found[0]]
+        if parameter.ignored or (value == [] and not is_ros1(reader)) or type_problem(value, parameter, reader.distro):
+            continue  # UC438, UC407 and UC432 tell them
+        for limits, severity in ((parameter.validators, Severity.ERROR), (parameter.useful, Severity.WARNING)):
+            broken = problem(value, limits)
+            if broken is not None:
+                what = "" if is_list(value) else f", not {said(value)}"
+                message = f"'{given.name}' {broken}{what}"
+                yield Finding(given.value.at, message, fix=_fix(given.value, parameter), severity=severity)
+                break
+
+
+def _fix(value: Value, parameter: Parameter) -> Fix | None:
+    choices = parameter.validators.get("one_of")
+    meant = nearest(value.text, map(str, choices)) if isinstance(choices, list) else None
+    return replaced(value.at, value.text, meant) if meant else None

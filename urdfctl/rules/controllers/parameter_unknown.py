@@ -1,0 +1,79 @@
+"""UC430."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.map_parameters import matching
+from urdfctl.model.parameters import Parameter
+from urdfctl.rule import Finding, Fix, Project, Severity, rule
+from urdfctl.rules.common import replaced
+from urdfctl.rules.controllers.parameters import is_number_slip, is_ros1, missing, slips, unread
+from urdfctl.rules.controllers.readers import Reader, in_each_distro
+
+
+@rule(
+    "UC430",
+    severity=Severity.WARNING,
+    authority="generate_parameter_library and rclcpp: a value for a parameter that no node declares is ignored; "
+    "ros_control's controllers ask the parameter server for the names they know",
+    options=["--distro=jazzy"],
+    bad={
+        "controllers.yaml": """
+            controller_manager:
+              ros__parameters:
+                update_rate: 100
+                arm: {type: joint_trajectory_controller/JointTrajectoryController}
+            arm:
+              ros__parameters:
+                joints: [shoulder, elbow]
+                command_interfaces: [position]
+                state_interfaces: [position]
+                «allow_partial_joint_goal»: true
+        """
+    },
+    good={
+        "controllers.yaml": """
+            controller_manager:
+              ros__parameters:
+                update_rate: 100
+                arm: {type: joint_trajectory_controller/JointTrajectoryController}
+            arm:
+              ros__parameters:
+                joints: [shoulder, elbow]
+                command_interfaces: [position]
+                state_interfaces: [position]
+                allow_partial_joints_goal: true
+        """
+    },
+)
+def parameter_unknown(project: Project) -> Iterator[Finding]:
+    """A parameter is none that its node reads, most often a misspelt one.
+
+    Nobody tells: the value is ignored and the default used. Of ROS 1's controllers only those are told that are much
+    like one that is read, for others may read what stands beside. It is an error where the one that is meant is needed.
+    """
+    return in_each_distro(project, _unknown, newest=True)
+
+
+def _unknown(reader: Reader) -> Iterator[Finding]:
+    meant = slips(reader)
+    needed = {lack.name for lack in missing(reader) if lack.refused}
+    for parameter in unread(reader):
+        if matching(parameter.name, reader.former) is not None:
+            continue
+        right = meant.get(parameter.name)
+        if (right is None and is_ros1(reader)) or is_number_slip(parameter.name, right):
+            continue
+        instead = f"; did you mean '{right}'?" if right else ", which is ignored"
+        message = f"'{reader.name}' reads no '{parameter.name}'{instead}"
+        severity = Severity.ERROR if right in needed else Severity.WARNING
+        yield Finding(parameter.key, message, fix=_fix(parameter, right), severity=severity)
+
+
+def _fix(parameter: Parameter, right: str | None) -> Fix | None:
+    if right is None:
+        return None
+    before, _, last = right.rpartition(".")
+    same = before == parameter.name.rpartition(".")[0]
+    return replaced(parameter.key, parameter.last, last) if same else Fix(f"write '{right}'")

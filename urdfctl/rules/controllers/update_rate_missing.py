@@ -1,0 +1,45 @@
+"""UC426."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import until
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.controllers.common import controllers_in
+
+
+@rule(
+    "UC426",
+    severity=Severity.INFO,
+    distros=until("iron"),
+    authority="ros2_control controller_manager/src/controller_manager.cpp: ''update_rate' parameter not set, using "
+    "default value.'",
+    options=["--distro=humble"],
+    bad={
+        "controllers.yaml": """
+            «controller_manager»:
+              ros__parameters:
+                joint_states: {type: joint_state_broadcaster/JointStateBroadcaster}
+        """
+    },
+    good={
+        "controllers.yaml": """
+            controller_manager:
+              ros__parameters:
+                update_rate: 100
+                joint_states: {type: joint_state_broadcaster/JointStateBroadcaster}
+        """
+    },
+)
+def update_rate_missing(project: Project) -> Iterator[Finding]:
+    """The controller manager is not given the rate it shall run at.
+
+    It takes 100 Hz, and up to iron prints that it does. From jazzy on 100 is the documented default.
+    """
+    controllers = controllers_in(project)
+    if not controllers.complete:
+        return
+    for manager in controllers.managers:
+        if manager.own and "update_rate" not in manager.parameters:
+            yield Finding(manager.at, f"'{manager.name}' is not given its 'update_rate'; it takes 100 Hz")
