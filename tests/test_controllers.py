@@ -218,7 +218,7 @@ def test_lists_for_moveit_are_known_and_not_judged(text: str) -> None:
         ("a: {ros__parameters: {x: [a, yes]}}", FaultKind.MIXED_LIST, "yes"),
         ("a: {ros__parameters: {x: [1, 2.0]}}", FaultKind.MIXED_LIST, "2.0"),
         ("a: {ros__parameters: {x: [[1], [2]]}}", FaultKind.NESTED_LIST, "[1]"),
-        ("a: {ros__parameters: {x: [{y: 1}]}}", FaultKind.MAP_IN_LIST, "{y: 1}"),
+        ("a: {ros__parameters: {x: [{y: 1}, {z: 2}]}}", FaultKind.MAP_IN_LIST, "{z: 2}"),
         ("controller_manager: {update_rate: 1}", FaultKind.OUTSIDE_PARAMETERS, "update_rate"),
         ("a: {ros__parameters: [x]}", FaultKind.PARAMETERS_NOT_A_MAP, "ros__parameters"),
         ("arm/: {ros__parameters: {x: 1}}", FaultKind.NODE_NAME, "arm/"),

@@ -105,8 +105,11 @@ def _is_name(part: str) -> bool:
 
 
 def _leaves_of_rcl(mapping: Mapping, path: tuple[str, ...], faults: list[Fault]) -> Iterator[Leaf]:
-    for key, node in mapping.entries:
-        here = (*path, *key.text.split("."))
+    for key, written in mapping.entries:
+        here, node = (*path, *key.text.split(".")), written
+        if isinstance(written, Sequence) and written.items and isinstance(written.items[0], Mapping):
+            faults.extend(Fault(FaultKind.MAP_IN_LIST, item.at, key.text) for item in written.items[1:2])
+            node = written.items[0]  # rcl takes the first map of a list for the map itself
         value = value_of(node, typed_by_rcl)
         yield Leaf(here, key.at, value)
         if not isinstance(node, Scalar) and not value.items and not (isinstance(node, Mapping) and node.entries):

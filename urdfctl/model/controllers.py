@@ -24,7 +24,7 @@ class FaultKind(Enum):
     NESTED_LIST = auto()
     """ROS 2: 'Sequences cannot be key'."""
     MAP_IN_LIST = auto()
-    """ROS 2: rcl takes it, and what stands there is lost."""
+    """ROS 2: rcl takes a list of maps for its first map, and what stands behind that is lost."""
     OUTSIDE_PARAMETERS = auto()
     """ROS 2: 'Cannot have a value before ros__parameters'; `subject` is the key."""
     PARAMETERS_NOT_A_MAP = auto()

@@ -14,7 +14,7 @@ from urdfctl.rules.controllers.common import faults
     "UC409",
     severity=Severity.WARNING,
     distros=ROS2,
-    authority="rcl rcl_yaml_param_parser/src/parse.c: a list holds plain values only",
+    authority="rcl rcl_yaml_param_parser/src/parse.c: a map that begins in a list is read as if there was no list",
     options=["--distro=jazzy"],
     bad={
         "controllers.yaml": """
@@ -24,8 +24,9 @@ from urdfctl.rules.controllers.common import faults
                 joint_states: {type: joint_state_broadcaster/JointStateBroadcaster}
             joint_states:
               ros__parameters:
-                extra_joints:
-                  - «name: caster»
+                map_interface_to_joint_state:
+                  - position: absolute_position
+                  - «velocity: absolute_velocity»
         """
     },
     good={
@@ -36,17 +37,18 @@ from urdfctl.rules.controllers.common import faults
                 joint_states: {type: joint_state_broadcaster/JointStateBroadcaster}
             joint_states:
               ros__parameters:
-                extra_joints:
-                  - caster
+                map_interface_to_joint_state:
+                  position: absolute_position
+                  velocity: absolute_velocity
         """
     },
 )
 def map_in_list(project: Project) -> Iterator[Finding]:
-    """A list holds maps (`- name: value`).
+    """A list holds several maps (`- name: value`).
 
-    ROS 1 had parameters that are lists of maps. ROS 2 has none: the reader takes the file, and what stands there is lost
-    or read as something else.
+    ROS 1 had parameters that are lists of maps, and ROS 2 has none: its reader takes such a list for its first map. What
+    stands in the others is lost.
     """
     for fault in faults(project, FaultKind.MAP_IN_LIST):
-        message = f"'{fault.subject}' holds a map in a list, which is lost: a list of ROS 2 holds plain values only"
+        message = f"'{fault.subject}' is a list of maps, of which ROS 2 reads the first; write one map, without '-'"
         yield Finding(fault.at, message)
