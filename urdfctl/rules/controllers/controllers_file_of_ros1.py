@@ -19,13 +19,15 @@ _ROS2 = 2
     authority="rcl rcl_yaml_param_parser/src/parse.c: 'Cannot have a value before ros__parameters at line 2'",
     options=["--distro=humble"],
     bad={
+        "robot.urdf": "",
         "controllers.yaml": """
             «arm»:
               type: position_controllers/JointGroupPositionController
               joints: [shoulder, elbow]
-        """
+        """,
     },
     good={
+        "robot.urdf": "",
         "controllers.yaml": """
             controller_manager:
               ros__parameters:
@@ -34,7 +36,7 @@ _ROS2 = 2
             arm:
               ros__parameters:
                 joints: [shoulder, elbow]
-        """
+        """,
     },
 )
 def controllers_file_of_ros1(project: Project) -> Iterator[Finding]:
@@ -52,7 +54,8 @@ def controllers_file_of_ros1(project: Project) -> Iterator[Finding]:
                 f"this file is written for ROS 1, and ROS 2 refuses it: the type of {in_words(names, 3)} belongs below "
                 "'controller_manager: ros__parameters:', the rest into a section of its own with 'ros__parameters:'"
             )
-            yield Finding(file.told_by[0].at, message, tuple(_why(project)))
+            severity = None if project.robot else Severity.WARNING  # it may be left over, and nobody reads it
+            yield Finding(file.told_by[0].at, message, tuple(_why(project)), severity=severity)
 
 
 def _why(project: Project) -> Iterator[Note]:

@@ -49,4 +49,4 @@ def controllers_file_of_ros2(project: Project) -> Iterator[Finding]:
                 "belong directly below its name"
             )
             why = (Note(f"{project.distro_from} says that it is ROS 1"),) if project.distro_from else ()
-            yield Finding(file.told_by[0].at, message, why)
+            yield Finding(file.told_by[0].at, message, why, severity=None if project.robot else Severity.WARNING)

@@ -9,7 +9,7 @@ from urdfctl.model.controllers import Controller, Controllers, FaultKind
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import in_words
 from urdfctl.rules.controllers.common import controllers_in
-from urdfctl.rules.controllers.parameters import Missing, missing, slips
+from urdfctl.rules.controllers.parameters import Missing, is_another, missing, slips
 from urdfctl.rules.controllers.readers import Reader, in_each_distro
 from urdfctl.rules.controllers.sections import meant_for
 
@@ -57,7 +57,7 @@ def parameter_missing(project: Project) -> Iterator[Finding]:
     controllers = controllers_in(project)
     if not controllers.complete:
         return
-    yield from in_each_distro(project, lambda reader: _lacking(project, reader))
+    yield from in_each_distro(project, lambda reader: _lacking(project, reader), newest=True)
 
 
 def _lacking(project: Project, reader: Reader) -> Iterator[Finding]:
@@ -69,10 +69,10 @@ def _lacking(project: Project, reader: Reader) -> Iterator[Finding]:
     if not lacks:
         return
     kind = reader.type.type if reader.type else ""
-    severity = Severity.ERROR if any(lack.refused for lack in lacks) else Severity.WARNING
+    severity = Severity.ERROR if any(lack.refused for lack in lacks) and not is_another(reader) else Severity.WARNING
     if not controller.sections:
         if not (project.robot or any(other.sections for other in controllers.controllers)):
-            severity = Severity.WARNING  # its section may stand in another file
+            return  # its section stands in a file that is not looked at
         message = f"there is no section '{controller.name}:', and its type {kind} needs {_names(lacks)}"
     else:
         message = f"'{controller.name}' is not given {_names(lacks)}, which its type {kind} needs"

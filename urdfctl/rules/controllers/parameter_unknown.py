@@ -8,7 +8,7 @@ from urdfctl.catalog.map_parameters import matching
 from urdfctl.model.parameters import Parameter
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import replaced
-from urdfctl.rules.controllers.parameters import is_number_slip, is_ros1, missing, slips, unread
+from urdfctl.rules.controllers.parameters import is_another, is_number_slip, is_ros1, missing, slips, unread
 from urdfctl.rules.controllers.readers import Reader, in_each_distro
 
 
@@ -63,7 +63,7 @@ def _unknown(reader: Reader) -> Iterator[Finding]:
         if matching(parameter.name, reader.former) is not None:
             continue
         right = meant.get(parameter.name)
-        if (right is None and is_ros1(reader)) or is_number_slip(parameter.name, right):
+        if (right is None and (is_ros1(reader) or is_another(reader))) or is_number_slip(parameter.name, right):
             continue
         instead = f"; did you mean '{right}'?" if right else ", which is ignored"
         message = f"'{reader.name}' reads no '{parameter.name}'{instead}"

@@ -22,6 +22,7 @@ OF_EVERY_NODE = ("qos_overrides", "start_type_description_service", "diagnostic_
 OF_THE_SPAWNER = ("type", "params_file", "fallback_controllers", "node_options_args", "ros__parameters")
 """What may stand in a controller's section, and is not for the controller."""
 _MOST_COMPARED = 20
+_FEW = 4
 _NEEDING = ("not_empty", "needs", "any_set", "one_group_set", "length")
 
 
@@ -58,7 +59,10 @@ def unread(reader: Reader) -> Iterator[Given]:
 
 
 def _is_foreign(reader: Reader, name: str) -> bool:
+    """Whether somebody else reads it, or another rule tells that nobody does."""
     first = name.partition(".")[0]
+    if first in reader.controllers or ".ros__parameters" in name:
+        return True
     if first in OF_EVERY_NODE or (reader.controller is not None and first in OF_THE_SPAWNER):
         return True
     return reader.type is not None and first in reader.type.ignored
@@ -129,6 +133,13 @@ def _needed(reader: Reader) -> Iterator[tuple[str, Parameter]]:
 
 def _is_given(reader: Reader, name: str) -> bool:
     return name in reader.located
+
+
+def is_another(reader: Reader) -> bool:
+    """Whether a controller is rather another one of the same name, a fork: it reads less than half of its parameters."""
+    leaves = reader.own.leaves
+    known = sum(1 for leaf in leaves if known_as(reader, leaf.name) or matching(leaf.name, reader.former))
+    return len(leaves) - known > max(known, _FEW)
 
 
 def is_lacking(project: Project, controller: Controller, names: Collection[str] | None = None) -> bool:

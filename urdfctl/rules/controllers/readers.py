@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 
-from urdfctl.catalog.distros import generation, in_words
+from urdfctl.catalog.distros import generation, in_words, since
 from urdfctl.catalog.entries import ControllerType, FormerParameter, Parameter
 from urdfctl.control.given import given_values
 from urdfctl.model.controllers import Controller, Manager
@@ -15,13 +15,14 @@ from urdfctl.rules.controllers.common import controllers_in, once_per_project
 from urdfctl.source.span import Place
 
 _ROS2 = 2
+_MAINTAINED = frozenset(since("humble")) - {"iron"}
 
 
 class Reader(NamedTuple):
     """A node that reads parameters, as one distro has it: a controller manager, or a controller of a known type.
 
     `name` is what messages call it. `known` are the parameters that it reads, those of every node included; of a
-    manager also what it reads of each controller. `given` are the values that reach it, by name; `located` the same
+    manager also what it reads of each of its `controllers`. `given` are the values that reach it, by name; `located` the same
     with their places, and `own` those that are meant for it alone.
     """
 
@@ -35,6 +36,7 @@ class Reader(NamedTuple):
     own: Parameters
     type: ControllerType | None = None
     controller: Controller | None = None
+    controllers: tuple[str, ...] = ()
 
 
 Judge = Callable[[Reader], Iterator[Finding]]
@@ -63,7 +65,8 @@ def _joined(by_distro: Mapping[str, Finding], distros: int) -> Finding:
             (finding.severity or Severity.ERROR for finding in by_distro.values()), key=lambda one: one.weight
         )
         return last._replace(severity=mildest)
-    less = Severity.WARNING if _is_error(last) else Severity.INFO
+    most = 2 * len(_MAINTAINED & by_distro.keys()) > len(_MAINTAINED)
+    less = Severity.WARNING if _is_error(last) or (most and last.severity is Severity.WARNING) else Severity.INFO
     return last._replace(severity=less, notes=(*last.notes, Note(f"this holds for {in_words(by_distro)}")))
 
 
@@ -119,7 +122,9 @@ def _manager(project: Project, manager: Manager, distro: str) -> Reader:
     simulated = {name: p for name, p in catalog.common_parameters(distro).items() if name == "use_sim_time"}
     known = {**catalog.manager_parameters(distro), **simulated, **of_controllers}
     given = given_values(manager.parameters)
-    return Reader(distro, manager.name, manager.at, known, {}, given, manager.parameters, manager.own)
+    names = tuple(controller.name for controller in controllers)
+    own = manager.own
+    return Reader(distro, manager.name, manager.at, known, {}, given, manager.parameters, own, controllers=names)
 
 
 def _controller(project: Project, controller: Controller, kind: ControllerType, given: Mapping[str, object]) -> Reader:

@@ -6,10 +6,10 @@ import re
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.model.controllers import Controllers, Fault, FaultKind, Key
+from urdfctl.model.controllers import FaultKind, Key
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import replaced
-from urdfctl.rules.controllers.common import controllers_in, faults
+from urdfctl.rules.controllers.common import controllers_in, is_judged
 from urdfctl.source.span import Place
 
 _RIGHT = "ros__parameters"
@@ -53,13 +53,16 @@ def ros_parameters_missing(project: Project) -> Iterator[Finding]:
     ROS 2's reader refuses the whole file then, and the node that is given it, most often the controller manager, ends at
     once. A key without a value, as a section that is still empty, is refused likewise.
     """
+    controllers = controllers_in(project)
+    of_ros1 = {file.path for file in controllers.files if file.form == 1}  # UC401 tells them
     told: set[Place] = set()
-    for fault in faults(project, FaultKind.OUTSIDE_PARAMETERS):
-        if not _is_judged(controllers_in(project), fault):
+    for fault in controllers.faults:
+        if fault.kind is not FaultKind.OUTSIDE_PARAMETERS or fault.at.source.path in of_ros1:
             continue
         slip = next((key for key in fault.keys if _is_meant(key.text)), None)
+        surely = is_judged(project, fault.at.source.path) or (slip is not None and "ros" in slip.text)
         key = slip or (fault.keys[0] if fault.keys else Key(fault.subject, fault.at))
-        if key.at in told:
+        if key.at in told or not surely:
             continue
         told.add(key.at)
         if slip:
@@ -72,13 +75,3 @@ def ros_parameters_missing(project: Project) -> Iterator[Finding]:
 
 def _is_meant(text: str) -> bool:
     return re.sub("[^a-z]", "", text.lower()) in _MEANT
-
-
-def _is_judged(controllers: Controllers, fault: Fault) -> bool:
-    """Whether the file is surely meant for ROS 2's reader, for files of MoveIt and others may be named beside it."""
-    path = fault.at.source.path
-    file = next((file for file in controllers.files if file.path == path), None)
-    if file is None or file.form == 1:  # UC401 tells it
-        return False
-    named = any(reference.path == path for reference in controllers.references)
-    return file.form is not None or named or any(_is_meant(key.text) and "ros" in key.text for key in fault.keys)
