@@ -67,6 +67,8 @@ def limited(lower: str, upper: str, interface: str = "position") -> str:
         (limited("-2.5", "2", "velocity"), ["info UC334"]),
         (limited("-10", "11", "effort"), ["info UC334"]),
         (limited("-10", "10", "jerk"), ["warning UC352"]),
+        (limited("0", "20", "gripper_force"), ["warning UC352"]),
+        (limited("0", "20", "gripper_force").replace("mock_components/GenericSystem", "my/Gripper"), []),
     ],
 )
 def test_limits_are_numbers_in_order_within_the_urdf_s(robot: Robot, part: str, expected: list[str]) -> None:

@@ -5,20 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
+from urdfctl.model.ros2_control import Interface
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import label, replaced
-from urdfctl.rules.ros2_control.common import called, interfaces
+from urdfctl.rules.common import in_words, is_known, label, replaced
+from urdfctl.rules.ros2_control.common import JAZZY, called, known_hardware, parts
 
-_MEANT = {
-    "min": "min",
-    "max": "max",
-    "minimum": "min",
-    "maximum": "max",
-    "lower": "min",
-    "upper": "max",
-    "initialvalue": "initial_value",
-    "initial_value": "initial_value",
-}
+_READ = ("min", "max", "initial_value")
+_MEANT = {"minimum": "min", "lower": "min", "maximum": "max", "upper": "max", "initialvalue": "initial_value"}
+_LIMITED = ("position", "velocity", "effort", "acceleration", "jerk")
 
 
 @rule(
@@ -57,16 +51,37 @@ _MEANT = {
 def interface_limit_not_read(project: Project) -> Iterator[Finding]:
     """A limit of an interface is written so that it is not read.
 
-    Its parameter is `min` or `max` in small letters, and jerk has a max alone.
+    Its parameter is `min` or `max` in small letters, and jerk has a max alone. From jazzy on the limits of a joint's other
+    interfaces than position, velocity, effort, acceleration and jerk are left to the hardware, and none that is simulated
+    looks at them.
     """
-    for part, interface in interfaces(project):
-        of = f"{called(interface)} of {label(part.kind, part.name)}"
-        for parameter in interface.parameters:
-            name = parameter.name or ""
-            meant = _MEANT.get(name.lower())
-            if meant and meant != name:
-                at = parameter.at["name"]
-                fix = replaced(at, name, meant, safe=name.lower() == meant)
-                yield Finding(at, f"'{name}' of {of} is not read; did you mean '{meant}'?", fix=fix)
-            elif name == "min" and interface.name == "jerk" and interface.kind == "command":
-                yield Finding(parameter.at, f"'min' of {of} is not read: jerk has a 'max' alone, for both directions")
+    for control, part in parts(project):
+        simulated = [each.distro for each in known_hardware(project, control) if each.simulator]
+        for interface in part.interfaces:
+            of = f"{called(interface)} of {label(part.kind, part.name)}"
+            for parameter in interface.parameters:
+                name = parameter.name or ""
+                meant = _meant(name, simulated=bool(simulated))
+                if meant:
+                    at = parameter.at["name"]
+                    fix = replaced(at, name, meant, safe=name.lower() == meant)
+                    yield Finding(at, f"'{name}' of {of} is not read; did you mean '{meant}'?", fix=fix)
+                elif name == "min" and interface.name == "jerk" and interface.kind == "command":
+                    message = f"'min' of {of} is not read: jerk has a 'max' alone, for both directions"
+                    yield Finding(parameter.at, message)
+            if part.kind == "joint" and set(JAZZY) & set(simulated):
+                yield from _of_others(interface, of)
+
+
+def _meant(name: str, *, simulated: bool) -> str | None:
+    """The parameter that a name means which is not read; hardware of one's own may read any."""
+    if name.lower() in _READ:
+        return name.lower() if name not in _READ else None
+    return _MEANT.get(name.lower()) if simulated else None
+
+
+def _of_others(interface: Interface, of: str) -> Iterator[Finding]:
+    """What is to be said of the limits of a joint's command interface that limits are not read of."""
+    limits = [parameter for parameter in interface.parameters if parameter.name in ("min", "max")]
+    if interface.kind == "command" and limits and interface.name not in _LIMITED and is_known(interface.name):
+        yield Finding(limits[0].at, f"the limits of {of} are not read: there are limits of {in_words(_LIMITED)}")
