@@ -160,6 +160,13 @@ def test_two_faults_that_each_call_shows_at_one_place_stay_two(folder: Folder) -
     ]
 
 
+def test_one_fault_that_several_variants_of_a_robot_show_through_the_same_call_stays_one(folder: Folder) -> None:
+    macro = '<xacro:macro name="part" params="n"><link name="${n}"/></xacro:macro>'
+    folder.write({"r.xacro": HEAD + macro + '\n<xacro:part n="a"/></robot>'})
+    one, other = outcome(made("UC901", (0, "a is long"))), outcome(made("UC901", (0, "a is long")))
+    assert [(d.message, len(d.expanded_from)) for d in joined([one, other], Selection())] == [("a is long", 1)]
+
+
 def test_the_gravest_of_what_is_merged_is_told(folder: Folder) -> None:
     def made_for_a_test(project: Project) -> Iterator[Finding]:
         """It finds the second call worse than the first."""

@@ -124,6 +124,11 @@ class Diagnostic(NamedTuple):
         """The key of the stable order of a report."""
         return self.at, self.code, self.message
 
+    @property
+    def in_macro(self) -> bool:
+        """Whether it stands in what a macro's call, or an inserted block, brought in."""
+        return any(not step.what.startswith("include") for chain in self.expanded_from for step in chain)
+
 
 def diagnosed(code: str, name: str, severity: Severity, finding: Finding, url: str | None = None) -> Diagnostic:
     """The plain data of a finding."""

@@ -181,29 +181,26 @@ def _crash(rule: Rule, project: Project, error: Exception) -> Diagnostic:
 def joined(outcomes: Iterable[Outcome], selection: Selection) -> list[Diagnostic]:
     """The findings of a run in their stable order: one for each fault, however many calls and robots show it."""
     outcomes = list(outcomes)
-    found = [diagnostic for outcome in outcomes for diagnostic in outcome.diagnostics]
-    found += _unused(outcomes, selection)
-    return sorted(_merged(found), key=lambda diagnostic: diagnostic.order)
+    found = [outcome.diagnostics for outcome in outcomes]
+    return sorted(_merged([*found, _unused(outcomes, selection)]), key=lambda diagnostic: diagnostic.order)
 
 
-def _merged(found: Iterable[Diagnostic]) -> Iterator[Diagnostic]:
+def _merged(found: Iterable[Iterable[Diagnostic]]) -> Iterator[Diagnostic]:
+    """What each of several robots shows, as one."""
     groups: dict[tuple[object, ...], list[Diagnostic]] = {}
-    repeats: Counter[tuple[object, ...]] = Counter()
-    for diagnostic in found:
-        place = diagnostic.code, diagnostic.at.file, diagnostic.at.start, diagnostic.at.end
-        if not _in_macro(diagnostic):
-            groups.setdefault((*place, diagnostic.message), []).append(diagnostic)
-            continue
-        # what one call shows twice at one place are two faults; what each call shows once is one
-        way = (*place, diagnostic.at, diagnostic.expanded_from)
-        repeats[way] += 1
-        groups.setdefault((*place, repeats[way]), []).append(diagnostic)
+    for diagnostics in found:
+        repeats: Counter[tuple[object, ...]] = Counter()
+        for diagnostic in diagnostics:
+            place = diagnostic.code, diagnostic.at.file, diagnostic.at.start, diagnostic.at.end
+            if not diagnostic.in_macro:
+                groups.setdefault((*place, diagnostic.message), []).append(diagnostic)
+                continue
+            # what one call shows twice at one place are two faults; what each call or robot shows once is one
+            way = (*place, diagnostic.at, diagnostic.expanded_from)
+            repeats[way] += 1
+            groups.setdefault((*place, repeats[way]), []).append(diagnostic)
     for group in groups.values():
         yield _one_of(group)
-
-
-def _in_macro(diagnostic: Diagnostic) -> bool:
-    return any(not step.what.startswith("include") for chain in diagnostic.expanded_from for step in chain)
 
 
 def _one_of(group: list[Diagnostic]) -> Diagnostic:
