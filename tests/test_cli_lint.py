@@ -17,6 +17,7 @@ from folder import Folder, environment
 from typer.testing import CliRunner
 
 from urdfctl.cli.app import app
+from urdfctl.report import FORMATS
 
 SOUND = """\
 <robot name="arm">
@@ -36,6 +37,11 @@ ASKS = """\
 </robot>
 """
 
+
+UNKNOWN_FORMAT = (
+    "urdfctl: unknown format 'jsn'; did you mean 'json'?; "
+    "known are text, concise, json, jsonl, sarif, github, gitlab, junit\n"
+)
 
 # -- exit status -----------------------------------------------------------------------------------------------------
 
@@ -69,7 +75,7 @@ def test_the_exit_status_tells_what_was_found(folder: Folder, text: str, words: 
         (["arm.urdf", "--distro", "jazy"], "urdfctl: unknown distro 'jazy'; did you mean 'jazzy'?\n"),
         (
             ["arm.urdf", "--format", "jsn"],
-            "urdfctl: unknown format 'jsn'; did you mean 'json'?; known are text, concise, json\n",
+            UNKNOWN_FORMAT,
         ),
         (["arm.urdf", "--format", "json="], "urdfctl: --format json= names no file\n"),
         (
@@ -255,6 +261,34 @@ def test_several_formats_go_where_each_is_sent(folder: Folder) -> None:
     assert ran.stdout == folder.run("lint", "arm.urdf").stdout
     assert json.loads((folder.path / "report.json").read_text())["summary"]["error"] == 1
     assert (folder.path / "c.txt").read_text().count("\n") == ran.stdout.count(" UC")
+
+
+def test_each_format_says_the_same_on_standard_output_and_in_a_file(folder: Folder) -> None:
+    folder.write({"arm.urdf": ERROR})
+    both = [word for name in FORMATS for word in ("--format", f"{name}=report.{name}")]
+    ran = folder.run("lint", "arm.urdf", *both)
+    assert (ran.returncode, ran.stdout, ran.stderr) == (1, "", "")
+    for name in FORMATS:
+        written = (folder.path / f"report.{name}").read_text()
+        assert "mount" in written, name
+        assert folder.run("lint", "arm.urdf", "--format", name).stdout == written, name
+
+
+LISTS_MODULES = """
+import sys
+from urdfctl.cli.lint_command import lint_words
+lint_words(["arm.urdf"], formats=["github"])
+print(*sys.modules, file=sys.stderr)
+"""
+
+
+def test_formats_that_are_not_asked_for_are_not_loaded(folder: Folder) -> None:
+    folder.write({"arm.urdf": ERROR})
+    ran = subprocess.run([sys.executable, "-c", LISTS_MODULES], capture_output=True, text=True, check=True)
+    loaded = set(ran.stderr.split())
+    reports = {name for name in loaded if name.startswith("urdfctl.report.")}
+    assert reports == {"urdfctl.report.common", "urdfctl.report.github", "urdfctl.report.words"}
+    assert not loaded & {"rich", "typer", "xml.sax.saxutils"}
 
 
 def test_a_report_overwrites_the_one_before(folder: Folder) -> None:

@@ -14,6 +14,7 @@ from jsonschema import Draft202012Validator, ValidationError
 
 from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Replacement, Severity, Step
 from urdfctl.lint import Linted, Outcome
+from urdfctl.report import jsonl
 from urdfctl.report.common import Report
 from urdfctl.report.json_report import render
 
@@ -33,7 +34,7 @@ def everything(folder: Folder) -> Report:
         where,
         ((Step(str(folder.path / "r.xacro"), 6, 3, "macro wheel"), Step("/out.xacro", 1, 1, "include r.xacro")),),
         (Remark("so it is", where), Remark("for noetic")),
-        Repair("add it", safe=True, edits=(Replacement(file, 310, 310, "<x/>"),)),
+        Repair("add it", safe=True, edits=(Replacement(Location(file, 12, 7, 12, 7, 310, 310), "<x/>"),)),
         "an excerpt",
         "https://example.org/UC201",
     )
@@ -176,3 +177,23 @@ def test_a_file_name_that_is_no_text_makes_no_broken_json(folder: Folder) -> Non
     given = json.loads((folder.path / "report.json").read_bytes())
     assert given == json.loads(ran.stdout)
     assert given["targets"][0]["robot"] == name
+
+
+def test_json_lines_are_the_findings_one_a_line(folder: Folder) -> None:
+    report = everything(folder)
+    told = jsonl.render(report)
+    assert told.splitlines()[1] == (
+        '{"code": "UC105", "name": "several-root-links", "severity": "info", "message": "bare", "file": "/r.urdf",'
+        ' "line": 1, "column": 1, "end_line": 1, "end_column": 1, "expanded_from": [], "notes": [], "fix": null,'
+        ' "url": null}'
+    )
+    assert [json.loads(line) for line in told.splitlines()] == json.loads(render(report))["findings"]
+    assert jsonl.render(Report((), ())) == ""
+
+
+def test_ends_of_lines_and_controls_are_escaped_and_other_letters_are_not(folder: Folder) -> None:
+    message = "größe 腕\n\r\u2028\x85\x1b\x9b\u202e"
+    one = everything(folder).findings[1]._replace(message=message)
+    told = jsonl.render(Report((), (one,)))
+    assert r'"message": "größe 腕\n\r\u2028\u0085\u001b\u009b\u202e"' in told
+    assert json.loads(told)["message"] == message

@@ -87,12 +87,25 @@ class Remark(NamedTuple):
 
 
 class Replacement(NamedTuple):
-    """An edit as reports show it: bytes `start` to `end` of a file become `text`."""
+    """An edit as reports show it: what stands at a place becomes `text`."""
 
-    file: str
-    start: int
-    end: int
+    at: Location
     text: str
+
+    @property
+    def file(self) -> str:
+        """The file to be changed."""
+        return self.at.file
+
+    @property
+    def start(self) -> int:
+        """The first byte that is replaced."""
+        return self.at.start
+
+    @property
+    def end(self) -> int:
+        """The byte after the last one that is replaced."""
+        return self.at.end
 
 
 class Repair(NamedTuple):
@@ -185,4 +198,4 @@ def _chains(place: Place) -> tuple[tuple[Step, ...], ...]:
 
 
 def _replacements(edits: Sequence[Edit]) -> tuple[Replacement, ...]:
-    return tuple(Replacement(edit.span.file, edit.span.start, edit.span.end, edit.text) for edit in edits)
+    return tuple(Replacement(located(edit.span), edit.text) for edit in edits)

@@ -64,7 +64,11 @@ def lint(
     ignore: Annotated[list[str] | None, typer.Option(help="Not the rules whose code begins so.")] = None,
     extend_select: Annotated[list[str] | None, typer.Option(help="These rules too.")] = None,
     formats: Annotated[
-        list[str] | None, typer.Option("--format", help="text, concise or json; =FILE writes it there. Repeatable.")
+        list[str] | None,
+        typer.Option(
+            "--format",
+            help="text, concise, json, jsonl, sarif, github, gitlab or junit; =FILE writes it there. Repeatable.",
+        ),
     ] = None,
     fail_on: Annotated[
         str | None, typer.Option(help="Exit with 1 from this severity on: error (if not set), warning or info.")

@@ -16,9 +16,8 @@ from urdfctl.errors import UserError
 from urdfctl.lint import Linted, Selection, joined, worst
 from urdfctl.lint import checked as checked_selection
 from urdfctl.load import Target, lint_all
-from urdfctl.report import FORMATS
+from urdfctl.report import FORMATS, render
 from urdfctl.report.common import Report
-from urdfctl.report.text import print_coloured
 from urdfctl.settings import Settings
 from urdfctl.suggest import did_you_mean
 
@@ -80,7 +79,7 @@ def run_lint(wanted: Wanted, settings: Settings) -> int:
         sys.stderr.write(f"urdfctl: no robot found in {', '.join(paths) or 'this folder'}\n")
     kept, looked_at = _linted(found, tuple(arguments.items()), settings, wanted)
     outcomes = [one.outcome for one in looked_at]
-    report = Report(tuple(kept), tuple(joined(outcomes, wanted.selection)), len(looked_at) - len(kept))
+    report = Report(tuple(kept), tuple(joined(outcomes, wanted.selection)), len(looked_at) - len(kept), wanted.fail_on)
     for name, file in wanted.outputs:
         _tell(report, name, file)
     if any(outcome.crashed for outcome in outcomes):
@@ -178,8 +177,10 @@ def _output(text: str) -> tuple[str, str | None]:
 
 def _tell(report: Report, name: str, file: str | None) -> None:
     if file is not None:
-        write_file(file, FORMATS[name](report), force=True)
+        write_file(file, render(report, name), force=True)
     elif name == "text" and sys.stdout.isatty() and not os.environ.get("NO_COLOR"):
+        from urdfctl.report.text import print_coloured
+
         print_coloured(report)
     else:
-        print_text(FORMATS[name](report))
+        print_text(render(report, name))

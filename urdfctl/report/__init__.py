@@ -2,13 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
+from importlib import import_module
 
-from urdfctl.report import concise, json_report, text
 from urdfctl.report.common import Report
 
-FORMATS: Mapping[str, Callable[[Report], str]] = {
-    "text": text.render,
-    "concise": concise.render,
-    "json": json_report.render,
+_MODULES = {
+    "text": "text",
+    "concise": "concise",
+    "json": "json_report",
+    "jsonl": "jsonl",
+    "sarif": "sarif",
+    "github": "github",
+    "gitlab": "gitlab",
+    "junit": "junit",
 }
+FORMATS = tuple(_MODULES)
+
+
+def render(report: Report, name: str) -> str:
+    """A report in one of the forms, whose module is loaded when it is asked for."""
+    written: Callable[[Report], str] = import_module(f"{__name__}.{_MODULES[name]}").render
+    return written(report)

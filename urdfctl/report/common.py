@@ -13,12 +13,13 @@ from urdfctl.source.files import is_launch, is_yaml
 
 class Report(NamedTuple):
     """What a run found: the robots it looked at (and controllers' files and launch files named alone), the findings in
-    their stable order, and how many other files it looked at: macro libraries, fragments and controllers' files in
-    folders, which no robot uses."""
+    their stable order, how many other files it looked at (macro libraries, fragments and controllers' files in folders,
+    which no robot uses), and from which severity on findings make it fail."""
 
     targets: tuple[Linted, ...]
     findings: tuple[Diagnostic, ...]
     others: int = 0
+    fail_on: Severity = Severity.ERROR
 
     def count(self, severity: Severity) -> int:
         """How many findings have a severity."""
@@ -42,7 +43,31 @@ def visible(text: str) -> str:
     return text.translate(_ESCAPES) if not text.isprintable() else text
 
 
-_CONTROLS = (*range(0x20), *range(0x7F, 0xA0), *range(0x202A, 0x202F), *range(0x2066, 0x206A))
+def as_json(value: object, indent: int | None = None) -> str:
+    """A value as JSON in which only what is safe to print stands as it is: no control characters, no ends of lines, no
+    halves of characters (which file names that are no text bring in)."""
+    import json
+
+    text = json.dumps(value, indent=indent, ensure_ascii=False)
+    return text if text.isprintable() else re.sub(_UNSAFE_IN_JSON, lambda found: f"\\u{ord(found[0]):04x}", text)
+
+
+def as_text(text: str) -> str:
+    """A text that any encoder takes: halves of characters become question marks in a diamond."""
+    return re.sub("[\ud800-\udfff]", "\ufffd", text)
+
+
+def rebased(path: str, variable: str) -> str:
+    """A path as reports show it, from the root of the checkout instead where a pipeline's variable tells it."""
+    from urdfctl.fingerprint import path_from
+
+    root = os.environ.get(variable)
+    known = root and os.path.abspath(path).startswith(os.path.abspath(root).rstrip(os.sep) + os.sep)
+    return path_from(os.path.abspath(path), root) if root and known else path
+
+
+_UNSAFE_IN_JSON = "[\x7f-\x9f\u2028-\u202e\u2066-\u2069\ud800-\udfff]"
+_CONTROLS = (*range(0x20), *range(0x7F, 0xA0), *range(0x2028, 0x202F), *range(0x2066, 0x206A))
 _ESCAPES = {code: repr(chr(code))[1:-1] for code in _CONTROLS}
 
 
@@ -50,7 +75,7 @@ def relative(diagnostic: Diagnostic) -> Diagnostic:
     """A diagnostic whose paths are as reports show them."""
     fix = diagnostic.fix
     if fix:
-        edits = tuple(edit._replace(file=shown(edit.file)) for edit in fix.edits)
+        edits = tuple(edit._replace(at=_located(edit.at)) for edit in fix.edits)
         fix = fix._replace(title=_said(fix.title), edits=edits)
     chains = diagnostic.expanded_from
     return diagnostic._replace(

@@ -2,23 +2,16 @@
 
 from __future__ import annotations
 
-import json
 from typing import Any
 
 from urdfctl import __version__
 from urdfctl.diagnostic import Diagnostic, Repair, Severity
-from urdfctl.report.common import Report, is_robot, relative, shown
+from urdfctl.report.common import Report, as_json, is_robot, relative, shown
 
 
 def render(report: Report) -> str:
     """The report as one JSON document."""
-    whole = document(report)
-    text = json.dumps(whole, indent=1, ensure_ascii=False)
-    try:
-        text.encode()
-    except UnicodeEncodeError:  # a file name that is no text
-        text = json.dumps(whole, indent=1)
-    return text + "\n"
+    return as_json(document(report), indent=1) + "\n"
 
 
 def document(report: Report) -> dict[str, Any]:

@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from urdfctl.diagnostic import Diagnostic, Severity, Step
+from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.report.common import Report, is_robot, relative, shown, visible
 from urdfctl.report.concise import place
+from urdfctl.report.words import notes
 
-MOST_CHAINS = 4
-_MOST_STEPS = 8
 _WIDEST = 160
 _COLOURS = {Severity.ERROR: "bold red", Severity.WARNING: "bold yellow", Severity.INFO: "bold cyan"}
 
@@ -46,26 +45,16 @@ def pieces(report: Report) -> Iterator[Piece]:
 
 
 def _finding(diagnostic: Diagnostic) -> Iterator[Piece]:
-    at = diagnostic.at
     yield Piece(f"{place(diagnostic)}: ", "bold")
     yield Piece(f"{diagnostic.severity.value} {diagnostic.code}", _COLOURS[diagnostic.severity])
     yield Piece(f" {visible(diagnostic.message)}\n")
     if diagnostic.excerpt.strip():
         yield from _excerpt(diagnostic)
-    for chain in diagnostic.expanded_from[:MOST_CHAINS]:
-        yield Piece(visible(f"  note: {_way(chain)}") + "\n")
-    if len(diagnostic.expanded_from) > MOST_CHAINS:
-        yield Piece(f"  note: and in {len(diagnostic.expanded_from) - MOST_CHAINS} more calls\n")
-    for note in diagnostic.notes:
-        where = f" ({_where(note.at.file, note.at.line, note.at.column, at.file)})" if note.at else ""
-        yield Piece(visible(f"  note: {note.message}{where}") + "\n")
+    for note in notes(diagnostic):
+        yield Piece(visible(f"  note: {note}") + "\n")
     if diagnostic.fix:
         yield Piece("  fix: ", "green")
         yield Piece(f"{visible(diagnostic.fix.title)}\n")
-
-
-def _where(file: str, line_number: int, column: int, current: str) -> str:
-    return f"line {line_number}" if file == current else f"{file}:{line_number}:{column}"
 
 
 def _excerpt(diagnostic: Diagnostic) -> Iterator[Piece]:
@@ -86,27 +75,6 @@ def _of_one_column_each(text: str) -> str:
     """A line whose tabs and control characters take one column each, so that the caret stands where it should."""
     text = text.replace("\t", " ")
     return text if text.isprintable() else "".join(c if visible(c) == c else "\ufffd" for c in text)
-
-
-def _way(chain: tuple[Step, ...]) -> str:
-    """The steps of a way, innermost first; of a very long one the two ends."""
-    steps = [_step(step) for step in chain]
-    if len(steps) > _MOST_STEPS:
-        steps[_MOST_STEPS - 1 : -1] = [f"and so on, {len(steps) - _MOST_STEPS} times more"]
-    return ", ".join(steps)
-
-
-def _step(step: Step) -> str:
-    kind, _, name = step.what.partition(" ")
-    place = f"{step.file}:{step.line}:{step.column}"
-    if kind == "macro":
-        return f"in the call of macro '{name}' at {place}"
-    if kind == "uncalled":
-        macro = name.removeprefix("macro ")
-        return f"in macro '{macro}' ({place}), which nothing here calls: its parameters are not known"
-    if kind == "block":
-        return f"inserted as a block at {place}"
-    return f"included at {place}"
 
 
 def _summary(report: Report) -> Iterator[Piece]:

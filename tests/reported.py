@@ -1,0 +1,40 @@
+"""Literal findings that the tests of several reports tell."""
+
+from __future__ import annotations
+
+from folder import Folder
+
+from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Replacement, Severity, Step
+from urdfctl.lint import Linted, Outcome
+from urdfctl.report.common import Report
+
+
+def of_a_macro(folder: Folder) -> Diagnostic:
+    """An error in a macro that is called twice, with notes and a fix."""
+    file, robot = str(folder.path / "urdf/große wheel.xacro"), str(folder.path / "r.xacro")
+    return Diagnostic(
+        "UC201",
+        "transmission-joint-without-interface",
+        Severity.ERROR,
+        "joint 'größe' has no <hardwareInterface>",
+        Location(file, 12, 7, 12, 28, 310, 333),
+        (
+            (Step(file, 4, 3, "macro wheel"), Step(robot, 6, 3, "macro axle"), Step("/out.xacro", 1, 1, "include r")),
+            (Step(robot, 7, 3, "macro wheel"),),
+        ),
+        (Remark("so it is", Location(file, 14, 1, 14, 3, 400, 402)), Remark("for noetic")),
+        Repair("add it", safe=True, edits=(Replacement(Location(file, 12, 26, 12, 28, 331, 333), "><x/></joint>"),)),
+        '      <joint name="größe"/>',
+    )
+
+
+def bare(severity: Severity, message: str = "it is so", file: str = "/elsewhere/r.urdf") -> Diagnostic:
+    """A finding of which nothing is known but its place, over two lines."""
+    return Diagnostic("UC105", "several-root-links", severity, message, Location(file, 1, 2, 3, 4, 1, 40))
+
+
+def report(folder: Folder, *findings: Diagnostic, fail_on: Severity = Severity.ERROR) -> Report:
+    """A report on the robot r.xacro."""
+    path = str(folder.path / "r.xacro")
+    robot = Linted(path, 1, "noetic", "--distro", None, True, False, "r", 2, (path,), Outcome(list(findings), []))
+    return Report((robot,), findings, fail_on=fail_on)

@@ -1,0 +1,35 @@
+"""The report in GitLab's Code Quality form, which merge requests show beside the code.
+
+The form is that of docs.gitlab.com, "Code Quality report format".
+"""
+
+from __future__ import annotations
+
+import os
+
+from urdfctl.diagnostic import Diagnostic, Severity
+from urdfctl.fingerprint import fingerprints
+from urdfctl.report.common import Report, as_json, as_text, rebased, relative, visible
+
+_SEVERITIES = {Severity.ERROR: "major", Severity.WARNING: "minor", Severity.INFO: "info"}
+
+
+def render(report: Report) -> str:
+    """A JSON array of the findings, with paths from the root of the checkout."""
+    prints = fingerprints(report.findings, os.environ.get("CI_PROJECT_DIR") or os.getcwd())
+    pairs = zip(report.findings, prints, strict=True)
+    return as_json([_issue(relative(diagnostic), mark) for diagnostic, mark in pairs], indent=1) + "\n"
+
+
+def _issue(diagnostic: Diagnostic, mark: str) -> dict[str, object]:
+    at = diagnostic.at
+    return {
+        "description": as_text(f"{diagnostic.code} {visible(diagnostic.message)}"),
+        "check_name": f"{diagnostic.code} {diagnostic.name}",
+        "fingerprint": mark,
+        "severity": _SEVERITIES[diagnostic.severity],
+        "location": {
+            "path": as_text(rebased(at.file, "CI_PROJECT_DIR")),
+            "lines": {"begin": at.line, "end": at.end_line},
+        },
+    }

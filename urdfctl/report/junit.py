@@ -1,0 +1,80 @@
+"""The report as JUnit's XML, which every CI system shows: a suite for each file, a test case for each finding.
+
+What makes the run fail is a failure there, what does not is skipped, and a robot without findings is a passed test.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from xml.sax.saxutils import escape, quoteattr
+
+from urdfctl.diagnostic import Diagnostic
+from urdfctl.report.common import Report, as_text, relative, shown, visible
+from urdfctl.report.concise import place
+from urdfctl.report.words import paragraph
+
+_OURS = "UC000"
+_NOT_XML = {0xFFFE: "\ufffd", 0xFFFF: "\ufffd"}
+
+
+def render(report: Report) -> str:
+    """One document, whatever texts it holds."""
+    return "\n".join(_lines(report)) + "\n"
+
+
+def _lines(report: Report) -> Iterator[str]:
+    suites: dict[str, list[Diagnostic]] = {shown(target.path): [] for target in report.targets}
+    for diagnostic in map(relative, report.findings):
+        suites.setdefault(diagnostic.at.file, []).append(diagnostic)
+    yield '<?xml version="1.0" encoding="UTF-8"?>'
+    yield f"<testsuites{_attributes(name='urdfctl', **_counts(suites.values(), report))}>"
+    for file, findings in suites.items():
+        yield from _suite(file, findings, report)
+    yield "</testsuites>"
+
+
+def _suite(file: str, findings: Sequence[Diagnostic], report: Report) -> Iterator[str]:
+    yield f"  <testsuite{_attributes(name=file, **_counts([findings], report))}>"
+    for diagnostic in findings:
+        at = diagnostic.at
+        name = f"{diagnostic.code} {diagnostic.name} at {at.line}:{at.column}"
+        yield f"    <testcase{_attributes(name=name, classname=file, file=file, line=at.line)}>"
+        yield f"      {_result(diagnostic, report)}"
+        yield "    </testcase>"
+    if not findings:
+        yield f"    <testcase{_attributes(name='no findings', classname=file, file=file)}/>"
+    yield "  </testsuite>"
+
+
+def _result(diagnostic: Diagnostic, report: Report) -> str:
+    kind = _kind(diagnostic, report)
+    if kind == "skipped":
+        return f"<skipped{_attributes(message=f'{diagnostic.severity.value}: {diagnostic.message}')}/>"
+    body = "\n".join(_text(line) for line in [place(diagnostic), *paragraph(diagnostic)])
+    attributes = _attributes(message=diagnostic.message, type=diagnostic.severity.value)
+    return f"<{kind}{attributes}>{escape(body)}</{kind}>"
+
+
+def _kind(diagnostic: Diagnostic, report: Report) -> str:
+    if diagnostic.code == _OURS:
+        return "error"
+    return "failure" if diagnostic.severity.weight >= report.fail_on.weight else "skipped"
+
+
+def _counts(suites: Collection[Sequence[Diagnostic]], report: Report) -> dict[str, int]:
+    kinds = [_kind(diagnostic, report) for findings in suites for diagnostic in findings]
+    return {
+        "tests": sum(max(len(findings), 1) for findings in suites),
+        "failures": kinds.count("failure"),
+        "errors": kinds.count("error"),
+        "skipped": kinds.count("skipped"),
+    }
+
+
+def _attributes(**values: str | int) -> str:
+    return "".join(f" {name}={quoteattr(_text(str(value)))}" for name, value in values.items())
+
+
+def _text(text: str) -> str:
+    """A text that XML can hold."""
+    return as_text(visible(text)).translate(_NOT_XML)
