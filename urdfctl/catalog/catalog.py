@@ -27,6 +27,7 @@ class Catalog:
         self._controllers = dict(controllers or {})
         self._hardware = dict(hardware or {})
         self._made: dict[tuple[str, str], ControllerType | None] = {}
+        self._made_hardware: dict[tuple[str, str], HardwareType | None] = {}
 
     # -- controllers -------------------------------------------------------------------------------------------------
 
@@ -64,11 +65,13 @@ class Catalog:
 
     def hardware(self, name: str, distro: str) -> HardwareType | None:
         """A hardware plugin as a distro has it; None where it has it not."""
-        from urdfctl.catalog.hardware import hardware_type
+        if (name, distro) not in self._made_hardware:
+            from urdfctl.catalog.hardware import hardware_type
 
-        ros = generation(distro)
-        own = in_distro({**plain(ros, "hardware"), **self._hardware}.get(name, {"distros": "rolling"}), distro)
-        return hardware_type(own, distro) if own and "type" in own else None
+            ros = generation(distro)
+            own = in_distro({**plain(ros, "hardware"), **self._hardware}.get(name, {"distros": "rolling"}), distro)
+            self._made_hardware[name, distro] = hardware_type(own, distro) if own and "type" in own else None
+        return self._made_hardware[name, distro]
 
     def known_hardware(self, distro: str) -> tuple[str, ...]:
         """The hardware plugins that a distro has."""
