@@ -13,7 +13,10 @@ def hardware(part: str, distro: str = "jazzy") -> Hardware:
 
 
 def offered(found: Hardware) -> tuple[list[str], list[str]]:
-    command, state = ([f"{one.component}/{one.interface}" for one in found.offers(kind)] for kind in Kind)
+    command, state = (
+        [f"{one.component}/{one.interface}" for offers in found.offers(kind).values() for one in offers]
+        for kind in Kind
+    )
     return command, state
 
 

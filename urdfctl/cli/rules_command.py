@@ -18,6 +18,7 @@ from urdfctl.rule import Rule
 from urdfctl.rules import all_rules
 from urdfctl.rules.examples import options_of, unmarked
 from urdfctl.settings import Settings
+from urdfctl.source.files import is_yaml
 from urdfctl.suggest import did_you_mean
 
 
@@ -95,8 +96,10 @@ def _output(rule: Rule) -> str:
         try:
             os.chdir(folder)
             selection = Selection()
-            settings = Settings(workspace=os.getcwd(), **options)  # type: ignore[arg-type]
-            linted = Loader(settings, selection).lint(Target(next(iter(files)), arguments))
+            settings = Settings(workspace=os.getcwd(), **options)
+            first, *beside = files
+            controllers = tuple(name for name in beside if is_yaml(name))
+            linted = Loader(settings, selection).lint(Target(first, arguments, controllers=controllers))
             found = [one for one in joined([linted.outcome], selection) if one.code == rule.code]
             report = Report((), tuple(found))
             return textwrap.indent("\n".join(render(report).splitlines()[:-1]), "  ")

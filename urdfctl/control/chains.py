@@ -10,13 +10,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from urdfctl.catalog.distros import since
 from urdfctl.control.claims import Claim
 from urdfctl.control.hardware import Kind
-from urdfctl.control.session import Configured, Session
-
-CHAINING = since("humble")
-CHAINING_STATES = since("jazzy")
+from urdfctl.control.session import CHAINING, Configured, Session, before_slash
 
 
 class Chained(NamedTuple):
@@ -39,11 +35,9 @@ class Chained(NamedTuple):
 
 def chained_claims(session: Session, controller: Configured) -> Iterator[Chained]:
     """The claims of a controller to what others of its manager export."""
-    for kind, claims in ((Kind.COMMAND, controller.claims.command), (Kind.STATE, controller.claims.state)):
-        if session.distro not in (CHAINING if kind is Kind.COMMAND else CHAINING_STATES):
-            continue
-        for claim in claims:
-            following = session.named(claim.name.partition("/")[0], controller)
+    for kind in Kind:
+        for claim in controller.claimed(kind) if session.distro in CHAINING[kind] else ():
+            following = session.named(before_slash(claim), controller)
             if following is not None and not claim.best_effort:
                 yield Chained(controller, kind, claim, following)
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from enum import Enum
+from types import MappingProxyType
 from typing import NamedTuple
 
 from urdfctl.catalog.distros import generation
@@ -34,31 +36,35 @@ class Offer(NamedTuple):
     by: str | None = None
 
 
+Offers = Mapping[str, tuple[Offer, ...]]
+NO_OFFERS: Offers = MappingProxyType({})
+
+
 class Hardware(NamedTuple):
-    """All interfaces that hardware offers, in the order of the description.
+    """All interfaces that hardware offers, by component, in the order of the description.
 
     `joints` are those of the robot; `exact` components are wholly told by the description. Not `open`: no hardware
     offers anything that the description does not tell. Not `known`: nothing can be said of it.
     """
 
-    command: tuple[Offer, ...] = ()
-    state: tuple[Offer, ...] = ()
+    command: Offers = NO_OFFERS
+    state: Offers = NO_OFFERS
     exact: frozenset[str] = frozenset()
     joints: frozenset[str] = frozenset()
     open: bool = False
     known: bool = True
 
-    def offers(self, kind: Kind) -> tuple[Offer, ...]:
+    def offers(self, kind: Kind) -> Offers:
         """Its command interfaces, or its state interfaces."""
         return self.command if kind is Kind.COMMAND else self.state
 
     def of(self, kind: Kind, component: str) -> tuple[Offer, ...]:
         """What it offers of one component."""
-        return tuple(offer for offer in self.offers(kind) if offer.component == component)
+        return self.offers(kind).get(component, ())
 
     def has(self, component: str) -> bool:
         """Whether it offers anything of a component."""
-        return component in self.exact or any(one.component == component for one in (*self.command, *self.state))
+        return component in self.exact or component in self.command or component in self.state
 
     def absence(self, kind: Kind, component: str, interface: str) -> Absence | None:
         """How surely it does not offer an interface; None where it does, or may."""
@@ -68,6 +74,14 @@ class Hardware(NamedTuple):
         if not self.open or component in self.exact:
             return Absence.SURE
         return Absence.LIKELY if self.has(component) or component in self.joints else None
+
+
+def by_component(offers: Iterable[Offer]) -> Offers:
+    """Some offers by their component."""
+    found: dict[str, tuple[Offer, ...]] = {}
+    for offer in offers:
+        found[offer.component] = (*found.get(offer.component, ()), offer)
+    return found
 
 
 UNKNOWN_HARDWARE = Hardware(known=False)

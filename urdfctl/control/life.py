@@ -98,21 +98,10 @@ def _stops(session: Session, controller: Configured) -> Iterator[Stop]:
             yield Stop(Stage.LOAD if ros1 else Stage.CONFIGURE, Reason.PARAMETERS, words=words)
     for _, claim in claimed_twice(controller, session.distro):
         yield Stop(Stage.ACTIVATE if ros1 else Stage.CONFIGURE, Reason.CLAIMED_TWICE, claim)
-    yield from missing(session, controller)
+    for one in controller.missing:
+        stage = Stage.LOAD if ros1 else Stage.ACTIVATE
+        yield Stop(stage, Reason.NOT_OFFERED, one.claim, one.kind, absence=one.absence)
     yield from _chain_stops(session, controller)
-
-
-def missing(session: Session, controller: Configured) -> Iterator[Stop]:
-    """The interfaces that a controller claims of hardware which does not offer them."""
-    stage = Stage.LOAD if generation(session.distro) == 1 else Stage.ACTIVATE
-    chained = {(one.kind, one.claim.name) for one in chained_claims(session, controller)}
-    for kind, claims in ((Kind.COMMAND, controller.claims.command), (Kind.STATE, controller.claims.state)):
-        for claim in claims:
-            if claim.best_effort or (kind, claim.name) in chained:
-                continue
-            absence = session.hardware.absence(kind, claim.component, claim.interface)
-            if absence is not None:
-                yield Stop(stage, Reason.NOT_OFFERED, claim, kind, absence=absence)
 
 
 def _chain_stops(session: Session, controller: Configured) -> Iterator[Stop]:

@@ -2,38 +2,56 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import NamedTuple
 
+from urdfctl.catalog.distros import since
 from urdfctl.catalog.entries import ControllerType
 from urdfctl.catalog.map_parameters import matching
 from urdfctl.catalog.value_types import type_problem
-from urdfctl.control.claims import Claims, Exports, RobotFacts, claims, exports
+from urdfctl.control.claims import Claim, Claims, Exports, RobotFacts, claims, exports
 from urdfctl.control.given import given_values
-from urdfctl.control.hardware import Hardware, hardware_of
+from urdfctl.control.hardware import Absence, Hardware, Kind, hardware_of
 from urdfctl.model.controllers import Controller
 from urdfctl.model.project import Project
 from urdfctl.model.robot import Robot
 from urdfctl.source.opaque import UNKNOWN
 
 NOT_KNOWN = Claims(complete=False)
+CHAINING = {Kind.COMMAND: since("humble"), Kind.STATE: since("jazzy")}
+"""The distros whose controllers may claim what other controllers export."""
 _MOVABLE = ("revolute", "continuous", "prismatic")
+
+_Name = tuple[str | None, str]
+
+
+class Missing(NamedTuple):
+    """An interface that a controller claims and no hardware offers."""
+
+    kind: Kind
+    claim: Claim
+    absence: Absence
 
 
 class Configured(NamedTuple):
     """A controller with its parameters, as one distro reads them. `type` is None where the catalogue does not know it;
-    then nothing is known of what it claims and exports either."""
+    then nothing is known of what it claims and exports either. `missing` is what it claims of hardware in vain."""
 
     controller: Controller
     type: ControllerType | None
     values: Mapping[str, object]
     claims: Claims
     exports: Exports
+    missing: tuple[Missing, ...] = ()
 
     @property
     def name(self) -> str:
         """The controller's own name, which stands before what it exports."""
         return self.controller.name
+
+    def claimed(self, kind: Kind) -> tuple[Claim, ...]:
+        """Its claims of a kind."""
+        return self.claims.command if kind is Kind.COMMAND else self.claims.state
 
 
 class Session(NamedTuple):
@@ -45,7 +63,8 @@ class Session(NamedTuple):
     hardware: Hardware
     controllers: tuple[Configured, ...]
     started: tuple[Configured, ...] | None
-    in_order: bool = False
+    in_order: bool
+    by_name: Mapping[_Name, Configured]
 
     @property
     def candidates(self) -> tuple[Configured, ...]:
@@ -54,8 +73,7 @@ class Session(NamedTuple):
 
     def named(self, name: str, beside: Configured) -> Configured | None:
         """The controller of a name in the manager of another one."""
-        namespace = beside.controller.namespace
-        return next((c for c in self.controllers if c.name == name and c.controller.namespace == namespace), None)
+        return self.by_name.get((beside.controller.namespace, name))
 
 
 def sessions(project: Project) -> Iterator[Session]:
@@ -68,14 +86,21 @@ def session_of(project: Project, distro: str) -> Session:
     hardware = hardware_of(project, distro)
     facts = _facts(project.robot, hardware)
     declared = project.controllers.controllers if project.controllers else ()
-    configured = tuple(_configured(controller, project, distro, facts) for controller in declared)
-    return Session(distro, hardware, configured, _started(project, configured), project.in_order)
+    names = {(controller.namespace, controller.name) for controller in declared}
+    configured = []
+    for controller in declared:
+        one = _configured(controller, project, distro, facts)
+        configured.append(one._replace(missing=tuple(_missing(one, hardware, distro, names))))
+    by_name = {(one.controller.namespace, one.name): one for one in reversed(configured)}
+    started = _started(project, configured)
+    return Session(distro, hardware, tuple(configured), started, project.in_order, by_name)
 
 
 def _facts(robot: Robot | None, hardware: Hardware) -> RobotFacts:
     joints = robot.joints if robot else ()
     movable = tuple(joint.name for joint in joints if joint.name and joint.type in _MOVABLE)
-    return RobotFacts(movable, tuple((offer.component, offer.interface) for offer in hardware.state))
+    offered = tuple((offer.component, offer.interface) for offers in hardware.state.values() for offer in offers)
+    return RobotFacts(movable, offered)
 
 
 def _configured(controller: Controller, project: Project, distro: str, facts: RobotFacts) -> Configured:
@@ -98,7 +123,21 @@ def _readable(kind: ControllerType, given: Mapping[str, object]) -> dict[str, ob
     return {name: UNKNOWN if wrong(name, value) else value for name, value in given.items()}
 
 
-def _started(project: Project, configured: tuple[Configured, ...]) -> tuple[Configured, ...] | None:
+def _missing(one: Configured, hardware: Hardware, distro: str, names: Collection[_Name]) -> Iterator[Missing]:
+    for kind in Kind:
+        for claim in one.claimed(kind):
+            chained = distro in CHAINING[kind] and (one.controller.namespace, before_slash(claim)) in names
+            absence = hardware.absence(kind, claim.component, claim.interface)
+            if absence is not None and not chained and not claim.best_effort:
+                yield Missing(kind, claim, absence)
+
+
+def before_slash(claim: Claim) -> str:
+    """What may be a controller's name in a claim: what stands before the first slash."""
+    return claim.name.partition("/")[0]
+
+
+def _started(project: Project, configured: Iterable[Configured]) -> tuple[Configured, ...] | None:
     if project.started is None or project.controllers is None:
         return None
     by_controller = {id(one.controller): one for one in configured}

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 import textwrap
 from collections.abc import Mapping
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from urdfctl.rule import Rule
 
@@ -52,9 +52,15 @@ def completed(name: str, text: str) -> str:
     return f'<?xml version="1.0"?>\n<robot name="arm"{namespace}>\n{inside}</robot>\n'
 
 
-def options_of(rule: Rule) -> tuple[dict[str, str], tuple[tuple[str, str], ...]]:
+def options_of(rule: Rule) -> tuple[dict[str, Any], tuple[tuple[str, str], ...]]:
     """What a rule's examples are linted with: settings by name, and `name:=value` arguments."""
-    settings = dict(option.removeprefix("--").split("=", 1) for option in rule.options if ":=" not in option)
+    settings: dict[str, Any] = {}
+    for option in rule.options:
+        name, _, value = option.removeprefix("--").partition("=")
+        if name == "start":
+            settings["started"] = tuple(value.split(","))
+        elif ":=" not in option:
+            settings[name] = value
     arguments = [option.split(":=", 1) for option in rule.options if ":=" in option]
     return settings, tuple((name, value) for name, value in arguments)
 

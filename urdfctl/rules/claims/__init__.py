@@ -3,10 +3,22 @@
 from __future__ import annotations
 
 from urdfctl.rule import Rule
+from urdfctl.rules.claims.chained_controller_exports_nothing import chained_controller_exports_nothing
+from urdfctl.rules.claims.chained_controller_not_started import chained_controller_not_started
+from urdfctl.rules.claims.chained_interface_not_exported import chained_interface_not_exported
 from urdfctl.rules.claims.command_interface_not_exported import command_interface_not_exported
+from urdfctl.rules.claims.controllers_chained_in_a_circle import controllers_chained_in_a_circle
+from urdfctl.rules.claims.controllers_in_conflict import controllers_in_conflict
+from urdfctl.rules.claims.interface_claimed_twice import interface_claimed_twice
 from urdfctl.rules.claims.state_interface_not_exported import state_interface_not_exported
 
 RULES: tuple[Rule, ...] = (
     command_interface_not_exported,
     state_interface_not_exported,
+    chained_interface_not_exported,
+    chained_controller_exports_nothing,
+    chained_controller_not_started,
+    controllers_chained_in_a_circle,
+    controllers_in_conflict,
+    interface_claimed_twice,
 )

@@ -7,8 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 from urdfctl.catalog.distros import in_words as distros_in_words
 from urdfctl.control.claims import Claim
 from urdfctl.control.hardware import Absence, Kind
-from urdfctl.control.life import Stop, missing
-from urdfctl.control.session import Configured, Session, sessions
+from urdfctl.control.session import Configured, Missing, Session, sessions
 from urdfctl.model.controllers import Controller
 from urdfctl.rule import Finding, Note, Project, Severity
 from urdfctl.rules.common import whole_robot_in
@@ -87,18 +86,18 @@ def severity_of(session: Session, one: Configured, absences: Iterable[Absence]) 
 
 
 def _has_alternative(session: Session, one: Configured) -> bool:
-    wanted = {claim.component for claim in one.claims.command}
-    for other in session.controllers:
-        if other is one or other.controller.namespace != one.controller.namespace:
-            continue
-        if wanted & {claim.component for claim in other.claims.command} and not any(missing(session, other)):
-            return True
-    return False
+    namespace, wanted = one.controller.namespace, {claim.component for claim in one.claims.command}
+    return any(
+        claim.component in wanted
+        for other in session.controllers
+        if not other.missing and other is not one and other.controller.namespace == namespace
+        for claim in other.claims.command
+    )
 
 
-def missing_of(session: Session, one: Configured, kind: Kind) -> list[Stop]:
-    """The claims of one kind that nothing offers, without those of names that are none of the robot's."""
-    return [s for s in missing(session, one) if s.kind is kind and s.claim and not _is_misnamed(session, s.claim)]
+def missing_of(session: Session, one: Configured, kind: Kind) -> list[Missing]:
+    """What a controller claims in vain, without names that are none of the robot's: they are a fault of the name."""
+    return [each for each in one.missing if each.kind is kind and not _is_misnamed(session, each.claim)]
 
 
 def _is_misnamed(session: Session, claim: Claim) -> bool:

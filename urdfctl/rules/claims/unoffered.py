@@ -6,8 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.control.claims import Claim
 from urdfctl.control.hardware import Kind
-from urdfctl.control.life import Stop
-from urdfctl.control.session import Configured, Session
+from urdfctl.control.session import Configured, Missing, Session
 from urdfctl.rule import Finding, Note
 from urdfctl.rules.claims.common import home, missing_of, offered_by, place_of, severity_of
 from urdfctl.rules.common import in_words
@@ -16,19 +15,18 @@ from urdfctl.suggest import nearest
 
 def unoffered(session: Session, one: Configured, kind: Kind) -> Iterator[Finding]:
     """A finding for each interface that no component of a controller offers, and for each other one that some lack."""
-    stops = missing_of(session, one, kind)
-    by_interface: dict[str, list[Stop]] = {}
-    for stop in stops:
-        if stop.claim is not None and not (kind is Kind.STATE and _is_told(session, one, stop.claim)):
-            by_interface.setdefault(stop.claim.interface, []).append(stop)
-    claims = one.claims.command if kind is Kind.COMMAND else one.claims.state
+    by_interface: dict[str, list[Missing]] = {}
+    for missing in missing_of(session, one, kind):
+        if not (kind is Kind.STATE and _is_told(session, one, missing.claim)):
+            by_interface.setdefault(missing.claim.interface, []).append(missing)
     for interface, found in by_interface.items():
-        wanted = [claim for claim in claims if claim.interface == interface]
-        if len(found) == len(wanted) > 1 and _are_all_known(session, found):
+        wanted = [claim for claim in one.claimed(kind) if claim.interface == interface]
+        known = all(session.hardware.has(missing.claim.component) for missing in found)
+        if len(found) == len(wanted) > 1 and known:
             yield from _finding(session, one, kind, found)
         else:
-            for stop in found:
-                yield from _finding(session, one, kind, [stop])
+            for missing in found:
+                yield from _finding(session, one, kind, [missing])
 
 
 def _is_told(session: Session, one: Configured, claim: Claim) -> bool:
@@ -36,26 +34,20 @@ def _is_told(session: Session, one: Configured, claim: Claim) -> bool:
     return not session.hardware.has(claim.component) and claim.component in {c.component for c in one.claims.command}
 
 
-def _are_all_known(session: Session, found: list[Stop]) -> bool:
-    return all(stop.claim is not None and session.hardware.has(stop.claim.component) for stop in found)
-
-
-def _finding(session: Session, one: Configured, kind: Kind, stops: list[Stop]) -> Iterator[Finding]:
-    claims = [stop.claim for stop in stops if stop.claim is not None]
+def _finding(session: Session, one: Configured, kind: Kind, missing: list[Missing]) -> Iterator[Finding]:
+    claims = [each.claim for each in missing]
     at = place_of(one, claims[0], of_interface=len(claims) > 1)
-    if at is None:
-        return
-    notes = tuple(_notes(session, one, kind, claims, at))
-    severity = severity_of(session, one, [stop.absence for stop in stops])
-    yield Finding(at, _message(session, one, kind, claims), notes, severity=severity)
+    if at is not None:
+        notes = tuple(_notes(session, one, kind, claims, at))
+        severity = severity_of(session, one, [each.absence for each in missing])
+        yield Finding(at, _message(session, one, kind, claims), notes, severity=severity)
 
 
 def _message(session: Session, one: Configured, kind: Kind, claims: list[Claim]) -> str:
     claim, hardware = claims[0], session.hardware
     what = f"'{claim.interface}' {kind.value} interface for controller '{one.name}'"
     if not hardware.has(claim.component):
-        names = {offer.component for offer in hardware.offers(kind)}
-        right = nearest(claim.component, names)
+        right = nearest(claim.component, hardware.offers(kind))
         meant = f"; did you mean '{right}'?" if right else ""
         return f"no hardware offers anything of '{claim.component}', and so no {what}{meant}"
     verb = "exports" if len(claims) == 1 else "export"

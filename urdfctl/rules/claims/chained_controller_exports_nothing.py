@@ -1,0 +1,76 @@
+"""UC453."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import since
+from urdfctl.control.chains import chained_claims
+from urdfctl.control.session import Configured, Session
+from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rules.claims.common import home, of_each_candidate, place_of
+
+_ROBOT = """
+    <ros2_control name="arm" type="system">
+      <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+      <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+    </ros2_control>
+"""
+_CONTROLLERS = """
+    controller_manager:
+      ros__parameters:
+        update_rate: 100
+        states: {type: joint_state_broadcaster/JointStateBroadcaster}
+        low: {type: forward_command_controller/ForwardCommandController}
+        high: {type: forward_command_controller/ForwardCommandController}
+    low:
+      ros__parameters:
+        joints: [elbow]
+        interface_name: position
+    high:
+      ros__parameters:
+        joints: [%s]
+        interface_name: position
+"""
+
+
+@rule(
+    "UC453",
+    severity=Severity.ERROR,
+    distros=since("humble"),
+    authority='ros2_control controller_manager/src/controller_manager.cpp: "No state/reference interface from '
+    "controller : 'low/elbow/position' exist, since the following controller with name 'low' is not chainable.\"",
+    whole_robot=True,
+    in_library=False,
+    options=["--distro=jazzy"],
+    bad={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "«low/elbow»"},
+    good={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "elbow"},
+)
+def chained_controller_exports_nothing(project: Project) -> Iterator[Finding]:
+    """A controller claims an interface of another controller whose type exports none.
+
+    Only chainable types, such as pid_controller, have interfaces for other controllers. The name before the first slash
+    is looked up among the controllers before the hardware is asked: a controller that is named like a joint therefore
+    hides the joint.
+    """
+    return of_each_candidate(project, _unchainable)
+
+
+def _unchainable(session: Session, one: Configured) -> Iterator[Finding]:
+    for chained in chained_claims(session, one):
+        following, at = chained.following, place_of(one, chained.claim)
+        exports = following.exports
+        if chained.is_offered is not False or at is None or exports.reference or exports.state:
+            continue
+        name, kind = following.name, following.type.type if following.type else ""
+        if session.hardware.has(name):
+            message = (
+                f"'{chained.claim.name}' is looked for in the controller '{name}', which is named like '{name}' of the "
+                "hardware and exports no interfaces: give the controller another name"
+            )
+        else:
+            message = (
+                f"controller '{name}' exports no '{chained.claim.name}' for '{one.name}': '{kind}' is not chainable"
+            )
+        declared = home(following.controller)
+        yield Finding(at, message, (Note(f"controller '{name}' is declared here", declared),) if declared else ())

@@ -1,0 +1,89 @@
+"""UC452."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import since
+from urdfctl.control.chains import Chained, chained_claims
+from urdfctl.control.hardware import Kind
+from urdfctl.control.session import Configured, Session
+from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rules.claims.common import home, of_each_candidate, place_of
+from urdfctl.suggest import nearest
+
+_ROBOT = """
+    <ros2_control name="arm" type="system">
+      <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+      <joint name="elbow">
+        <command_interface name="effort"/>
+        <state_interface name="position"/>
+        <state_interface name="velocity"/>
+      </joint>
+    </ros2_control>
+"""
+_CONTROLLERS = """
+    controller_manager:
+      ros__parameters:
+        update_rate: 100
+        states: {type: joint_state_broadcaster/JointStateBroadcaster}
+        pid: {type: pid_controller/PidController}
+        arm: {type: forward_command_controller/ForwardCommandController}
+    pid:
+      ros__parameters:
+        dof_names: [elbow]
+        command_interface: effort
+        reference_and_state_interfaces: [position]
+        gains: {elbow: {p: 5.0}}
+    arm:
+      ros__parameters:
+        joints: [%s]
+        interface_name: %s
+"""
+
+
+@rule(
+    "UC452",
+    severity=Severity.ERROR,
+    distros=since("humble"),
+    authority="ros2_control controller_manager/src/controller_manager.cpp: \"Unable to activate controller 'arm' since "
+    "the command interface 'pid/elbow/velocity' is not available.\"",
+    whole_robot=True,
+    in_library=False,
+    options=["--distro=jazzy"],
+    bad={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % ("«pid/elbow»", "velocity")},
+    good={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % ("pid/elbow", "position")},
+)
+def chained_interface_not_exported(project: Project) -> Iterator[Finding]:
+    """A controller claims an interface that another controller does not export.
+
+    What begins with the name of a controller is looked for among what that one exports: its reference interfaces, to be
+    commanded, and from jazzy on its state interfaces. Both hang on its parameters. The controller that claims is
+    refused when it is to be activated.
+    """
+    return of_each_candidate(project, _unexported)
+
+
+def _unexported(session: Session, one: Configured) -> Iterator[Finding]:
+    for chained in chained_claims(session, one):
+        exports = chained.following.exports
+        offered = exports.reference if chained.kind is Kind.COMMAND else exports.state
+        at = place_of(one, chained.claim)
+        if chained.is_offered is False and at is not None and (exports.reference or exports.state):
+            yield Finding(at, _message(chained, [claim.name for claim in offered]), _notes(chained))
+
+
+def _message(chained: Chained, offered: list[str]) -> str:
+    what = "reference interface" if chained.kind is Kind.COMMAND else "state interface"
+    start = (
+        f"controller '{chained.following.name}' exports no {what} '{chained.claim.name}' for '{chained.preceding.name}'"
+    )
+    if not offered:
+        return f"{start}, and none at all"
+    right = nearest(chained.claim.name, offered)
+    return start + (f"; did you mean '{right}'?" if right else f"; it exports: {', '.join(offered)}")
+
+
+def _notes(chained: Chained) -> tuple[Note, ...]:
+    at = home(chained.following.controller)
+    return (Note(f"controller '{chained.following.name}' is declared here", at),) if at else ()
