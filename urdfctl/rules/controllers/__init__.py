@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from urdfctl.rule import Rule
 from urdfctl.rules.controllers.alias_in_parameters import alias_in_parameters
+from urdfctl.rules.controllers.base_frame_not_a_link import base_frame_not_a_link
 from urdfctl.rules.controllers.collection_empty import collection_empty
 from urdfctl.rules.controllers.controller_faster_than_manager import controller_faster_than_manager
+from urdfctl.rules.controllers.controller_joint_unknown import controller_joint_unknown
 from urdfctl.rules.controllers.controller_type_missing import controller_type_missing
 from urdfctl.rules.controllers.controller_type_not_catalogued import controller_type_not_catalogued
 from urdfctl.rules.controllers.controller_type_not_in_distro import controller_type_not_in_distro
@@ -15,6 +17,7 @@ from urdfctl.rules.controllers.controllers_file_not_a_map import controllers_fil
 from urdfctl.rules.controllers.controllers_file_of_ros1 import controllers_file_of_ros1
 from urdfctl.rules.controllers.controllers_file_of_ros2 import controllers_file_of_ros2
 from urdfctl.rules.controllers.joint_for_joints import joint_for_joints
+from urdfctl.rules.controllers.joint_named_twice import joint_named_twice
 from urdfctl.rules.controllers.list_of_several_types import list_of_several_types
 from urdfctl.rules.controllers.map_in_list import map_in_list
 from urdfctl.rules.controllers.node_name_unusable import node_name_unusable
@@ -36,6 +39,8 @@ from urdfctl.rules.controllers.several_documents import several_documents
 from urdfctl.rules.controllers.update_rate_missing import update_rate_missing
 from urdfctl.rules.controllers.value_missing import value_missing
 from urdfctl.rules.controllers.value_not_for_parameter_server import value_not_for_parameter_server
+from urdfctl.rules.controllers.wheel_radius_not_in_robot import wheel_radius_not_in_robot
+from urdfctl.rules.controllers.wheels_on_wrong_sides import wheels_on_wrong_sides
 
 RULES: tuple[Rule, ...] = (
     controllers_file_of_ros1,
@@ -70,5 +75,10 @@ RULES: tuple[Rule, ...] = (
     parameter_of_other_distro,
     parameter_of_no_element,
     parameter_without_effect,
+    controller_joint_unknown,
+    joint_named_twice,
     joint_for_joints,
+    base_frame_not_a_link,
+    wheels_on_wrong_sides,
+    wheel_radius_not_in_robot,
 )

@@ -44,7 +44,7 @@ def _slip(reader: Reader) -> Iterator[Finding]:
     needed = {lack.name for lack in missing(reader) if lack.refused}
     for parameter in unread(reader):
         right = meant.get(parameter.name)
-        if right is None or not is_number_slip(parameter.name, right):
+        if right is None or not is_number_slip(reader, parameter.name, right):
             continue
         kind = f"a {reader.type.type}" if reader.type else f"'{reader.name}'"
         wants_list = reader.known[right].type.endswith("_array") if right in reader.known else False

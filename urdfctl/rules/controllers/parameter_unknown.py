@@ -63,7 +63,7 @@ def _unknown(reader: Reader) -> Iterator[Finding]:
         if matching(parameter.name, reader.former) is not None:
             continue
         right = meant.get(parameter.name)
-        if (right is None and (is_ros1(reader) or is_another(reader))) or is_number_slip(parameter.name, right):
+        if (right is None and (is_ros1(reader) or is_another(reader))) or is_number_slip(reader, parameter.name, right):
             continue
         instead = f"; did you mean '{right}'?" if right else ", which is ignored"
         message = f"'{reader.name}' reads no '{parameter.name}'{instead}"

@@ -151,6 +151,8 @@ def is_lacking(project: Project, controller: Controller, names: Collection[str] 
     return False
 
 
-def is_number_slip(name: str, meant: str | None) -> bool:
+def is_number_slip(reader: Reader, name: str, meant: str | None) -> bool:
     """Whether one name is the other's plural: `joint` for `joints`, which has a rule of its own."""
-    return meant is not None and meant in (f"{name}s", name.removesuffix("s"))
+    if meant not in (f"{name}s", name.removesuffix("s")):
+        return False
+    return meant in reader.known and reader.known[meant].type.startswith("string")

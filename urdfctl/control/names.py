@@ -1,0 +1,23 @@
+"""What a claim names that is no joint of the robot: a fault of the name, and not of the interface."""
+
+from __future__ import annotations
+
+from urdfctl.control.claims import Claim
+from urdfctl.control.hardware import Hardware
+
+_OF_JOINTS = ("position", "velocity", "acceleration", "effort")
+_OF_JOINTS_IN_ROS1 = ("JointInterface", "JointStateInterface")
+
+
+def is_of_joint(claim: Claim) -> bool:
+    """Whether a claim is one of a joint, by its interface."""
+    return claim.interface in _OF_JOINTS or claim.interface.endswith(_OF_JOINTS_IN_ROS1)
+
+
+def is_misnamed(claim: Claim, hardware: Hardware) -> bool:
+    """Whether a parameter names a joint that neither the robot nor its hardware has. Names with a slash are those of
+    other controllers' interfaces."""
+    component = claim.component
+    if claim.parameter is None or "/" in component or hardware.has(component) or component in hardware.joints:
+        return False
+    return is_of_joint(claim)
