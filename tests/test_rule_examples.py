@@ -20,7 +20,7 @@ WITH_EXAMPLES = [rule for rule in RULES if rule.code != "UC000"]
 
 
 def findings(folder: Path, rule: Rule, files: Mapping[str, str]) -> list[Diagnostic]:
-    """What linting an example's first file says, with the options that the rule states and its YAML files beside it."""
+    """What linting an example's first file says, with the rule's options and its YAML and launch files."""
     for name, text in files.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -29,7 +29,8 @@ def findings(folder: Path, rule: Rule, files: Mapping[str, str]) -> list[Diagnos
     settings = Settings(workspace=str(folder), **options)
     first, *rest = files
     controllers = tuple(str(folder / name) for name in rest if name.endswith((".yaml", ".yml")))
-    target = Target(str(folder / first), arguments, controllers=controllers)
+    launch = next((str(folder / name) for name in rest if name.endswith(".launch")), None)
+    target = Target(str(folder / first), arguments, controllers=controllers, launch=launch)
     linted = Loader(settings, Selection()).lint(target)
     return joined([linted.outcome], Selection())
 

@@ -226,7 +226,7 @@ def _expansion(expander: Expander, path: str, arguments: Mapping[str, str]) -> E
         source = expander.files.read(path)
     except FileProblem as error:
         return Expansion(None, [error.at(Place(SourceText(path, b""), 0, end=0))])
-    if is_xacro(source):
+    if source.is_xacro:
         return expander.expand(path, arguments)
     try:
         document: Document | None = parse(source, expander.cloning, declarations=expander.trust)
@@ -245,11 +245,6 @@ def _is_library(expansion: Expansion) -> bool:
     if root is None or any(child.tagName in TOP_LEVEL for child in root.elements()):
         return False
     return all(problem.kind in HARMLESS | _OF_INCLUDES for problem in expansion.problems)
-
-
-def is_xacro(source: SourceText) -> bool:
-    """Whether a file is meant for xacro: by its name, or because it declares xacro's namespace."""
-    return source.path.endswith(".xacro") or b"xmlns:xacro" in source.data[:4096]
 
 
 _SURVEYED_FROM = 4

@@ -45,9 +45,8 @@ def whole_robot_in(project: Project) -> Robot | None:
 
 
 def is_xacro(robot: Robot) -> bool:
-    """Whether the description went through xacro: by its file's name, or because it declares xacro's namespace."""
-    source = robot.at.source
-    return source.path.endswith(".xacro") or b"xmlns:xacro" in source.data[:4096]
+    """Whether the description went through xacro."""
+    return robot.at.source.is_xacro
 
 
 def is_fragment(robot: Robot) -> bool:

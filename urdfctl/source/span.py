@@ -33,6 +33,11 @@ class SourceText:
         self._lines: list[int] | None = None
         self._tags: dict[int, StartTag | None] = {}
 
+    @property
+    def is_xacro(self) -> bool:
+        """Whether a file is meant for xacro: by its name (`arm.xacro`, `arm.xacro.urdf`), or by xacro's namespace."""
+        return ".xacro" in self.path.rpartition("/")[2] or b"xmlns:xacro" in self.data[:4096]
+
     def line_starts(self) -> list[int]:
         """The byte offset at which each line begins; LF, CRLF and CR end a line."""
         if self._lines is None:

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from urdfctl.catalog.distros import ROS1, ROS2
 from urdfctl.catalog.hardware import PluginChild, SimulatorPlugin, library_of
+from urdfctl.model.controllers import FileReference
 from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Plugin
 from urdfctl.model.ros2_control import Ros2Control
@@ -274,3 +275,18 @@ def wheel_measures(one: Loaded) -> Iterator[tuple[str, float]]:
 
 
 _MEASURES = ("wheelseparation", "wheeldiameter", "wheelradius", "wheelbase")
+
+
+# -- the controllers' files ------------------------------------------------------------------------------------------
+
+
+def controllers_files(project: Project) -> Iterator[tuple[Loaded, Tag, FileReference]]:
+    """The controllers' files that the plugins name, each with its plugin and element."""
+    references = project.controllers.references if project.controllers else ()
+    by_place = {(reference.at.source.path, reference.at.start): reference for reference in references}
+    for one in control_plugins(project):
+        for tag in one.plugin.tag.named("parameters"):
+            at = tag.at.content
+            reference = by_place.get((at.source.path, at.start))
+            if reference is not None and reference.text == tag.text:
+                yield one, tag, reference

@@ -1,0 +1,65 @@
+"""UC520."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS2
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.simulation.common import controllers_files
+
+
+@rule(
+    "UC520",
+    severity=Severity.ERROR,
+    distros=ROS2,
+    authority="gazebo_ros2_control src/gazebo_ros2_control_plugin.cpp: 'parser error Couldn't parse params file ... Error "
+    "opening YAML file'; rcl rcl_yaml_param_parser/src/parser.c",
+    bad={
+        "robot.xacro": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
+              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+            </ros2_control>
+            <gazebo>
+              <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
+                <parameters>«$(find arm)/config/controlers.yaml»</parameters>
+              </plugin>
+            </gazebo>
+        """,
+        "package.xml": "<package><name>arm</name></package>",
+    },
+    good={
+        "robot.xacro": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
+              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+            </ros2_control>
+            <gazebo>
+              <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
+                <parameters>$(find arm)/config/controllers.yaml</parameters>
+              </plugin>
+            </gazebo>
+        """,
+        "package.xml": "<package><name>arm</name></package>",
+        "config/controllers.yaml": """
+            controller_manager:
+              ros__parameters:
+                update_rate: 100
+                joint_state_broadcaster:
+                  type: joint_state_broadcaster/JointStateBroadcaster
+        """,
+    },
+)
+def controllers_file_missing(project: Project) -> Iterator[Finding]:
+    """The file that a simulator's plugin names in `<parameters>` does not exist.
+
+    The plugin ends, and often the simulator with it. Where an argument makes the name, another value may name a file
+    that is there: then this is a warning.
+    """
+    for one, tag, reference in controllers_files(project):
+        if reference.exists is False:
+            written = tag.at.content.span.text
+            chosen = "$(arg" in written or "${" in written
+            message = f"'{one.filename}' is given the controllers' file '{written}', which does not exist"
+            yield Finding(reference.at, message, severity=Severity.WARNING if chosen else None)

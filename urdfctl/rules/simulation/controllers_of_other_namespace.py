@@ -1,0 +1,77 @@
+"""UC524."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS1
+from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rules.common import is_known
+from urdfctl.rules.simulation.common import control_plugins, namespace_of
+
+
+@rule(
+    "UC524",
+    severity=Severity.WARNING,
+    distros=ROS1,
+    authority="gazebo_ros_control src/gazebo_ros_control_plugin.cpp: the manager's node handle is robotNamespace; "
+    "controller_manager src/controller_manager.cpp: 'Could not load controller 'x' because the type was not "
+    "specified. Did you load the controller configuration on the parameter server'",
+    bad={
+        "robot.urdf": """
+            <gazebo>
+              <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
+                «<robotNamespace>»/left_arm</robotNamespace>
+              </plugin>
+            </gazebo>
+        """,
+        "controllers.yaml": """
+            arm:
+              joint_state_controller:
+                type: joint_state_controller/JointStateController
+                publish_rate: 50
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <gazebo>
+              <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
+                <robotNamespace>/arm</robotNamespace>
+              </plugin>
+            </gazebo>
+        """,
+        "controllers.yaml": """
+            arm:
+              joint_state_controller:
+                type: joint_state_controller/JointStateController
+                publish_rate: 50
+        """,
+    },
+)
+def controllers_of_other_namespace(project: Project) -> Iterator[Finding]:
+    """The controllers are configured in another namespace than the simulated robot's manager looks in.
+
+    The manager of the plugin lives in `<robotNamespace>` and looks there for the parameters of each controller: it
+    finds no type, and loads none.
+    """
+    hosts = [one for one in control_plugins(project) if one.library == "gazebo_ros_control"]
+    setting = hosts[0].setting("robotNamespace") if len(hosts) == 1 else None
+    if project.controllers is None or setting is None or not is_known(setting.text):
+        return
+    ours = namespace_of(setting.text)
+    placed = [(c, c.namespace) for c in project.controllers.controllers if c.declared_at and c.namespace is not None]
+    loaded = project.launch is not None and bool(project.launch.loads)
+    if not placed or any(_may_be_in(ours, namespace, loaded) for _, namespace in placed):
+        return
+    controller, theirs = placed[0]
+    message = (
+        f"the simulated robot's controllers are looked for in '{ours or '/'}', and configured in '{theirs or '/'}'"
+    )
+    notes = [Note(f"controller '{controller.name}' is configured here", controller.declared_at)]
+    yield Finding(setting.at, message, tuple(notes))
+
+
+def _may_be_in(ours: str, theirs: str, loaded: bool) -> bool:  # noqa: FBT001 (what is known)
+    """Whether a manager may find the controllers of a namespace: by their own names, or with a part of it before.
+    Where no launch file tells, another may load them below a further namespace."""
+    return theirs == ours or theirs.startswith(f"{ours}/") or (not loaded and ours.endswith(theirs))

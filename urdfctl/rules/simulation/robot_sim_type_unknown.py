@@ -1,0 +1,64 @@
+"""UC526."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS1
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.common import is_known, replaced
+from urdfctl.rules.simulation.common import control_plugins, folded
+from urdfctl.suggest import is_slip
+
+
+@rule(
+    "UC526",
+    severity=Severity.ERROR,
+    distros=ROS1,
+    authority="gazebo_ros_control src/gazebo_ros_control_plugin.cpp: 'Failed to create robot simulation interface loader: "
+    "According to the loaded plugin descriptions the class ... does not exist'",
+    bad={
+        "robot.urdf": """
+            <gazebo>
+              <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
+                <robotSimType>«gazebo_ros_control::DefaultRobotHWSim»</robotSimType>
+              </plugin>
+            </gazebo>
+        """,
+    },
+    good={
+        "robot.urdf": """
+            <gazebo>
+              <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
+                <robotSimType>gazebo_ros_control/DefaultRobotHWSim</robotSimType>
+              </plugin>
+            </gazebo>
+        """,
+    },
+)
+def robot_sim_type_unknown(project: Project) -> Iterator[Finding]:
+    """The simulation that ros_control's plugin is to load is spelt nearly like one that exists.
+
+    It is looked up as `package/Class`; where there is none of that name, Gazebo goes on without a controller manager. A
+    name that is like none may be one of your own.
+    """
+    known = {name for distro in project.distros if distro in ROS1 for name in project.catalog.known_hardware(distro)}
+    for one in control_plugins(project):
+        setting = one.setting("robotSimType")
+        name = setting.text if setting else ""
+        meant = _meant(name, known) if is_known(name) else None
+        if setting is None or meant is None:
+            continue
+        at = setting.at.content
+        yield Finding(at, f"there is no simulation '{name}'; did you mean '{meant}'?", fix=replaced(at, name, meant))
+
+
+def _meant(name: str, known: set[str]) -> str | None:
+    if not name or name in known:
+        return None
+    key = folded(name.replace("::", "/"))
+    for each in sorted(known):
+        other = folded(each)
+        if key in (other, other.partition("/")[2]) or is_slip(key, other):
+            return each
+    return None
