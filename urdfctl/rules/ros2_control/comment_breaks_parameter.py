@@ -23,7 +23,7 @@ _PLUGIN = "gazebo_ros2_control"
         "robot.urdf": """
             <gazebo>
               <plugin filename="libgazebo_ros2_control.so" name="gazebo_ros2_control">
-                <parameters>controllers.yaml</parameters>
+                <parameters>/opt/arm/controllers.yaml</parameters>
               </plugin>
             </gazebo>
             «<!-- TODO: tune the gains -->»
@@ -37,7 +37,7 @@ _PLUGIN = "gazebo_ros2_control"
         "robot.urdf": """
             <gazebo>
               <plugin filename="libgazebo_ros2_control.so" name="gazebo_ros2_control">
-                <parameters>controllers.yaml</parameters>
+                <parameters>/opt/arm/controllers.yaml</parameters>
               </plugin>
             </gazebo>
             <!-- TODO tune the gains -->

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Fix, Project, Severity, rule
+from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import renamed
-from urdfctl.rules.simulation.common import unread_settings
+from urdfctl.rules.simulation.common import Unread, namespace_of, unread_settings
 
 
 @rule(
@@ -58,4 +58,15 @@ def plugin_setting_misspelt(project: Project) -> Iterator[Finding]:
         if unread.meant in unread.one.children and "/" not in unread.name + unread.meant:
             fix = Fix(f"write {shown}", renamed(unread.tag, unread.meant), safe=unread.same)
         message = f"'{unread.one.filename}' does not read <{unread.name.removeprefix('ros/')}>; it is {shown}"
-        yield Finding(unread.tag.at, message, fix=fix, severity=Severity.INFO if unread.harmless else None)
+        severity = Severity.INFO if unread.harmless else None
+        yield Finding(unread.tag.at, message, tuple(_notes(project, unread)), fix, severity)
+
+
+def _notes(project: Project, unread: Unread) -> Iterator[Note]:
+    """That a namespace is none that the controllers are configured in."""
+    managers = project.controllers.managers if project.controllers else ()
+    namespace = namespace_of(unread.tag.text)
+    if unread.meant == "ros/namespace" and managers and all(m.namespace not in (None, namespace) for m in managers):
+        there = f"'{managers[0].namespace}'" if managers[0].namespace else "no namespace"
+        told = f"the controllers are configured in {there}: leave it out, or write '{namespace}' there too"
+        yield Note(told, managers[0].at)
