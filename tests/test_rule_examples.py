@@ -12,7 +12,7 @@ from urdfctl.lint import Selection, joined
 from urdfctl.load import Loader, Target
 from urdfctl.rule import Rule
 from urdfctl.rules import FAMILIES, all_rules
-from urdfctl.rules.examples import options_of, unmarked
+from urdfctl.rules.examples import companions, options_of, unmarked
 from urdfctl.settings import Settings
 
 RULES = all_rules()
@@ -27,10 +27,11 @@ def findings(folder: Path, rule: Rule, files: Mapping[str, str]) -> list[Diagnos
         path.write_text(text, encoding="utf-8")
     options, arguments = options_of(rule)
     settings = Settings(workspace=str(folder), **options)
-    first, *rest = files
-    controllers = tuple(str(folder / name) for name in rest if name.endswith((".yaml", ".yml")))
-    launch = next((str(folder / name) for name in rest if name.endswith(".launch")), None)
-    target = Target(str(folder / first), arguments, controllers=controllers, launch=launch)
+    controllers, launch = companions(files)
+    controllers = tuple(str(folder / name) for name in controllers)
+    target = Target(
+        str(folder / next(iter(files))), arguments, controllers=controllers, launch=launch and str(folder / launch)
+    )
     linted = Loader(settings, Selection()).lint(target)
     return joined([linted.outcome], Selection())
 

@@ -16,9 +16,8 @@ from urdfctl.report.common import Report
 from urdfctl.report.text import render
 from urdfctl.rule import Rule
 from urdfctl.rules import all_rules
-from urdfctl.rules.examples import options_of, unmarked
+from urdfctl.rules.examples import companions, options_of, unmarked
 from urdfctl.settings import Settings
-from urdfctl.source.files import is_yaml
 from urdfctl.suggest import did_you_mean
 
 
@@ -97,9 +96,9 @@ def _output(rule: Rule) -> str:
             os.chdir(folder)
             selection = Selection()
             settings = Settings(workspace=os.getcwd(), **options)
-            first, *beside = files
-            controllers = tuple(name for name in beside if is_yaml(name))
-            linted = Loader(settings, selection).lint(Target(first, arguments, controllers=controllers))
+            controllers, launch = companions(files)
+            target = Target(next(iter(files)), arguments, controllers=controllers, launch=launch)
+            linted = Loader(settings, selection).lint(target)
             found = [one for one in joined([linted.outcome], selection) if one.code == rule.code]
             report = Report((), tuple(found))
             return textwrap.indent("\n".join(render(report).splitlines()[:-1]), "  ")

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple
 
 from urdfctl.rule import Rule
@@ -63,6 +63,13 @@ def options_of(rule: Rule) -> tuple[dict[str, Any], tuple[tuple[str, str], ...]]
             settings[name] = value
     arguments = [option.split(":=", 1) for option in rule.options if ":=" in option]
     return settings, tuple((name, value) for name, value in arguments)
+
+
+def companions(names: Iterable[str]) -> tuple[tuple[str, ...], str | None]:
+    """The controllers' files and the launch file among an example's files: what is linted together with the first."""
+    _, *rest = names
+    controllers = tuple(name for name in rest if name.endswith((".yaml", ".yml")))
+    return controllers, next((name for name in rest if name.endswith(".launch")), None)
 
 
 def unmarked(files: Mapping[str, str]) -> tuple[dict[str, str], list[Mark]]:
