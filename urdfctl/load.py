@@ -25,7 +25,7 @@ from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import Place, SourceSpan, SourceText
 from urdfctl.source.suppressions import is_reached
 from urdfctl.source.xacro import HARMLESS, Expander, Expansion
-from urdfctl.source.xml import parse
+from urdfctl.source.xml import LATE_DECLARATION, parse
 from urdfctl.worker import Died, Limits, run
 from urdfctl.workspace import workspace_of
 
@@ -228,12 +228,23 @@ def _expansion(expander: Expander, path: str, arguments: Mapping[str, str]) -> E
         return Expansion(None, [error.at(Place(SourceText(path, b""), 0, end=0))])
     if source.is_xacro:
         return expander.expand(path, arguments)
-    try:
-        document: Document | None = parse(source, expander.cloning, declarations=expander.trust)
-        problems: list[Problem] = []
-    except ReadError as error:
-        document, problems = None, [error.problem]
+    document, problems = _read(source, expander)
     return Expansion(document, problems, library=isinstance(expander, LibraryExpander))
+
+
+def _read(source: SourceText, expander: Expander) -> tuple[Document | None, list[Problem]]:
+    """The tree of a plain URDF, with what its readers take though it is no good XML."""
+    try:
+        return parse(source, expander.cloning, declarations=expander.trust), []
+    except ReadError as error:
+        problem = error.problem
+    if problem.subject != LATE_DECLARATION:
+        return None, [problem]
+    late = problem._replace(kind=ProblemKind.LATE_DECLARATION)
+    try:
+        return parse(source, expander.cloning, declarations=expander.trust, late_declaration=True), [late]
+    except ReadError as error:
+        return None, [error.problem]
 
 
 _OF_INCLUDES = {ProblemKind.FILE_NOT_FOUND, ProblemKind.PACKAGE_NOT_FOUND, ProblemKind.FILE_UNREADABLE}

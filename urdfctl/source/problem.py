@@ -15,6 +15,7 @@ class ProblemKind(Enum):
     FILE_NOT_FOUND = auto()
     PACKAGE_NOT_FOUND = auto()
     XML_SYNTAX = auto()
+    LATE_DECLARATION = auto()
     DOCTYPE = auto()
     ENCODING = auto()
     UNDEFINED_NAME = auto()

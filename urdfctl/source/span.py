@@ -25,11 +25,12 @@ class Position(NamedTuple):
 class SourceText:
     """The bytes of one file, as they stand on disk."""
 
-    __slots__ = ("_lines", "_tags", "data", "path")
+    __slots__ = ("_lines", "_tags", "data", "is_ascii", "path")
 
     def __init__(self, path: str, data: bytes) -> None:
         self.path = path
         self.data = data
+        self.is_ascii = data.isascii()
         self._lines: list[int] | None = None
         self._tags: dict[int, StartTag | None] = {}
 
@@ -48,6 +49,8 @@ class SourceText:
         """The line and column of a byte offset."""
         starts = self.line_starts()
         index = bisect_right(starts, offset) - 1
+        if self.is_ascii:
+            return Position(index + 1, min(offset, len(self.data)) - starts[index] + 1)
         before = self.data[starts[index] : offset]
         if index == 0 and before.startswith(BOM):
             before = before[len(BOM) :]

@@ -33,6 +33,7 @@ _CONSEQUENCES = {
 
 
 HARMLESS = {
+    ProblemKind.LATE_DECLARATION,
     ProblemKind.XACRO_WARNING,
     ProblemKind.DUPLICATE_MACRO,
     ProblemKind.UNUSED_ARGUMENT,

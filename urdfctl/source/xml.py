@@ -16,17 +16,30 @@ _OPEN_REFERENCE = rb"&#?\w*[^\w;]?\Z"
 _BOMS_OF_UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 
 
+LATE_DECLARATION = "declaration"
+"""The subject of the problem that something stands before `<?xml ...?>`."""
+_BLANKS_AND_DECLARATION = rb"\s+<\?xml\s[^>]*\?>"
+
+
 def parse(
-    source: SourceText, cloning: Cloning | None = None, call: Call | None = None, *, declarations: bool = False
+    source: SourceText,
+    cloning: Cloning | None = None,
+    call: Call | None = None,
+    *,
+    declarations: bool = False,
+    late_declaration: bool = False,
 ) -> Document:
     """The tree of one file. ReadError where it is not well-formed, nested deeper than 200, or (unless
-    `declarations`) has a DOCTYPE that declares anything: entities can make a small file endless."""
+    `declarations`) has a DOCTYPE that declares anything: entities can make a small file endless. With
+    `late_declaration` blanks before `<?xml ...?>` are passed over, as tinyxml2 does."""
     if source.data.startswith(_BOMS_OF_UTF_16):
         message, hint = "the file is UTF-16; xacro and urdfdom read UTF-8", "save it as UTF-8"
         raise ReadError(Problem(ProblemKind.XML_SYNTAX, Place(source, 0, end=0), message, hint=hint))
     builder = _Builder(source, cloning or Cloning(), call, declarations=declarations)
+    late = re.match(_BLANKS_AND_DECLARATION, source.data) if late_declaration else None
+    data = b" " * late.end() + source.data[late.end() :] if late else source.data
     try:
-        builder.parser.Parse(source.data, True)  # noqa: FBT003 (expat's call)
+        builder.parser.Parse(data, True)  # noqa: FBT003 (expat's call)
     except ExpatError as error:
         raise ReadError(_syntax_problem(source, builder, error)) from None
     if builder.document.documentElement is None:  # pragma: no cover (expat tells of it first)
@@ -148,7 +161,7 @@ def _syntax_problem(source: SourceText, builder: _Builder, error: ExpatError) ->
     elif said.startswith("XML or text declaration not at start"):
         message = "the XML declaration <?xml ...?> is not at the very start of the file"
         hint = "remove the blanks, lines or comments before it"
-        subject = "declaration"
+        subject = LATE_DECLARATION
     elif said.startswith("junk after document element"):
         message = "text stands after the end of the root element"
         hint = f"move it before </{_root_name(builder)}>, or remove it"

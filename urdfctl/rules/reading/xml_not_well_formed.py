@@ -32,6 +32,8 @@ def xml_not_well_formed(project: Project) -> Iterator[Finding]:
     """A file is not well-formed XML.
 
     No program reads anything of it: robot_state_publisher, Gazebo and the controller manager all refuse the
-    whole description.
+    whole description. Blanks before the XML declaration are an exception: xacro refuses them, and urdfdom does not.
     """
     yield from findings_of(project, ProblemKind.XML_SYNTAX)
+    for finding in findings_of(project, ProblemKind.LATE_DECLARATION):
+        yield finding._replace(severity=Severity.WARNING)
