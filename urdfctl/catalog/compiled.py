@@ -34,6 +34,7 @@ def files() -> Iterator[tuple[Path, str]]:
         for kind in KINDS:
             yield folder / f"{kind}.json", _json(_collected(folder, kind))
     yield DATA / "renamed.json", _json(_yaml(DATA / "renamed.yaml"))
+    yield DATA / "log_messages.json", _json(dict(_log_messages()))
 
 
 def sources() -> list[Path]:
@@ -55,6 +56,26 @@ def _collected(folder: Path, kind: str) -> dict[str, Any]:
         groups = _yaml(folder / "groups.yaml") if (folder / "groups.yaml").exists() else {}
         entries = {key: _whole(entry, entries, groups) for key, entry in entries.items() if not entry.get("base")}
     return {key: _for_program(entry) for key, entry in sorted(entries.items())}
+
+
+def _log_messages() -> Iterator[tuple[str, dict[str, Any]]]:
+    """The entries of the messages by their ids, with what their group says of all its own; the rules of a cause stand
+    behind its text."""
+    for path in sorted((DATA / "log_messages").glob("*.yaml")):
+        for group in _yaml(path):
+            shared = {key: value for key, value in group.items() if key != "entries"}
+            for entry in group["entries"]:
+                own = {**shared, **entry}
+                own["causes"] = [_cause(cause) for cause in own.get("causes", ())]
+                yield own.pop("id"), own
+
+
+def _cause(cause: str | dict[str, str]) -> list[str]:
+    """A cause and the codes of the rules that find it: `UC201, UC223: text`, or the text alone."""
+    if isinstance(cause, str):
+        return [cause]
+    ((codes, text),) = cause.items()
+    return [text, *codes.split(", ")]
 
 
 def _whole(entry: dict[str, Any], entries: dict[str, Any], groups: dict[str, Any]) -> dict[str, Any]:

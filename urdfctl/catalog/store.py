@@ -22,6 +22,12 @@ def renamed() -> dict[str, Any]:
     return _read("renamed.json")
 
 
+@lru_cache(maxsize=1)
+def log_message_entries() -> dict[str, Any]:
+    """The messages of ROS and Gazebo, by their ids."""
+    return _read("log_messages.json")
+
+
 def _read(name: str) -> dict[str, Any]:
     with open(os.path.join(_FOLDER, name), encoding="utf-8") as file:
         return json.load(file)  # type: ignore[no-any-return]
