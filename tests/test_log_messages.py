@@ -1,0 +1,75 @@
+"""The messages of ROS and Gazebo: their data is sound, and each spelling is found in a line by its own entry."""
+
+from __future__ import annotations
+
+import re
+
+from urdfctl.catalog.log_messages import KINDS, log_messages
+from urdfctl.logs.index import index
+from urdfctl.logs.pattern import filled, found_in, parsed
+from urdfctl.rules import all_rules
+
+MESSAGES = log_messages()
+
+
+def test_every_message_says_what_it_means_why_and_what_to_do() -> None:
+    for message in MESSAGES:
+        assert re.fullmatch(r"[a-z0-9]+(-[a-z0-9]+)*", message.id)
+        assert message.kind in KINDS, message.id
+        assert message.distros, message.id
+        assert message.meaning.endswith((".", ")")), message.id
+        assert message.fix, message.id
+        assert message.authority, message.id
+        assert message.causes or message.kind == "harmless", message.id
+
+
+def test_every_rule_that_a_cause_names_exists() -> None:
+    codes = {rule.code for rule in all_rules()}
+    assert [(message.id, code) for message in MESSAGES for code in message.rules if code not in codes] == []
+
+
+def test_every_value_in_a_message_s_texts_is_one_that_it_prints() -> None:
+    for message in MESSAGES:
+        printed = {gap.name for pattern in message.patterns for gap in parsed(pattern).gaps}
+        texts = (message.meaning, message.fix, *(cause.text for cause in message.causes))
+        assert {gap.name for text in texts for gap in parsed(text).gaps} <= printed, message.id
+
+
+def test_each_spelling_is_found_in_a_line_of_a_log_and_by_its_own_entry_alone() -> None:
+    for spelling in index().spellings:
+        printed = "elbow".join(spelling.pattern.literals)
+        hits = index().hits(f"[ros2_control_node-1] [ERROR] [1699.9] [controller_manager]: {printed}")
+        assert [hit.message.id for hit in hits] == [spelling.message.id], printed
+
+
+def test_no_spelling_is_given_twice() -> None:
+    texts = [spelling.pattern.shown for spelling in index().spellings]
+    assert sorted(texts) == sorted(set(texts))
+
+
+def test_the_values_of_a_message_are_those_between_its_literals() -> None:
+    pattern = parsed("Transmission '{transmission}' of '{hardware}' has {count:word} joints in {what}")
+    match = found_in(pattern, "[x]: Transmission 't1' of 'arm' has 2 joints in all of it")
+    assert match is not None
+    assert match.values == {"transmission": "t1", "hardware": "arm", "count": "2", "what": "all of it"}
+    assert found_in(pattern, "Transmission 't1' of 'arm' has 2 or 3 joints in it") is None
+
+
+def test_a_value_at_the_beginning_is_the_word_before() -> None:
+    match = found_in(parsed("{joint:word} couldn't be retrieved"), "[ERROR] [1.2]: left_wheel couldn't be retrieved")
+    assert match is not None
+    assert match.values == {"joint": "left_wheel"}
+
+
+def test_the_first_value_is_the_shortest_there_is() -> None:
+    match = found_in(parsed("joint '{joint}' is bad"), "joint 'a' is good, joint 'b' is bad")
+    assert match is not None
+    assert match.values == {"joint": "b"}
+
+
+def test_braces_that_are_printed_are_no_values() -> None:
+    pattern = parsed("parameter {{{parameter}}} is of type {{{type}}}")
+    match = found_in(pattern, "parameter {use_sim_time} is of type {bool}")
+    assert match is not None
+    assert match.values == {"parameter": "use_sim_time", "type": "bool"}
+    assert filled("{{p: {parameter}}} {other}", match.values) == "{p: use_sim_time} …"
