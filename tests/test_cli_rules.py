@@ -89,7 +89,7 @@ def test_every_rule_can_be_explained_and_its_example_shows_it(folder: Folder, ru
     [
         ("U201", "no rule 'U201'; did you mean 'UC201'?; see urdfctl rules"),
         ("link-without-nam", "no rule 'link-without-nam'; did you mean 'link-without-name'?; see urdfctl rules"),
-        ("nothing like it", "no rule 'nothing like it'; see urdfctl rules"),
+        ("nothing-like-it", "no rule 'nothing-like-it'; see urdfctl rules"),
     ],
 )
 def test_an_unknown_rule_is_told_with_the_nearest(what: str, told: str) -> None:
@@ -99,11 +99,11 @@ def test_an_unknown_rule_is_told_with_the_nearest(what: str, told: str) -> None:
 
 
 def test_an_unknown_rule_has_status_2(folder: Folder) -> None:
-    ran = folder.run("explain", "nothing like it")
+    ran = folder.run("explain", "nothing-like-it")
     assert (ran.returncode, ran.stdout, ran.stderr) == (
         2,
         "",
-        "urdfctl: no rule 'nothing like it'; see urdfctl rules\n",
+        "urdfctl: no rule 'nothing-like-it'; see urdfctl rules\n",
     )
 
 

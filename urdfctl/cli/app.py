@@ -130,12 +130,18 @@ def rules(
 
 @app.command()
 def explain(
-    what: Annotated[str, typer.Argument(help="A rule's code or name.", show_default=False)],
+    what: Annotated[
+        list[str] | None,
+        typer.Argument(
+            help="A rule's code or name, a line of a log in quotes, or a log (- or a pipe).", show_default=False
+        ),
+    ] = None,
+    output_format: Annotated[str, typer.Option("--format", help="text or json.")] = "text",
 ) -> None:
-    """Tell what a rule finds, why it matters, by whose authority, and how it looks wrong and right.
+    """Tell what a rule finds, or what the messages of ROS and Gazebo mean: why they are printed, and what to do.
 
-    Example: urdfctl explain UC201
+    Example: urdfctl explain UC201; urdfctl explain "No p gain specified for pid."; urdfctl explain gazebo.log
     """
-    from urdfctl.cli.rules_command import run_explain
+    from urdfctl.cli.explain_command import run_explain
 
-    raise typer.Exit(run_explain(what))
+    raise typer.Exit(run_explain(what or [], output_format))

@@ -1,0 +1,141 @@
+"""`urdfctl explain` of pasted messages and of logs."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+
+import pytest
+from folder import Folder
+from typer.testing import CliRunner, Result
+
+from urdfctl import __version__
+from urdfctl.cli.app import app
+from urdfctl.errors import UserError
+
+LINE = "[ERROR] [1623.45, 0.2]: No valid hardware interface element found in joint 'elbow'."
+LOG = f"""\
+[INFO] [1623.40]: hello
+{LINE}
+[ERROR] [1623.46]: No p gain specified for pid.  Namespace: /gazebo_ros_control/pid_gains/elbow
+[ERROR] [1623.47]: the flux capacitor is empty
+{LINE.replace("elbow", "wrist")}
+[FATAL] [1623.48]: Could not initialize robot simulation interface
+"""
+NOTHING = "nothing to explain: give a rule's code, a line of a log in quotes, or a log"
+
+
+def command(*words: str, given: str = "") -> Result:
+    """What the command does in this process with something on its standard input; an exception rises."""
+    return CliRunner().invoke(app, ["explain", *words], input=given, catch_exceptions=False)
+
+
+def test_a_pasted_line_is_explained_with_its_names_causes_rules_and_authority() -> None:
+    ran = command(LINE)
+    assert ran.exit_code == 0
+    assert ran.stdout.startswith(
+        "No valid hardware interface element found in joint 'elbow'.\n  Joint 'elbow' stands in"
+    )
+    for part in (
+        "Likely causes, in this order:\n    1. ",
+        "UC201",
+        "Fix: Put <hardwareInterface>",
+        "Printed by ros_control's transmission parser (indigo to noetic)",
+        "urdfctl lint robot.xacro  finds UC201",
+    ):
+        assert part in ran.stdout
+
+
+def test_a_pasted_line_need_not_be_quoted() -> None:
+    assert command(*LINE.split()).stdout == command(LINE).stdout
+
+
+@pytest.mark.parametrize("words", [[], ["-"], ["gazebo.log"]])
+def test_a_log_is_explained_from_a_pipe_or_a_file(folder: Folder, words: list[str]) -> None:
+    folder.write({"gazebo.log": LOG})
+    ran = command(*words, given=LOG)
+    assert ran.exit_code == 0
+    told = ran.stdout
+    assert told.startswith("6 lines: 1 failure, 1 consequence, 1 harmless\n\n== What fails ==\n\nline 2 (2 times, also")
+    places = [told.index(part) for part in ("line 2 ", "line 6: ", "line 4: the flux", "line 3: No p gain", "Next:")]
+    assert places == sorted(places)
+
+
+def test_a_log_as_json_tells_all_of_it() -> None:
+    told = json.loads(command("-", "--format", "json", given=LOG).stdout)
+    assert (told["version"], told["tool"]["version"], told["lines"], told["complete"]) == (1, __version__, 6, True)
+    first = told["messages"][0]
+    assert (first["id"], first["kind"], first["line"], first["count"]) == (
+        "no-hardware-interface-in-joint",
+        "failure",
+        2,
+        2,
+    )
+    assert first["values"] == [{"joint": "elbow"}, {"joint": "wrist"}]
+    assert first["causes"][0]["rules"] == [{"code": "UC201", "name": "transmission-joint-without-interface"}]
+    assert [message["kind"] for message in told["messages"]] == ["failure", "consequence", "harmless"]
+    assert told["unknown"] == [{"line": 4, "count": 1, "text": "the flux capacitor is empty", "nearest": None}]
+    assert told["next"][0].startswith("urdfctl lint robot.xacro")
+
+
+def test_a_rule_as_json_is_what_the_list_of_rules_tells() -> None:
+    told = json.loads(command("UC201", "--format", "json").stdout)
+    assert (told["code"], told["name"]) == ("UC201", "transmission-joint-without-interface")
+
+
+def test_a_text_that_is_no_message_is_not_known_and_has_status_0() -> None:
+    ran = command("foo bar baz")
+    assert (ran.exit_code, ran.stdout) == (0, "This is no message that urdfctl knows:\nfoo bar baz\n")
+
+
+def test_the_nearest_message_is_offered() -> None:
+    told = command("no valid hardware interface elements found for joint 'elbow'").stdout
+    assert "did you mean: No valid hardware interface element found in joint '…'." in told
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        ([], NOTHING),
+        (["-"], NOTHING),
+        ([""], NOTHING),
+        (["  "], NOTHING),
+        (["logs/gazebo.log"], "no file 'logs/gazebo.log'"),
+        ([LINE, "--format", "yaml"], "unknown format 'yaml'; known are text, json"),
+    ],
+)
+def test_nothing_to_explain_is_the_user_s_error(words: list[str], told: str) -> None:
+    with pytest.raises(UserError) as nothing:
+        command(*words)
+    assert str(nothing.value).startswith(told)
+
+
+def test_an_empty_log_has_status_2(folder: Folder) -> None:
+    folder.write({"empty.log": ""})
+    ran = folder.run("explain", "empty.log")
+    assert (ran.returncode, ran.stdout) == (2, "")
+    assert ran.stderr.startswith(f"urdfctl: {NOTHING}")
+    assert ran.stderr.count("\n") == 1
+
+
+def test_what_a_stranger_s_log_holds_does_not_speak_to_the_terminal() -> None:
+    told = command(
+        "-", given="[ERROR] \x07\x1b]0;title\x07bad \x9b31m thing\n" + LINE.replace("elbow", "el\x08bow\u202e")
+    )
+    assert told.stdout.isprintable() or all(c.isprintable() or c == "\n" for c in told.stdout)
+    assert "joint 'el\\x08bow\\u202e'" in told.stdout
+
+
+def test_a_log_of_any_encoding_is_read(folder: Folder) -> None:
+    with open("junk.log", "wb") as file:
+        file.write(b"\xff\xfe\x00\n" + LINE.encode() + b"\xe4\n")
+    assert "joint 'elbow'" in folder.run("explain", "junk.log").stdout
+
+
+def test_a_closed_pipe_ends_it_quietly(folder: Folder) -> None:
+    folder.write({"gazebo.log": LOG})
+    words = f'"{sys.executable}" -m urdfctl explain gazebo.log | head -1'
+    ran = subprocess.run(["sh", "-c", words], capture_output=True, text=True, check=False, env=dict(os.environ))
+    assert (ran.stdout.count("\n"), ran.stderr) == (1, "")

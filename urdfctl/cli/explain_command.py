@@ -1,0 +1,106 @@
+"""`urdfctl explain`: a rule, a pasted line of a log, or a whole log."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import sys
+from collections.abc import Sequence
+from typing import BinaryIO
+
+from urdfctl.cli.writing import print_text
+from urdfctl.errors import UserError
+from urdfctl.rule import Rule
+from urdfctl.suggest import did_you_mean
+
+_FORMATS = ("text", "json")
+_NOTHING = (
+    "nothing to explain: give a rule's code, a line of a log in quotes, or a log: urdfctl explain gazebo.log, "
+    "or | urdfctl explain"
+)
+
+
+def run_explain(words: Sequence[str], output_format: str) -> int:
+    """Explain a rule, a message or a log, whichever the words are; without words, or for `-`, the standard input.
+
+    UserError where there is nothing, or a single word that is neither a rule nor a file.
+    """
+    if output_format not in _FORMATS:
+        raise UserError(f"unknown format '{output_format}'; known are {', '.join(_FORMATS)}")
+    text = " ".join(words).strip()
+    if words and not text:
+        raise UserError(_NOTHING)
+    if text in {"", "-"}:
+        return _explain_log(_standard_input(), output_format)
+    rule = _rule(text)
+    if rule is not None:
+        return _explain_rule(rule, output_format)
+    if os.path.isfile(text):
+        return _explain_file(text, output_format)
+    if len(text.split()) == 1:
+        raise UserError(_unknown(text))
+    return _explain_log(io.BytesIO(text.encode("utf-8", "surrogateescape")), output_format, pasted=True)
+
+
+def _rule(text: str) -> Rule | None:
+    from urdfctl.rules import all_rules
+
+    if " " in text:
+        return None
+    return next((rule for rule in all_rules() if text.upper() == rule.code or text.lower() == rule.name), None)
+
+
+def _unknown(word: str) -> str:
+    """What is said of a word that is nothing: it looks like a file, or like a rule."""
+    from urdfctl.rules import all_rules
+
+    if os.sep in word or word.endswith((".log", ".txt")):
+        return f"no file '{word}'"
+    known = [name for one in all_rules() for name in (one.code, one.name)]
+    return f"no rule '{word}'{did_you_mean(word, known)}; see urdfctl rules"
+
+
+def _explain_rule(rule: Rule, output_format: str) -> int:
+    if output_format == "json":
+        from urdfctl.cli.rules_command import plain_rule
+
+        print_text(json.dumps(plain_rule(rule), indent=1) + "\n")
+        return 0
+    from urdfctl.cli.rule_explanation import rule_explanation
+
+    print_text(rule_explanation(rule))
+    return 0
+
+
+def _standard_input() -> BinaryIO:
+    if sys.stdin is None or sys.stdin.isatty():
+        raise UserError(_NOTHING)
+    return sys.stdin.buffer
+
+
+def _explain_file(path: str, output_format: str) -> int:
+    try:
+        with open(path, "rb") as file:
+            return _explain_log(file, output_format)
+    except OSError as error:
+        raise UserError(f"'{path}' cannot be read: {error.strerror}") from None
+
+
+def _explain_log(stream: BinaryIO, output_format: str, *, pasted: bool = False) -> int:
+    from urdfctl.logs.digest import digest
+    from urdfctl.logs.reading import Lines
+
+    lines = Lines(stream)
+    found = digest(lines, pasted=pasted)
+    if not found.lines:
+        raise UserError(_NOTHING)
+    if output_format == "json":
+        from urdfctl.report.log_json import render_log_json
+
+        print_text(render_log_json(found, complete=lines.complete))
+        return 0
+    from urdfctl.report.log_text import render_log
+
+    print_text(render_log(found, pasted=pasted, complete=lines.complete))
+    return 0

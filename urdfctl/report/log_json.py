@@ -1,0 +1,60 @@
+"""The explanation of a log's messages, for programs."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from urdfctl import __version__
+from urdfctl.logs.digest import Digest, Known, Unknown
+from urdfctl.logs.pattern import filled
+from urdfctl.report.log_next import next_commands
+from urdfctl.rules import rule_of
+
+
+def render_log_json(digest: Digest, *, complete: bool) -> str:
+    """The whole explanation as JSON, version 1."""
+    plain = {
+        "version": 1,
+        "tool": {"name": "urdfctl", "version": __version__},
+        "lines": digest.lines,
+        "complete": complete,
+        "messages": [_message(known) for known in digest.known],
+        "unknown": [_unknown(unknown) for unknown in digest.unknown],
+        "next": [command.text for command in next_commands(digest.known)],
+    }
+    return json.dumps(plain, indent=1, ensure_ascii=True) + "\n"
+
+
+def _message(known: Known) -> dict[str, Any]:
+    message, values = known.message, known.values[0]
+    return {
+        "id": message.id,
+        "kind": message.kind,
+        "line": known.line,
+        "count": known.times,
+        "text": known.text,
+        "values": list(known.values),
+        "printed_by": message.by,
+        "distros": list(message.distros),
+        "meaning": filled(message.meaning, values),
+        "causes": [
+            {
+                "cause": filled(cause.text, values),
+                "rules": [{"code": code, "name": rule_of(code).name} for code in cause.rules],
+            }
+            for cause in message.causes
+        ],
+        "fix": filled(message.fix, values),
+        "authority": message.authority,
+    }
+
+
+def _unknown(unknown: Unknown) -> dict[str, Any]:
+    nearest = unknown.nearest
+    return {
+        "line": unknown.line,
+        "count": unknown.times,
+        "text": unknown.text,
+        "nearest": {"id": nearest.message.id, "text": nearest.pattern.shown} if nearest else None,
+    }
