@@ -82,6 +82,9 @@ fail-on = "warning"
 UC105 = "off"
 UC2 = "info"
 
+[per-file-ignores]
+"vendor/*" = ["uc1"]
+
 [[controllers]]
 type = "my_controllers/Stiff"
 extends = "joint_trajectory_controller/JointTrajectoryController"
@@ -113,6 +116,7 @@ def test_all_that_it_may_set_is_read(folder: Folder) -> None:
         ("old", "*.bad.xacro"),
         "warning",
         (("UC105", "off"), ("UC2", "info")),
+        per_file_ignores=(("vendor/*", ("UC1",)),),
     )
     assert [entry["type"] for entry in config.additions.controllers] == ["my_controllers/Stiff"]
     assert [entry["type"] for entry in config.additions.hardware] == ["my_driver/Driver"]
@@ -261,6 +265,16 @@ def test_what_is_excluded_is_not_found_in_folders_but_may_be_named(folder: Folde
     assert [one["file"] for one in findings(folder, "b/arm.urdf")["findings"]] == ["b/arm.urdf"]
 
 
+def test_in_some_files_some_rules_are_not_told(folder: Folder) -> None:
+    ignores = "[per-file-ignores]\n'vendor' = ['uc2']\n'*_old.urdf' = ['UC201', 'UC1']\n"
+    names = ["arm.urdf", "vendor/deep/arm.urdf", "x/arm_old.urdf"]
+    folder.write({".git/HEAD": "", **dict.fromkeys(names, ARM), "urdfctl.toml": f"distro = 'noetic'\n{ignores}"})
+    told = findings(folder, ".", "--select", "UC201", URDFCTL_FAIL_ON="error")
+    assert ([one["file"] for one in told["findings"]], told["status"]) == (["arm.urdf"], 1)
+    named = findings(folder, "vendor/deep/arm.urdf", "--select", "UC201")
+    assert (named["findings"], named["status"]) == ([], 0)
+
+
 def test_another_file_may_be_named(folder: Folder) -> None:
     folder.write(
         {".git/HEAD": "", "arm.urdf": ARM, "urdfctl.toml": "distro = 'noetic'", "ci.toml": "ignore = ['UC1', 'UC2']"}
@@ -275,6 +289,10 @@ def test_another_file_may_be_named(folder: Folder) -> None:
     [
         ("selct = ['UC2']", "urdfctl: urdfctl.toml: unknown key 'selct'; did you mean 'select'?\n"),
         ("select = ['UC8']", "urdfctl: urdfctl.toml: no rule's code begins with 'UC8'; see urdfctl rules\n"),
+        (
+            "[per-file-ignores]\n'x' = ['UC8']",
+            "urdfctl: urdfctl.toml: no rule's code begins with 'UC8'; see urdfctl rules\n",
+        ),
     ],
 )
 def test_what_means_nothing_ends_the_run_in_one_line(folder: Folder, text: str, told: str) -> None:

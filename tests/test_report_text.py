@@ -271,3 +271,24 @@ def test_a_file_name_that_is_no_text_is_told_as_well_as_can_be(folder: Folder) -
     (folder.path / name).write_text(FAULTY)
     assert folder.run("lint", name).stdout.startswith(f"{name}:1:")
     assert "r\ufffd.urdf:1:" in without_colours(on_a_terminal(folder, "lint", name))
+
+
+def test_statistics_count_the_findings_of_each_rule_the_most_frequent_first(folder: Folder) -> None:
+    one, other = fault(at(folder, "r.xacro", (1, 1))), fault(at(folder, "r.xacro", (1, 1)))._replace(code="UC900")
+    warned = other._replace(severity=Severity.WARNING, name="odd")
+    found = (one, *[warned] * 11, other)
+    told = text.render(Report((robot(folder),), found, statistics=True)).splitlines()
+    assert told[13:] == [
+        "    11  warning UC900 odd",
+        "     1  error   UC900 wrong",
+        "     1  error   UC901 wrong",
+        "2 errors, 11 warnings in r.xacro (noetic)",
+    ]
+    assert told[:13] == text.render(Report((robot(folder),), found)).splitlines()[:13]
+
+
+def test_what_the_baseline_hides_is_counted(folder: Folder) -> None:
+    assert (
+        text.render(Report((robot(folder),), (), known=3))
+        == "no findings in r.xacro (noetic); 3 hidden by the baseline\n"
+    )

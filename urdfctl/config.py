@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, NamedTuple
 
 from urdfctl.catalog.additions import NO_ADDITIONS, Additions, flaws_of_meaning
@@ -21,7 +21,8 @@ class Config(NamedTuple):
     """What the file sets; None, or nothing, where it does not. `package_paths` are from the folder that we stand in.
 
     `exclude` are patterns of paths, relative to the file's folder, that are not looked for in folders. `severities` are
-    by beginnings of codes: a severity, or `off`.
+    by beginnings of codes: a severity, or `off`. `per_file_ignores` are codes that are not told of in paths like
+    `exclude`'s.
     """
 
     file: str | None = None
@@ -37,18 +38,27 @@ class Config(NamedTuple):
     fail_on: str | None = None
     severities: tuple[tuple[str, str], ...] = ()
     additions: Additions = NO_ADDITIONS
+    per_file_ignores: tuple[tuple[str, tuple[str, ...]], ...] = ()
 
     def excludes(self, path: str) -> bool:
         """Whether a file, found in a folder, is not to be looked at."""
-        if not self.exclude or self.file is None:
+        return bool(self.exclude) and self._fits(path, self.exclude)
+
+    def ignores(self, path: str, code: str) -> bool:
+        """Whether findings of a code are not to be told in a file."""
+        patterns = [pattern for pattern, codes in self.per_file_ignores if code.startswith(codes)]
+        return bool(patterns) and self._fits(path, patterns)
+
+    def _fits(self, path: str, patterns: Iterable[str]) -> bool:
+        """Whether a path, or a folder above it, fits one of some patterns, which count from the file's folder."""
+        if self.file is None:
             return False
         from fnmatch import fnmatchcase
 
         inside = os.path.relpath(path, os.path.dirname(os.path.abspath(self.file))).replace(os.sep, "/")
         parts = inside.split("/")
         above = ["/".join(parts[: size + 1]) for size in range(len(parts))]
-        patterns = [pattern.strip("/") for pattern in self.exclude]
-        return any(fnmatchcase(one, pattern) for one in above for pattern in patterns)
+        return any(fnmatchcase(one, pattern.strip("/")) for pattern in patterns for one in above)
 
 
 def config_for(paths: tuple[str, ...], workspace: str | None = None) -> Config:
@@ -108,6 +118,7 @@ def _listed(environ: Mapping[str, str], name: str) -> tuple[str, ...]:
 
 def _config(table: Mapping[str, Any], file: str) -> Config:
     folder = os.path.dirname(file)
+    ignores = table.get("per-file-ignores", {})
     additions = Additions(tuple(table.get("controllers", ())), tuple(table.get("hardware", ())))
     for path, message in flaws_of_meaning(additions) if additions.controllers else ():
         raise UserError(f"{file}: {path}: {message}")
@@ -125,6 +136,7 @@ def _config(table: Mapping[str, Any], file: str) -> Config:
         table.get("fail-on"),
         tuple((code.upper(), severity) for code, severity in table.get("severity", {}).items()),
         additions if any(additions) else NO_ADDITIONS,
+        tuple((pattern, _codes(ignores, pattern)) for pattern in ignores),
     )
 
 

@@ -19,8 +19,7 @@ def mark(diagnostic: Diagnostic, folder: str) -> str:
 
     One in a macro is told of whichever call comes first among the robots of a run, so its names do not count there.
     """
-    message = diagnostic.message.replace(folder.rstrip(os.sep) + os.sep, "")
-    message = re.sub(r"\bline \d+", "line", message)
+    message = re.sub(r"\bline \d+", "line", message_from(diagnostic, folder))
     if diagnostic.in_macro:
         message = re.sub(r"'[^']*'", "''", message)
     parts = diagnostic.code, path_from(diagnostic.at.file, folder), message, " ".join(diagnostic.excerpt.split())
@@ -37,6 +36,11 @@ def fingerprints(diagnostics: Iterable[Diagnostic], folder: str) -> list[str]:
         again = sha256(f"{one} {seen[one]}".encode()).hexdigest()[:_LENGTH]
         marks.append(one if seen[one] == 1 else again)
     return marks
+
+
+def message_from(diagnostic: Diagnostic, folder: str) -> str:
+    """A message whose paths count from a folder."""
+    return diagnostic.message.replace(folder.rstrip(os.sep) + os.sep, "")
 
 
 def path_from(path: str, folder: str) -> str:

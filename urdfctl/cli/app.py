@@ -73,6 +73,13 @@ def lint(
     fail_on: Annotated[
         str | None, typer.Option(help="Exit with 1 from this severity on: error (if not set), warning or info.")
     ] = None,
+    baseline: Annotated[
+        str | None, typer.Option(help="Hide the findings that this file knows; tell of those that are gone.")
+    ] = None,
+    write_baseline: Annotated[
+        str | None, typer.Option(help="Write all findings to this file, for --baseline to hide.")
+    ] = None,
+    statistics: Annotated[bool, typer.Option("--statistics", help="Count the findings of each rule, in text.")] = False,
     exit_zero: Annotated[bool, typer.Option("--exit-zero", help="Exit with 0 whatever is found.")] = False,
     jobs: Annotated[int, typer.Option(help="How many robots at once; 0: as many as there are processors.")] = 0,
     config: ConfigFile = None,

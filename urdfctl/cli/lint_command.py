@@ -5,8 +5,9 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable, Iterator
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
+from urdfctl.cli.progress import watched
 from urdfctl.cli.words import codes, configured, settings_from, split_arguments
 from urdfctl.cli.writing import print_text, write_file
 from urdfctl.config import Config
@@ -20,6 +21,9 @@ from urdfctl.report import FORMATS, render
 from urdfctl.report.common import Report
 from urdfctl.settings import Settings
 from urdfctl.suggest import did_you_mean
+
+if TYPE_CHECKING:
+    from urdfctl.cli.known_findings import Baseline
 
 
 def lint_words(  # noqa: PLR0913, PLR0917 (one for each option)
@@ -38,6 +42,9 @@ def lint_words(  # noqa: PLR0913, PLR0917 (one for each option)
     extend_select: list[str] | None = None,
     formats: list[str] | None = None,
     fail_on: str | None = None,
+    baseline: str | None = None,
+    write_baseline: str | None = None,
+    statistics: bool = False,  # noqa: FBT001, FBT002
     exit_zero: bool = False,  # noqa: FBT001, FBT002
     jobs: int = 0,
     config: str | None = None,
@@ -55,6 +62,8 @@ def lint_words(  # noqa: PLR0913, PLR0917 (one for each option)
         exit_zero,
         jobs,
         chosen,
+        _baseline(baseline, write_baseline),
+        statistics,
     )
     return run_lint(wanted, settings)
 
@@ -69,6 +78,8 @@ class Wanted(NamedTuple):
     exit_zero: bool
     jobs: int
     config: Config = Config()
+    baseline: Baseline | None = None
+    statistics: bool = False
 
 
 def run_lint(wanted: Wanted, settings: Settings) -> int:
@@ -79,7 +90,14 @@ def run_lint(wanted: Wanted, settings: Settings) -> int:
         sys.stderr.write(f"urdfctl: no robot found in {', '.join(paths) or 'this folder'}\n")
     kept, looked_at = _linted(found, tuple(arguments.items()), settings, wanted)
     outcomes = [one.outcome for one in looked_at]
-    report = Report(tuple(kept), tuple(joined(outcomes, wanted.selection)), len(looked_at) - len(kept), wanted.fail_on)
+    findings = joined(outcomes, wanted.selection)
+    findings = [one for one in findings if not wanted.config.ignores(one.at.file, one.code)]
+    told = findings
+    if wanted.baseline is not None:
+        read = {file for linted in looked_at for file in linted.files}
+        told = wanted.baseline.unknown(findings, read, wanted.selection)
+    others, known = len(looked_at) - len(kept), len(findings) - len(told)
+    report = Report(tuple(kept), tuple(told), others, wanted.fail_on, known, wanted.statistics)
     for name, file in wanted.outputs:
         _tell(report, name, file)
     if any(outcome.crashed for outcome in outcomes):
@@ -95,7 +113,7 @@ def _linted(
     that no robot uses."""
 
     def linted(targets: list[Target]) -> Iterator[Linted]:
-        return lint_all(targets, settings, wanted.selection, wanted.jobs or None)
+        return watched(lint_all(targets, settings, wanted.selection, wanted.jobs or None), len(targets))
 
     targets, kept = _targets(found, arguments)
     all_kept = [one for one, keep in zip(linted(targets), kept, strict=True) if keep(one)]
@@ -149,7 +167,8 @@ def _is_robot(linted: Linted) -> bool:
 
 def _selection(config: Config, select: tuple[str, ...], ignore: tuple[str, ...], extend: tuple[str, ...]) -> Selection:
     """The rules that the options ask for, and where they say nothing the configuration."""
-    of_config = Selection(config.select, config.ignore, config.extend_select, config.severities)
+    ignored = (*config.ignore, *(code for _, codes in config.per_file_ignores for code in codes))
+    of_config = Selection(config.select, ignored, config.extend_select, config.severities)
     try:
         checked_selection(of_config)
     except UserError as error:
@@ -157,6 +176,14 @@ def _selection(config: Config, select: tuple[str, ...], ignore: tuple[str, ...],
     return checked_selection(
         Selection(select or config.select, ignore or config.ignore, extend or config.extend_select, config.severities)
     )
+
+
+def _baseline(path: str | None, to_write: str | None) -> Baseline | None:
+    if path is None and to_write is None:
+        return None
+    from urdfctl.cli.known_findings import opened
+
+    return opened(path, to_write)
 
 
 def _severity(name: str) -> Severity:

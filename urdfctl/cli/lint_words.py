@@ -17,11 +17,13 @@ ONE: dict[str, Callable[[str], Any]] = {
     "--timeout": float,
     "--memory": int,
     "--fail-on": str,
+    "--baseline": str,
+    "--write-baseline": str,
     "--jobs": int,
     "--config": str,
 }
 MANY = ("--package-path", "--env", "--select", "--ignore", "--extend-select", "--format")
-FLAGS = ("--trust", "--exit-zero")
+FLAGS = ("--trust", "--exit-zero", "--statistics")
 NAMES = {"--format": "formats"}
 
 

@@ -14,12 +14,15 @@ from urdfctl.source.files import is_launch, is_yaml
 class Report(NamedTuple):
     """What a run found: the robots it looked at (and controllers' files and launch files named alone), the findings in
     their stable order, how many other files it looked at (macro libraries, fragments and controllers' files in folders,
-    which no robot uses), and from which severity on findings make it fail."""
+    which no robot uses), from which severity on findings make it fail, how many more findings the baseline hides, and
+    whether the rules are to be counted."""
 
     targets: tuple[Linted, ...]
     findings: tuple[Diagnostic, ...]
     others: int = 0
     fail_on: Severity = Severity.ERROR
+    known: int = 0
+    statistics: bool = False
 
     def count(self, severity: Severity) -> int:
         """How many findings have a severity."""

@@ -33,7 +33,7 @@ def document(report: Report) -> dict[str, Any]:
             for target in report.targets
         ],
         "findings": [finding(relative(diagnostic)) for diagnostic in report.findings],
-        "summary": {severity.value: report.count(severity) for severity in Severity},
+        "summary": {**{severity.value: report.count(severity) for severity in Severity}, "known": report.known},
     }
 
 

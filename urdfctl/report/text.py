@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -41,6 +42,8 @@ def pieces(report: Report) -> Iterator[Piece]:
     """The whole report, part by part."""
     for diagnostic in report.findings:
         yield from _finding(relative(diagnostic))
+    if report.statistics:
+        yield from _statistics(report)
     yield from _summary(report)
 
 
@@ -77,6 +80,15 @@ def _of_one_column_each(text: str) -> str:
     return text if text.isprintable() else "".join(c if visible(c) == c else "\ufffd" for c in text)
 
 
+def _statistics(report: Report) -> Iterator[Piece]:
+    """How often each rule found something, the most frequent first."""
+    counts = Counter((one.code, one.severity, one.name) for one in report.findings)
+    for (code, severity, name), count in sorted(counts.items(), key=lambda item: (-item[1], item[0][0])):
+        yield Piece(f"{count:>6}  ")
+        yield Piece(f"{severity.value:<7} {code}", _COLOURS[severity])
+        yield Piece(f" {name}\n")
+
+
 def _summary(report: Report) -> Iterator[Piece]:
     counts = [
         f"{number} {severity.value if severity is Severity.INFO or number == 1 else severity.value + 's'}"
@@ -84,6 +96,7 @@ def _summary(report: Report) -> Iterator[Piece]:
         if (number := report.count(severity))
     ]
     told = f"{', '.join(counts) or 'no findings'} in {_what(report)}{_about(report)}"
+    told += f"; {report.known} hidden by the baseline" if report.known else ""
     yield Piece(visible(told) + "\n", "bold")
 
 

@@ -1,0 +1,34 @@
+"""A bar that shows how far a long run is, on terminals only."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from typing import TypeVar
+
+Result = TypeVar("Result")
+
+SHOWN_FROM = 20
+"""Fewer robots are linted before the bar could be read."""
+
+
+def watched(results: Iterator[Result], total: int) -> Iterator[Result]:
+    """The results as they come, with a bar on standard error where that is a terminal and there are many."""
+    if total < SHOWN_FROM or not sys.stderr.isatty() or os.environ.get("TERM") == "dumb":
+        yield from results
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
+
+    columns = TextColumn("linting"), BarColumn(), MofNCompleteColumn()
+    console = Console(stderr=True)
+    # without a thread of its own, for workers are forks; and without a hand on what others print
+    with Progress(
+        *columns, console=console, transient=True, auto_refresh=False, redirect_stdout=False, redirect_stderr=False
+    ) as bar:
+        task = bar.add_task("", total=total)
+        for result in results:
+            bar.advance(task)
+            bar.refresh()
+            yield result
