@@ -8,6 +8,9 @@ from functools import lru_cache
 ROS1 = ("hydro", "indigo", "jade", "kinetic", "lunar", "melodic", "noetic")
 ROS2 = ("foxy", "galactic", "humble", "iron", "jazzy", "kilted", "lyrical", "rolling")
 ALL = ROS1 + ROS2
+MAINTAINED = ("humble", "jazzy", "kilted", "lyrical", "rolling")
+"""Of ROS 2, those that still get releases."""
+_LONG_TERM = ("foxy", "humble", "jazzy", "lyrical")
 SIMULATORS = ("gz", "gazebo-classic", "mujoco", "none")
 
 
@@ -21,6 +24,13 @@ def until(distro: str) -> tuple[str, ...]:
     """The distros of the same generation up to and with one."""
     family = ROS1 if distro in ROS1 else ROS2
     return family[: family.index(distro) + 1]
+
+
+def coming(distro: str) -> tuple[str, ...]:
+    """The distros of ROS 2 after one, up to and with the next that is supported for long; of ROS 1 none."""
+    later = since(distro)[1:] if distro in ROS2 else ()
+    next_long = next((index for index, each in enumerate(later) if each in _LONG_TERM), len(later))
+    return later[: next_long + 1]
 
 
 def generation(distro: str) -> int:

@@ -65,6 +65,12 @@ def _simulation() -> Rules:
     return RULES
 
 
+def _migration() -> Rules:
+    from urdfctl.rules.migration import RULES
+
+    return RULES
+
+
 def _has_transmissions(project: Project) -> bool:
     robot = project.robot
     if robot is None or not set(ROS1) & set(project.distros):
@@ -85,6 +91,10 @@ def _loads_plugins(project: Project) -> bool:
     return robot is not None and project.may_be_simulated and bool(robot.gazebos or robot.ros2_controls)
 
 
+def _may_move_on(project: Project) -> bool:
+    return bool(set(ROS2) & set(project.distros)) and (project.controllers is not None or _loads_plugins(project))
+
+
 FAMILIES = (
     Family("UC0", _reading, lambda project: bool(project.problems)),
     Family("UC1", _urdf, lambda project: project.robot is not None),
@@ -93,6 +103,7 @@ FAMILIES = (
     Family("UC4", _controllers, lambda project: project.controllers is not None),
     Family("UC4", _claims, lambda project: project.controllers is not None and project.robot is not None),
     Family("UC5", _simulation, _loads_plugins),
+    Family("UC7", _migration, _may_move_on),
 )
 
 

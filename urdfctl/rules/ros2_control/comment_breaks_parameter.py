@@ -18,7 +18,6 @@ _PLUGIN = "gazebo_ros2_control"
     authority="gazebo_ros2_control#295, gz_ros2_control#503: \"Couldn't parse parameter override rule: '--param "
     'robot_description:=<?xml version="; the plugin hands the description to the controller manager as a '
     "parameter, which is read as YAML",
-    options=["--distro=humble"],
     bad={
         "robot.urdf": """
             <gazebo>

@@ -14,7 +14,7 @@ from urdfctl.rules.simulation.common import Unread, namespace_of, unread_setting
     severity=Severity.WARNING,
     authority="gazebo_ros_pkgs: in ROS 2 the settings of plugins are written_like_this, in ROS 1 writtenLikeThis; sdformat "
     "Element::HasElement compares the names as they are, and nobody asks for the others",
-    options=["--distro=humble"],
+    options=["--distro=galactic"],
     bad={
         "robot.urdf": """
             <ros2_control name="arm" type="system">

@@ -1,0 +1,62 @@
+"""UC707."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS2
+from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
+from urdfctl.rules.controllers.types import typed
+from urdfctl.rules.migration.common import lacking
+
+
+@rule(
+    "UC707",
+    severity=Severity.INFO,
+    distros=ROS2,
+    authority="ros2_controllers#2016: position_controllers, velocity_controllers and effort_controllers are removed; "
+    "doc/migration.rst of each distro",
+    options=["--distro=jazzy"],
+    bad={
+        "controllers.yaml": """
+            controller_manager:
+              ros__parameters:
+                update_rate: 100
+                wheels:
+                  type: «velocity_controllers/JointGroupVelocityController»
+            wheels:
+              ros__parameters:
+                joints: [shoulder, elbow]
+        """,
+    },
+    good={
+        "controllers.yaml": """
+            controller_manager:
+              ros__parameters:
+                update_rate: 100
+                wheels:
+                  type: forward_command_controller/ForwardCommandController
+            wheels:
+              ros__parameters:
+                joints: [shoulder, elbow]
+                interface_name: velocity
+        """,
+    },
+)
+def controller_gone_soon(project: Project) -> Iterator[Finding]:
+    """A type of controller is in this distro, and not in one of the next.
+
+    Those up to the next with long-term support are looked at.
+    """
+    for one in typed(project):
+        gone = lacking(project, tuple(distro for distro in one.known_in if distro in ROS2))
+        kind = project.catalog.controller(one.type, project.distro) if gone and project.distro else None
+        if gone is None or kind is None or kind.deprecated or kind.external:
+            continue
+        instead = project.catalog.replacement(one.type, gone)
+        message = f"'{one.type}' is in {project.distro}, and no more in {gone}"
+        fix, notes = None, []
+        if instead:
+            fix = Fix(f"there it is '{instead.type}'")
+            notes = [Note(f"with {name}: {value}") for name, value in instead.parameters.items()]
+        yield Finding(one.at.at, message, tuple(notes), fix)
