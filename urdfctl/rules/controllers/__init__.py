@@ -8,6 +8,7 @@ from urdfctl.rules.controllers.base_frame_not_a_link import base_frame_not_a_lin
 from urdfctl.rules.controllers.collection_empty import collection_empty
 from urdfctl.rules.controllers.controller_faster_than_manager import controller_faster_than_manager
 from urdfctl.rules.controllers.controller_joint_unknown import controller_joint_unknown
+from urdfctl.rules.controllers.controller_name_unusable import controller_name_unusable
 from urdfctl.rules.controllers.controller_type_missing import controller_type_missing
 from urdfctl.rules.controllers.controller_type_not_catalogued import controller_type_not_catalogued
 from urdfctl.rules.controllers.controller_type_not_in_distro import controller_type_not_in_distro
@@ -16,9 +17,13 @@ from urdfctl.rules.controllers.controller_type_unknown import controller_type_un
 from urdfctl.rules.controllers.controllers_file_not_a_map import controllers_file_not_a_map
 from urdfctl.rules.controllers.controllers_file_of_ros1 import controllers_file_of_ros1
 from urdfctl.rules.controllers.controllers_file_of_ros2 import controllers_file_of_ros2
+from urdfctl.rules.controllers.fallback_controller_unknown import fallback_controller_unknown
+from urdfctl.rules.controllers.filter_chain_unusable import filter_chain_unusable
+from urdfctl.rules.controllers.hardware_component_unknown import hardware_component_unknown
 from urdfctl.rules.controllers.joint_for_joints import joint_for_joints
 from urdfctl.rules.controllers.joint_named_twice import joint_named_twice
 from urdfctl.rules.controllers.list_of_several_types import list_of_several_types
+from urdfctl.rules.controllers.manager_name_misspelt import manager_name_misspelt
 from urdfctl.rules.controllers.map_in_list import map_in_list
 from urdfctl.rules.controllers.node_name_unusable import node_name_unusable
 from urdfctl.rules.controllers.parameter_deprecated import parameter_deprecated
@@ -41,6 +46,7 @@ from urdfctl.rules.controllers.value_missing import value_missing
 from urdfctl.rules.controllers.value_not_for_parameter_server import value_not_for_parameter_server
 from urdfctl.rules.controllers.wheel_radius_not_in_robot import wheel_radius_not_in_robot
 from urdfctl.rules.controllers.wheels_on_wrong_sides import wheels_on_wrong_sides
+from urdfctl.rules.controllers.wildcard_wins import wildcard_wins
 
 RULES: tuple[Rule, ...] = (
     controllers_file_of_ros1,
@@ -59,6 +65,9 @@ RULES: tuple[Rule, ...] = (
     value_not_for_parameter_server,
     parameters_under_manager,
     section_not_read,
+    wildcard_wins,
+    fallback_controller_unknown,
+    hardware_component_unknown,
     controller_type_missing,
     controller_type_unknown,
     controller_type_not_in_distro,
@@ -66,6 +75,8 @@ RULES: tuple[Rule, ...] = (
     controller_type_not_catalogued,
     update_rate_missing,
     controller_faster_than_manager,
+    controller_name_unusable,
+    manager_name_misspelt,
     parameter_unknown,
     parameter_missing,
     parameter_of_wrong_type,
@@ -75,6 +86,7 @@ RULES: tuple[Rule, ...] = (
     parameter_of_other_distro,
     parameter_of_no_element,
     parameter_without_effect,
+    filter_chain_unusable,
     controller_joint_unknown,
     joint_named_twice,
     joint_for_joints,

@@ -59,6 +59,8 @@ def controller_type_missing(project: Project) -> Iterator[Finding]:
             yield from _untyped(controllers, controller)
         elif controller.type.kind is Kind.STRING and not controller.type.text.strip():
             yield Finding(controller.type.at, f"the type of '{controller.name}' is empty; no controller can be loaded")
+        elif controller.type.kind is not Kind.STRING and controller.type.is_known and controller.manager is None:
+            yield Finding(controller.type.at, f"the type of '{controller.name}' is no text of the form 'package/Class'")
 
 
 def _untyped(controllers: Controllers, controller: Controller) -> Iterator[Finding]:

@@ -8,7 +8,16 @@ from urdfctl.catalog.map_parameters import matching
 from urdfctl.model.parameters import Parameter
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import replaced
-from urdfctl.rules.controllers.parameters import is_another, is_number_slip, is_ros1, missing, slips, unread
+from urdfctl.rules.controllers.parameters import (
+    is_another,
+    is_number_slip,
+    is_ros1,
+    missing,
+    namesakes,
+    of_other_ros,
+    slips,
+    unread,
+)
 from urdfctl.rules.controllers.readers import Reader, in_each_distro
 
 
@@ -53,22 +62,33 @@ def parameter_unknown(project: Project) -> Iterator[Finding]:
     Nobody tells: the value is ignored and the default used. Of ROS 1's controllers only those are told that are much
     like one that is read, for others may read what stands beside. It is an error where the one that is meant is needed.
     """
-    return in_each_distro(project, _unknown, newest=True)
+    return in_each_distro(project, lambda reader: _unknown(project, reader), newest=True)
 
 
-def _unknown(reader: Reader) -> Iterator[Finding]:
+def _unknown(project: Project, reader: Reader) -> Iterator[Finding]:
     meant = slips(reader)
     needed = {lack.name for lack in missing(reader) if lack.refused}
     for parameter in unread(reader):
-        if matching(parameter.name, reader.former) is not None:
-            continue
         right = meant.get(parameter.name)
-        if (right is None and (is_ros1(reader) or is_another(reader))) or is_number_slip(reader, parameter.name, right):
-            continue
-        instead = f"; did you mean '{right}'?" if right else ", which is ignored"
-        message = f"'{reader.name}' reads no '{parameter.name}'{instead}"
-        severity = Severity.ERROR if right in needed else Severity.WARNING
-        yield Finding(parameter.key, message, fix=_fix(parameter, right), severity=severity)
+        told = matching(parameter.name, reader.former) is not None or is_number_slip(reader, parameter.name, right)
+        why = None if told else _why(project, reader, parameter, right)
+        if why is not None:
+            message = f"'{reader.name}' reads no '{parameter.name}'{why}"
+            severity = Severity.ERROR if right in needed else Severity.WARNING
+            yield Finding(parameter.key, message, fix=_fix(parameter, right), severity=severity)
+
+
+def _why(project: Project, reader: Reader, parameter: Parameter, right: str | None) -> str | None:
+    """What to say of a parameter that is not read; None where it may be meant for somebody else."""
+    if right:
+        return f"; did you mean '{right}'?"
+    other = of_other_ros(project, reader, parameter.name)
+    if other:
+        return f", which is one of ROS {other} and is ignored"
+    alike = namesakes(reader, parameter)
+    if alike:
+        return f"; did you mean {' or '.join(repr(name) for name in alike[:2])}?"
+    return None if is_ros1(reader) or is_another(reader) else ", which is ignored"
 
 
 def _fix(parameter: Parameter, right: str | None) -> Fix | None:

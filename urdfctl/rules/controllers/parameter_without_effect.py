@@ -60,4 +60,4 @@ def _ignored(reader: Reader) -> Iterator[Finding]:
         given = None if name in reader.known else reader.own.get(name)
         if given is not None and reader.type is not None:
             message = f"'{name}' has no effect: a {reader.type.type} does not read it"
-            yield Finding(given.key, message, severity=Severity.INFO)
+            yield Finding(given.key, message, severity=Severity.WARNING)

@@ -9,6 +9,8 @@ from typing import NamedTuple
 from urdfctl.catalog.distros import generation
 from urdfctl.catalog.entries import FormerParameter, Parameter
 from urdfctl.catalog.map_parameters import expected, matching, prefixes
+from urdfctl.catalog.validators import problem
+from urdfctl.catalog.value_types import type_problem
 from urdfctl.control.parameter_rules import breaches
 from urdfctl.model.controllers import Controller
 from urdfctl.model.parameters import Kind
@@ -113,12 +115,32 @@ def _misplaced(parameter: Given, candidates: frozenset[str]) -> str | None:
     return same[0] if len(same) == 1 and parameter.value.kind is not Kind.MAP else None
 
 
+def namesakes(reader: Reader, parameter: Given) -> list[str]:
+    """The parameters that are called so within maps, where there are several: `linear.x.max_velocity` and its like."""
+    if parameter.value.kind is Kind.MAP or "." in parameter.name:
+        return []
+    return [name for name in expected(reader.known, reader.given) if name.endswith(f".{parameter.name}")]
+
+
+def of_other_ros(project: Project, reader: Reader, name: str) -> int | None:
+    """The other generation of ROS, where the type's counterpart there reads a parameter of this name."""
+    if reader.type is None:
+        return None
+    distro = "rolling" if is_ros1(reader) else "noetic"
+    found = project.catalog.replacement(reader.type.type, distro)
+    counterpart = project.catalog.controller(found.type if found else reader.type.type, distro)
+    known = counterpart is not None and matching(name, counterpart.parameters) is not None
+    return generation(distro) if known else None
+
+
 def missing(reader: Reader) -> list[Missing]:
     """What a node needs and is not given, but for the gains of ROS 1's PID controllers, which have rules of their own."""
     found = {name: Missing(name, refused=True) for name, parameter in _needed(reader) if not _is_given(reader, name)}
     for breach in breaches(reader.type, reader.given) if reader.type else ():
         name = breach.parameter
         if name in found or _is_given(reader, name) or breach.rule.kind not in _NEEDING or name == "gains":
+            continue
+        if "<" in name:  # what it stands for is not given, or of no use, which is a fault of its own
             continue
         found[name] = Missing(name, breach.rule.severity == "error", breach.message)
     return list(found.values())
@@ -133,6 +155,20 @@ def _needed(reader: Reader) -> Iterator[tuple[str, Parameter]]:
 
 def _is_given(reader: Reader, name: str) -> bool:
     return name in reader.located
+
+
+def is_sound(reader: Reader, name: str) -> bool:
+    """Whether what a rule on several parameters is asked about is fit to be asked about: given, or not needed, of the
+    right type, no empty list of ROS 2, and nothing that its own checks refuse."""
+    found, value = known_as(reader, name), reader.given.get(name)
+    if found is None:
+        return True
+    parameter = reader.known[found[0]]
+    if name not in reader.given:
+        return not parameter.needed
+    if type_problem(value, parameter, reader.distro) or (value == [] and not is_ros1(reader)):
+        return False
+    return problem(value, parameter.validators) is None
 
 
 def is_another(reader: Reader) -> bool:

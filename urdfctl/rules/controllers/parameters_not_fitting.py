@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.catalog.value_types import type_problem
 from urdfctl.control.parameter_rules import breaches
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.controllers.parameters import is_ros1, known_as
+from urdfctl.rules.controllers.parameters import is_sound
 from urdfctl.rules.controllers.readers import Reader, in_each_distro
 
 
@@ -60,10 +59,8 @@ def _unfit(reader: Reader) -> Iterator[Finding]:
         return
     for breach in breaches(reader.type, reader.given):
         given = reader.located.get(breach.parameter)
-        if given is None or (reader.given.get(given.name) == [] and not is_ros1(reader)):
-            continue  # UC431 and UC407 tell them
-        known = known_as(reader, given.name)
-        if known and type_problem(reader.given.get(given.name), reader.known[known[0]], reader.distro):
-            continue
+        asked = (*breach.rule.params, str(breach.rule.details.get("of_param", "")))
+        if given is None or not all(is_sound(reader, name) for name in asked):
+            continue  # UC431, UC432, UC433 and UC407 tell them
         severity = Severity.ERROR if breach.rule.severity == "error" else Severity.WARNING
         yield Finding(given.value.at, f"'{given.name}' {breach.message}", severity=severity)

@@ -73,7 +73,7 @@ def meant_by(project: Project, unknown: Typed) -> str | None:
     if same is not None and same.casefold() == text.casefold():
         return same
     if len(parts) == 1:
-        return next((one for one in types if one.partition("/")[2] == name), None)
+        return next((one for one in types if one.partition("/")[2] == name), None) or _only_one_of(package, types)
     return _of_package(package, name, types) or _of_alike_package(package, name, types)
 
 
@@ -84,7 +84,13 @@ def _of_package(package: str, name: str, types: list[str]) -> str | None:
         return None
     classes = {one.partition("/")[2]: one for one in types}
     close = nearest(name, [one.partition("/")[2] for one in inside])
-    return f"{package}/{close}" if close else classes.get(name)
+    return f"{package}/{close}" if close else classes.get(name) or _only_one_of(package, types)
+
+
+def _only_one_of(package: str, types: list[str]) -> str | None:
+    """The type of a package that has no other."""
+    inside = [one for one in types if one.partition("/")[0] == package]
+    return inside[0] if len(inside) == 1 else None
 
 
 def _of_alike_package(package: str, name: str, types: list[str]) -> str | None:

@@ -1,0 +1,73 @@
+"""UC418."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import since
+from urdfctl.model.controllers import Controller, Controllers
+from urdfctl.model.parameters import Value
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.common import replaced
+from urdfctl.rules.controllers.common import controllers_in
+from urdfctl.source.opaque import UNKNOWN
+from urdfctl.suggest import nearest
+
+_FILE = """
+    controller_manager:
+      ros__parameters:
+        update_rate: 100
+        hold: {type: forward_command_controller/ForwardCommandController}
+        arm:
+          type: forward_command_controller/ForwardCommandController
+          fallback_controllers: [%s]
+    hold:
+      ros__parameters:
+        joints: [shoulder, elbow]
+        interface_name: position
+    arm:
+      ros__parameters:
+        joints: [shoulder, elbow]
+        interface_name: position
+"""
+
+
+@rule(
+    "UC418",
+    severity=Severity.ERROR,
+    distros=since("jazzy"),
+    authority="ros2_control controller_manager/src/controller_manager.cpp: 'Unable to find the fallback controller : "
+    "'hld' of the controller : 'arm' within the controller list', 'Controller 'arm' cannot be a fallback controller for "
+    "itself.'",
+    options=["--distro=jazzy"],
+    bad={"controllers.yaml": _FILE % "«hld»"},
+    good={"controllers.yaml": _FILE % "hold"},
+)
+def fallback_controller_unknown(project: Project) -> Iterator[Finding]:
+    """A fallback controller is none of the manager's, or the controller itself.
+
+    A controller that names itself is not loaded; one that names an unknown controller is never activated.
+    """
+    controllers = controllers_in(project)
+    names = [controller.name for controller in controllers.controllers]
+    for controller in controllers.controllers:
+        given = _given(controller)
+        for name, at in given.strings if given else ():
+            if name == controller.name:
+                yield Finding(at, f"'{name}' cannot be its own fallback controller")
+            elif _is_absent(controllers, name, names):
+                right = nearest(name, names)
+                end = f"; did you mean '{right}'?" if right else ""
+                message = f"there is no controller '{name}' that '{controller.name}' could fall back to{end}"
+                yield Finding(at, message, fix=replaced(at, name, right) if right else None)
+
+
+def _given(controller: Controller) -> Value | None:
+    below = (
+        controller.manager.parameters.value(f"{controller.name}.fallback_controllers") if controller.manager else None
+    )
+    return below or controller.own.value("fallback_controllers")
+
+
+def _is_absent(controllers: Controllers, name: str, names: list[str]) -> bool:
+    return controllers.complete and name not in names and "$" not in name and UNKNOWN not in name
