@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from urdfctl.catalog.distros import generation
 from urdfctl.model.project import Project
+from urdfctl.model.robot import Robot
 from urdfctl.source.span import Place
 
 
@@ -43,8 +44,9 @@ NO_OFFERS: Offers = MappingProxyType({})
 class Hardware(NamedTuple):
     """All interfaces that hardware offers, by component, in the order of the description.
 
-    `joints` are those of the robot; `exact` components are wholly told by the description. Not `open`: no hardware
-    offers anything that the description does not tell. Not `known`: nothing can be said of it.
+    `joints` are those of the robot, `fixed` those of them that do not move; `exact` components are wholly told by the
+    description. Not `open`: no hardware offers anything that the description does not tell. Not `known`: nothing can be
+    said of it.
     """
 
     command: Offers = NO_OFFERS
@@ -53,6 +55,7 @@ class Hardware(NamedTuple):
     joints: frozenset[str] = frozenset()
     open: bool = False
     known: bool = True
+    fixed: frozenset[str] = frozenset()
 
     def offers(self, kind: Kind) -> Offers:
         """Its command interfaces, or its state interfaces."""
@@ -74,6 +77,11 @@ class Hardware(NamedTuple):
         if not self.open or component in self.exact:
             return Absence.SURE
         return Absence.LIKELY if self.has(component) or component in self.joints else None
+
+
+def fixed_joints(robot: Robot) -> frozenset[str]:
+    """The joints of a robot that do not move."""
+    return frozenset(joint.name for joint in robot.joints if joint.name and joint.type == "fixed")
 
 
 def by_component(offers: Iterable[Offer]) -> Offers:

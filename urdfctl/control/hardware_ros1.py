@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from urdfctl.control.hardware import UNKNOWN_HARDWARE, Hardware, Offer, by_component
+from urdfctl.control.hardware import UNKNOWN_HARDWARE, Hardware, Offer, by_component, fixed_joints
 from urdfctl.model.parts import Text
 from urdfctl.model.robot import Robot
 from urdfctl.model.transmission import Transmission
@@ -32,7 +32,7 @@ def simulated_hardware(robot: Robot) -> Hardware:
     found = [one for transmission in robot.transmissions for one in _registered(transmission)]
     command = by_component(Offer(one.joint, _qualified(one.interface.value), one.interface.at) for one in found)
     state = by_component(Offer(one.joint, JOINT_STATES, one.interface.at) for one in found)
-    return Hardware(command, state, joints=frozenset(robot.joint_names))
+    return Hardware(command, state, joints=frozenset(robot.joint_names), fixed=fixed_joints(robot))
 
 
 def _registered(transmission: Transmission) -> Iterator[_Registered]:

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.hardware import HardwareType
-from urdfctl.control.hardware import UNKNOWN_HARDWARE, Hardware, Offer, by_component
+from urdfctl.control.hardware import UNKNOWN_HARDWARE, Hardware, Offer, by_component, fixed_joints
 from urdfctl.model.robot import Robot
 from urdfctl.model.ros2_control import Interface, Part, Ros2Control
 from urdfctl.source.opaque import UNKNOWN
@@ -35,7 +35,8 @@ def described_hardware(robot: Robot, catalog: Catalog, distro: str) -> Hardware:
         else:
             is_open = True
     joints = frozenset(robot.joint_names)
-    return Hardware(by_component(command), by_component(state), frozenset(exact), joints, open=is_open)
+    fixed = fixed_joints(robot)
+    return Hardware(by_component(command), by_component(state), frozenset(exact), joints, open=is_open, fixed=fixed)
 
 
 def _is_partly_unknown(controls: tuple[Ros2Control, ...]) -> bool:

@@ -1,4 +1,4 @@
-"""What a claim names that is no joint of the robot: a fault of the name, and not of the interface."""
+"""What a claim names that is no joint of the robot, or none that moves: a fault of the name, not of the interface."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ def is_of_joint(claim: Claim) -> bool:
 
 
 def is_misnamed(claim: Claim, hardware: Hardware) -> bool:
-    """Whether a parameter names a joint that neither the robot nor its hardware has. Names with a slash are those of
-    other controllers' interfaces."""
+    """Whether a parameter names a joint that neither the robot nor its hardware has, or one that does not move. Names
+    with a slash are those of other controllers' interfaces."""
     component = claim.component
-    if claim.parameter is None or "/" in component or hardware.has(component) or component in hardware.joints:
+    if claim.parameter is None or "/" in component or hardware.has(component) or not is_of_joint(claim):
         return False
-    return is_of_joint(claim)
+    return component not in hardware.joints or component in hardware.fixed

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 from urdfctl.catalog.distros import in_words as distros_in_words
 from urdfctl.control.claims import Claim
 from urdfctl.control.hardware import Absence, Kind
+from urdfctl.control.names import is_misnamed
 from urdfctl.control.session import Configured, Missing, Session, sessions
 from urdfctl.model.controllers import Controller
 from urdfctl.rule import Finding, Note, Project, Severity
@@ -97,18 +98,7 @@ def _has_alternative(session: Session, one: Configured) -> bool:
 
 def missing_of(session: Session, one: Configured, kind: Kind) -> list[Missing]:
     """What a controller claims in vain, without names that are none of the robot's: they are a fault of the name."""
-    return [each for each in one.missing if each.kind is kind and not _is_misnamed(session, each.claim)]
-
-
-def _is_misnamed(session: Session, claim: Claim) -> bool:
-    """Whether a claim names a joint that there is not, which is a fault of the name."""
-    component, hardware = claim.component, session.hardware
-    if claim.parameter is None or "/" in component or hardware.has(component) or component in hardware.joints:
-        return False
-    return claim.interface in _OF_JOINTS
-
-
-_OF_JOINTS = ("position", "velocity", "acceleration", "effort")
+    return [each for each in one.missing if each.kind is kind and not is_misnamed(each.claim, session.hardware)]
 
 
 def offered_by(session: Session, kind: Kind, component: str) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import generation
+from urdfctl.control.claims import Claim
 from urdfctl.control.conflicts import claimed_twice, resource
 from urdfctl.control.session import Configured, Session
 from urdfctl.rule import Finding, Note, Project, Severity, rule
@@ -57,8 +58,14 @@ def _twice(session: Session, one: Configured) -> Iterator[Finding]:
         of_interface = claim.element == earlier.element and claim.parameter == earlier.parameter
         at = place_of(one, claim, of_interface=of_interface and claim.interface_parameter is not None)
         first = place_of(one, earlier, of_interface=of_interface and earlier.interface_parameter is not None)
-        if at is None or first is None:
+        if at is None or first is None or _is_told(one, claim):
             continue
         what = "joint" if generation(session.distro) == 1 else "command interface"
         notes = (Note("the first time", first),) if first is not at else ()
         yield Finding(at, f"controller '{one.name}' claims the {what} '{resource(claim, session.distro)}' twice", notes)
+
+
+def _is_told(one: Configured, claim: Claim) -> bool:
+    """Whether the controller refuses a list that names anything twice, as UC433 tells."""
+    parameter = one.type.parameters.get(claim.parameter) if one.type and claim.parameter else None
+    return parameter is not None and "unique" in parameter.validators

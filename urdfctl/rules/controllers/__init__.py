@@ -7,6 +7,7 @@ from urdfctl.rules.controllers.alias_in_parameters import alias_in_parameters
 from urdfctl.rules.controllers.base_frame_not_a_link import base_frame_not_a_link
 from urdfctl.rules.controllers.collection_empty import collection_empty
 from urdfctl.rules.controllers.controller_faster_than_manager import controller_faster_than_manager
+from urdfctl.rules.controllers.controller_joint_fixed import controller_joint_fixed
 from urdfctl.rules.controllers.controller_joint_unknown import controller_joint_unknown
 from urdfctl.rules.controllers.controller_name_unusable import controller_name_unusable
 from urdfctl.rules.controllers.controller_type_missing import controller_type_missing
@@ -88,6 +89,7 @@ RULES: tuple[Rule, ...] = (
     parameter_without_effect,
     filter_chain_unusable,
     controller_joint_unknown,
+    controller_joint_fixed,
     joint_named_twice,
     joint_for_joints,
     base_frame_not_a_link,

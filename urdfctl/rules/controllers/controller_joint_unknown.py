@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.hardware import Hardware, hardware_of
+from urdfctl.control.hardware import Hardware
 from urdfctl.control.names import is_misnamed
 from urdfctl.model.robot import Robot
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import Names, replaced
-from urdfctl.rules.controllers.joints import links_called, meant_by, named, robot_of
+from urdfctl.rules.controllers.joints import hardware_in, links_called, meant_by, named, robot_of, severity_of
 from urdfctl.rules.controllers.readers import Reader, in_each_distro
 
 _ROBOT = """
@@ -53,30 +53,18 @@ def controller_joint_unknown(project: Project) -> Iterator[Finding]:
     robot = robot_of(project)
     if robot is None:
         return
-    hardware = {distro: hardware_of(project, distro) for distro in project.distros}
-    names = Names(robot.joint_names)
+    hardware, names = hardware_in(project, robot), Names(robot.joint_names)
     yield from in_each_distro(project, lambda reader: _unknown(reader, robot, hardware[reader.distro], names, project))
 
 
 def _unknown(reader: Reader, robot: Robot, hardware: Hardware, names: Names, project: Project) -> Iterator[Finding]:
     found = list(named(reader))
-    wrong = [one for one in found if is_misnamed(one.claim, _joints_only(hardware, robot))]
+    wrong = [one for one in found if is_misnamed(one.claim, hardware) and one.name not in hardware.fixed]
     others = {one.name for one in found} - {one.name for one in wrong}
     for one in wrong:
         right = meant_by(names, one, others)
         end = f"; did you mean '{right}'?" if right else ", and none of the robot's is like it"
         message = f"unknown joint '{one.name}' of controller '{reader.name}'{end}"
         fix = replaced(one.at, one.name, right) if right else None
-        severity = _severity(project, hardware, right, some=bool(others))
+        severity = severity_of(project, hardware, meant=bool(right), others=bool(others))
         yield Finding(one.at, message, tuple(links_called(robot, one.name)), fix, severity)
-
-
-def _joints_only(hardware: Hardware, robot: Robot) -> Hardware:
-    """The hardware, or where nothing can be said of it, one that has the robot's joints."""
-    return hardware if hardware.known else Hardware(joints=frozenset(robot.joint_names))
-
-
-def _severity(project: Project, hardware: Hardware, right: str | None, *, some: bool) -> Severity:
-    if project.started is None and right is None:
-        return Severity.WARNING if some else Severity.INFO
-    return Severity.ERROR if hardware.known and not hardware.open else Severity.WARNING

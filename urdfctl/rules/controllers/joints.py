@@ -8,8 +8,9 @@ from typing import NamedTuple
 
 from urdfctl.catalog.value_types import type_problem
 from urdfctl.control.claims import Claim, claims
+from urdfctl.control.hardware import Hardware, fixed_joints, hardware_of
 from urdfctl.model.robot import Robot
-from urdfctl.rule import Note, Project
+from urdfctl.rule import Note, Project, Severity
 from urdfctl.rules.common import Names, whole_robot_in
 from urdfctl.rules.controllers.common import controllers_in
 from urdfctl.rules.controllers.parameters import known_as
@@ -76,6 +77,22 @@ def _in_row(name: str) -> str:
     words = re.split(r"([a-zA-Z]+)", re.sub(r"\d+", "0", name))
     swapped = {**{right: left for left, right in _SIDES.items()}}
     return "".join(swapped.get(word.lower(), word.lower()) for word in words)
+
+
+def hardware_in(project: Project, robot: Robot) -> dict[str, Hardware]:
+    """The hardware, by distro; where nothing can be said of it, one that has the robot's joints."""
+    joints = frozenset(robot.joint_names)
+    found = {distro: hardware_of(project, distro) for distro in project.distros}
+    only = Hardware(joints=joints, fixed=fixed_joints(robot), known=False)
+    return {distro: hardware if hardware.known else only for distro, hardware in found.items()}
+
+
+def severity_of(project: Project, hardware: Hardware, *, meant: bool, others: bool) -> Severity:
+    """How bad a wrong name of a joint is. Where it is not known which controllers are started, a name that none of the
+    robot's is `meant` by may be for another robot, all the more where the `others` in the list are not its either."""
+    if project.started is None and not meant:
+        return Severity.WARNING if others else Severity.INFO
+    return Severity.ERROR if hardware.known and not hardware.open else Severity.WARNING
 
 
 def links_called(robot: Robot, name: str) -> Iterator[Note]:
