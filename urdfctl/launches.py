@@ -6,8 +6,8 @@ import os
 import re
 from collections.abc import Iterable, Iterator, Mapping
 
-_COMMENT = rb"(?s)<!--.*?-->"
-_INCLUDE = rb"(?s)<include\s[^>]*?file\s*=\s*[\"']([^\"']+)[\"']"
+_COMMENT = rb"(?s)<!--.*?(?:-->|\Z)"
+_INCLUDE = rb"(?s)<include\s[^<>]*?file\s*=\s*[\"']([^\"']+)[\"']"
 _RELEVANT = rb"<rosparam\b|[\"']controller_manager[\"']"
 _PARAMETERS = rb"(?m)^[ \t]*[\"']?ros__parameters[\"']?[ \t]*:"
 _MANAGER = rb"(?m)^[ \t]*[\"']?[\w/*]*\bcontroller_manager[\"']?[ \t]*:"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.catalog.distros import ROS2
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.controllers.types import meant_by, typed
 
@@ -40,6 +41,12 @@ def controller_type_not_catalogued(project: Project) -> Iterator[Finding]:
         hardware = any(one.type in project.catalog.known_hardware(distro) for distro in one.distros)
         if one.known_in or hardware or not one.type.strip() or one.type in told or meant_by(project, one):
             continue
+        if not set(one.distros) & set(ROS2) and not _is_named_like_a_controller(one.type):
+            continue  # ROS 1 gives many things a type: no manager's section tells which are controllers
         told.add(one.type)
         message = f"'{one.type}' is not in the catalogue: its parameters and interfaces are not judged"
         yield Finding(one.at.at, message)
+
+
+def _is_named_like_a_controller(name: str) -> bool:
+    return "controller" in name.lower() or "broadcaster" in name.lower()
