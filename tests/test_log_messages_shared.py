@@ -12,7 +12,10 @@ import pytest
 import yaml
 from corpus import SHARED
 
+from urdfctl.lint import Selection, joined
+from urdfctl.load import Loader, Target
 from urdfctl.logs.digest import digest
+from urdfctl.settings import Settings
 
 REFERENCE, TRUTH = SHARED / "reference", SHARED / "truth"
 needs_reference = pytest.mark.skipif(not REFERENCE.is_dir(), reason="the reference is not beside the checkout")
@@ -115,3 +118,39 @@ def test_every_message_of_the_reference_s_texts_is_explained(name: str) -> None:
     }
     assert len(messages) > 50
     assert [m for m in sorted(messages - fragments) if not is_explained(m)] == []
+
+
+def refused() -> list[tuple[Path, dict[str, Any], str]]:
+    """Every eighth of the cases that noetic or jazzy refused, with the distro."""
+    files = sorted(TRUTH.glob("ros*/*/verdict.yaml"))
+    return [
+        (file.parent, case, distro)
+        for file in files[::8]
+        for case in [loaded(file)]
+        for distro in ("noetic", "jazzy")
+        if "undecidable" not in case and case["distros"].get(distro, {}).get("verdict") == "error"
+    ]
+
+
+def linted(folder: Path, case: dict[str, Any], distro: str) -> set[str]:
+    """The codes of what lint finds in a case's files."""
+    started = case.get("activation_order") or case.get("controllers")
+    simulator = "gazebo-classic" if folder.parent.name == "ros1" else "none"
+    settings = Settings(workspace=str(folder), distro=distro, simulator=simulator, started=tuple(started or ()))
+    first, *others = (str(folder / name) for name in case["files"])
+    found = Loader(settings, Selection()).lint(Target(first, controllers=tuple(others)))
+    return {one.code for one in joined([found.outcome], Selection())}
+
+
+@needs_truth
+def test_the_rules_that_an_explanation_names_find_the_fault_in_the_files() -> None:
+    """Nine times in ten, and more: the rest are messages that have many causes."""
+    told = []
+    for folder, case, distro in refused():
+        codes = linted(folder, case, distro)
+        known = digest(case["distros"][distro]["messages"], pasted=True).known
+        rules = {code for one in known for code in one.message.rules}
+        if codes:
+            told.append((folder.name, bool(codes & rules)))
+    assert len(told) > 50
+    assert sum(named for _, named in told) > 0.9 * len(told), [name for name, named in told if not named]
