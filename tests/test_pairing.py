@@ -229,7 +229,78 @@ def test_a_launch_file_that_is_no_xml_is_told_of_where_it_is_named(folder: Folde
     assert codes(folder, "l.launch") == [("UC001", "l.launch", 1)]
 
 
-def test_launch_files_of_ros_2_say_nothing_yet(folder: Folder) -> None:
+XML2 = """\
+<launch>
+  <arg name="ns" default="robot"/>
+  <node pkg="robot_state_publisher" exec="robot_state_publisher">
+    <param name="robot_description" value="$(command 'xacro $(find-pkg-share p)/r.urdf')"/>
+  </node>
+  <node pkg="controller_manager" exec="ros2_control_node" namespace="$(var ns)">
+    <param from="$(find-pkg-share p)/c.yaml"/>
+  </node>
+  <node pkg="controller_manager" exec="spawner" namespace="$(var ns)" args="arm --controller-manager-timeout 60"/>
+</launch>
+"""
+YAML2 = """\
+launch:
+- arg: {name: ns, default: robot}
+- node:
+    pkg: robot_state_publisher
+    exec: robot_state_publisher
+    param: [{name: robot_description, value: "$(command 'xacro $(find-pkg-share p)/r.urdf')"}]
+- group:
+  - push_ros_namespace: {namespace: $(var ns)}
+  - node:
+      pkg: controller_manager
+      exec: ros2_control_node
+      param:
+      - from: $(find-pkg-share p)/c.yaml
+  - node: {pkg: controller_manager, exec: spawner, args: arm}
+"""
+PYTHON2 = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import Command, LaunchConfiguration, PathJoinSubstitution
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+
+def generate_launch_description():
+    share = FindPackageShare("p")
+    description = {"robot_description": Command(["xacro ", PathJoinSubstitution([share, "r.urdf"])])}
+    ns = LaunchConfiguration("ns")
+    return LaunchDescription([
+        DeclareLaunchArgument("ns", default_value="robot"),
+        Node(package="robot_state_publisher", executable="robot_state_publisher", parameters=[description]),
+        Node(package="controller_manager", executable="ros2_control_node", namespace=ns,
+             parameters=[PathJoinSubstitution([share, "c.yaml"])]),
+        Node(package="controller_manager", executable="spawner", namespace=ns, arguments=["arm"]),
+    ])
+"""
+
+
+@pytest.mark.parametrize(("name", "text"), [("l.launch.xml", XML2), ("l.launch.yaml", YAML2), ("l.launch.py", PYTHON2)])
+def test_launch_files_of_ros_2_pair_a_robot_with_its_controllers(
+    folder: Folder, monkeypatch: pytest.MonkeyPatch, name: str, text: str
+) -> None:
+    launch = f"p/launch/{name}"
+    folder.write({**PACKAGE, "p/c.yaml": ROS2, launch: text})
+    (folder.path / "p/launch/l.launch").unlink()
+    for word in (launch, "p"):
+        found = targets(folder, word)[-1]
+        assert (found["robot"], found["controllers"], found["launch"]) == ("p/r.urdf", ["p/c.yaml"], launch)
+    made = project(Target(launch), Settings(), monkeypatch)
+    assert made.started == ("/robot/arm",)
+    assert [(c.full_name, c.type is None) for c in controllers(made).controllers] == [
+        ("/arm", False),
+        ("/robot/arm", True),
+    ]
+    folder.write({"p/c.yaml": ROS2.replace("controller_manager:", "/**/controller_manager:")})
+    found = controllers(project(Target(launch), Settings(), monkeypatch))
+    assert [(c.full_name, c.type is None) for c in found.controllers] == [("/robot/arm", False)]
+
+
+def test_launch_files_that_describe_nothing_are_no_robots(folder: Folder) -> None:
     folder.write({"l.launch.xml": '<launch><node pkg="p" exec="e"/></launch>', "m.launch.py": "import os"})
     found = targets(folder, "l.launch.xml", "m.launch.py")
     assert [(target["robot"], target["controllers"]) for target in found] == [(None, []), (None, [])]

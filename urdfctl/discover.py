@@ -9,13 +9,13 @@ from fnmatch import fnmatchcase
 from functools import lru_cache
 
 from urdfctl.errors import UserError
-from urdfctl.launches import is_controllers_file, launch_roots
+from urdfctl.launches import is_controllers_file, is_launch_file, launch_roots
 from urdfctl.source.files import is_launch, is_yaml
 from urdfctl.source.packages import package_name
 from urdfctl.suggest import did_you_mean
 
 _DESCRIPTIONS = (".urdf", ".xacro")
-_LAUNCHES = (".launch", ".launch.xml")
+_LAUNCHES = (".launch", ".launch.xml", "_launch.xml", ".launch.py", "_launch.py", ".launch.yaml", ".launch.yml")
 _LOOKED_AT = (*_DESCRIPTIONS, *_LAUNCHES, ".yaml", ".yml")
 _PRUNED = frozenset({"build", "install", "log", "devel", "node_modules", "__pycache__"})
 _IGNORE_FILES = frozenset({"COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE"})
@@ -95,7 +95,7 @@ def _search(folder: str, found: Found, excluded: Callable[[str], bool]) -> None:
     robots = {path: text for path in files if path.endswith(_DESCRIPTIONS) and re.search(_ROBOT, text := _text(path))}
     found.others += (path for path in robots if not excluded(path))
     found.candidates += (path for path in roots(robots) if not excluded(path))
-    launches = {path: text for path in files if path.endswith(_LAUNCHES) and b"<launch" in (text := _text(path))}
+    launches = {path: text for path in files if _may_launch(path) and is_launch_file(path, text := _text(path))}
     found.launch_candidates += (path for path in launch_roots(launches) if not excluded(path))
     yamls = (path for path in files if is_yaml(path) and not excluded(path))
     found.controllers_candidates += (path for path in yamls if is_controllers_file(_text(path)))
@@ -114,8 +114,13 @@ def _files(folder: str) -> Iterator[str]:
             continue
         folders[:] = sorted(name for name in folders if not name.startswith(".") and name not in _PRUNED)
         for name in files:
-            if name.endswith(_LOOKED_AT):
+            if name.endswith(_LOOKED_AT) or (name.endswith(".py") and os.path.basename(current) == "launch"):
                 yield os.path.join(current, name)
+
+
+def _may_launch(path: str) -> bool:
+    """Whether a file may be a launch file: by its name, or as Python in a folder of that name."""
+    return path.endswith((*_LAUNCHES, ".py"))
 
 
 def _text(path: str) -> bytes:

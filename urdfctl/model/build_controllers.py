@@ -149,17 +149,30 @@ class _Ros2:
             for name in self._declared(manager)
         ]
         controllers += self._typed_elsewhere(controllers)
+        controllers = [placed for controller in controllers for placed in self._placed(controller)]
         known = {name for controller in controllers for name in (controller.name, controller.full_name.lstrip("/"))}
-        only = managers[0] if len(managers) == 1 else None
-        controllers += [
-            self._controller(name, only.namespace if only else None, only)
-            for name in self.started
-            if name.lstrip("/") not in known
-        ]
+        controllers += [self._missing(name, managers) for name in self.started if name.lstrip("/") not in known]
         used = {section.path for manager in managers for section in manager.sections}
         used |= {section.path for controller in controllers for section in controller.sections}
         others = [s for s in self.sections if s.path not in used and not s.is_shared]
         return _Made(managers, controllers, others)
+
+    def _placed(self, controller: Controller) -> list[Controller]:
+        """A controller in each namespace that it is started in, where the files leave open which."""
+        if controller.namespace is not None:
+            return [controller]
+        full = [name for name in self.started if name.startswith("/") and name.rpartition("/")[2] == controller.name]
+        placed = [self._controller(controller.name, name.rpartition("/")[0], controller.manager) for name in full]
+        return placed or [controller]
+
+    def _missing(self, name: str, managers: Sequence[Manager]) -> Controller:
+        """A controller that is started, and that no file declares: of the manager in its namespace."""
+        namespace, slash, last = name.rpartition("/")
+        if slash and name.startswith("/"):
+            manager = next((manager for manager in managers if manager.namespace in {namespace, None}), None)
+            return self._controller(last, namespace, manager)
+        only = managers[0] if len(managers) == 1 else None
+        return self._controller(name, only.namespace if only else None, only)
 
     def _managers(self) -> list[Manager]:
         named: dict[str | None, Section] = {}

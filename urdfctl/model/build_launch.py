@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 
 from urdfctl.model.controllers import FileReference
-from urdfctl.model.launch import Description, Launch, ParameterLoad, Spawn
+from urdfctl.model.launch import Description, Launch, ParameterLoad, Spawn, joined
 from urdfctl.model.substitutions import Substitutions
 from urdfctl.source.dom import Document, Element
 from urdfctl.source.opaque import UNKNOWN
@@ -48,19 +48,11 @@ class _Scope(NamedTuple):
         return joined(self.namespace, namespace)
 
 
-def joined(namespace: str, name: str) -> str:
-    """A name in a namespace, as roslaunch joins them: empty for the root."""
-    if UNKNOWN in name:
-        return UNKNOWN
-    whole = name if name.startswith("/") else f"{namespace}/{name}"
-    return UNKNOWN if UNKNOWN in whole else "".join(f"/{part}" for part in whole.split("/") if part)
-
-
 def launch_of(path: str, arguments: Mapping[str, str], sources: Sources) -> Launch | None:
     """The facts of a launch file of ROS 1 that is started with some arguments; None where it is no such file."""
     document = sources.read(path)
     root = document.documentElement if document else None
-    if root is None or root.tagName != "launch" or _is_of_ros2(root):
+    if root is None or root.tagName != "launch" or is_of_ros2(root):
         return None
     builder = _Builder(sources)
     builder.walk(root, _Scope(path, "", dict(arguments), sure=True))
@@ -69,7 +61,7 @@ def launch_of(path: str, arguments: Mapping[str, str], sources: Sources) -> Laun
     )
 
 
-def _is_of_ros2(root: Element) -> bool:
+def is_of_ros2(root: Element) -> bool:
     """Whether a launch file is one of ROS 2: its nodes have an `exec`, its substitutions another form."""
     for element in _all(root):
         if "exec" in element.attrs or "namespace" in element.attrs or element.tagName == "let":

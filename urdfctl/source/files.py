@@ -10,12 +10,12 @@ from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import Place, SourceText
 
 MAX_BYTES = 16 << 20
-_LAUNCHES = (".launch", ".launch.xml", ".launch.py", ".launch.yaml")
+_LAUNCHES = (".launch", ".launch.xml", "_launch.xml", ".launch.yaml", ".launch.yml", "_launch.yaml", ".py")
 _YAML = (".yaml", ".yml")
 
 
 def is_launch(path: str) -> bool:
-    """Whether a file is a launch file by its name."""
+    """Whether a file is a launch file by its name; Python can be nothing else here."""
     return path.endswith(_LAUNCHES)
 
 

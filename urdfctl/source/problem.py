@@ -40,6 +40,7 @@ class ProblemKind(Enum):
     YAML_DUPLICATE_KEY = auto()
     YAML_DUPLICATE_MAP = auto()
     YAML_TAB = auto()
+    PYTHON_SYNTAX = auto()
 
 
 class Problem(NamedTuple):

@@ -12,6 +12,7 @@ from urdfctl.rules.reading.expression_fails import expression_fails
 from urdfctl.rules.reading.file_not_found import file_not_found
 from urdfctl.rules.reading.file_unreadable import file_unreadable
 from urdfctl.rules.reading.forbidden_expression import forbidden_expression
+from urdfctl.rules.reading.launch_file_not_python import launch_file_not_python
 from urdfctl.rules.reading.macro_call_mismatch import macro_call_mismatch
 from urdfctl.rules.reading.macro_defined_twice import macro_defined_twice
 from urdfctl.rules.reading.outside_workspace import outside_workspace
@@ -60,5 +61,6 @@ RULES: tuple[Rule, ...] = (
     yaml_not_readable,
     yaml_key_twice,
     yaml_tab,
+    launch_file_not_python,
     suppression_unused,
 )

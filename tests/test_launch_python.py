@@ -1,0 +1,413 @@
+"""Launch files in Python are read for what they surely build; nothing of them is run, and guessed is nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from textwrap import dedent
+
+import pytest
+
+from urdfctl.model.build_launch_ros2 import Sources, launch_of_ros2
+from urdfctl.model.launch import Launch, Spawn
+from urdfctl.source.launch.python import Surroundings, read_python
+from urdfctl.source.launch.terms import Term
+from urdfctl.source.span import Place, SourceText
+
+IMPORTS = """\
+import os
+import xacro
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import *
+from launch.conditions import IfCondition, UnlessCondition
+from launch.event_handlers import OnProcessExit
+from launch.launch_description_sources import PythonLaunchDescriptionSource
+from launch.substitutions import *
+from launch_ros.actions import Node, PushRosNamespace
+from launch_ros.parameter_descriptions import ParameterValue, ParameterFile
+from launch_ros.substitutions import FindPackageShare
+"""
+
+
+def launch(body: str, arguments: Mapping[str, str] | None = None, **files: str) -> Launch:
+    """The facts of a launch file whose function has a body; others lie at /p/<name>.launch.py, p is the package."""
+    texts = {f"/p/{name}.launch.py": IMPORTS + dedent(text) for name, text in files.items()}
+    texts["/p/main.launch.py"] = IMPORTS + (body if "def generate" in body else function(body))
+
+    def find(name: str, _: Place) -> str | None:
+        return "/p" if name == "p" else None
+
+    def read(path: str) -> Term | None:
+        if path not in texts:
+            return None
+        script = read_python(SourceText(path, texts[path].encode()), Surroundings(find, {"HERE": "x"}))
+        assert script.problem is None, script.problem
+        return script.term
+
+    sources = Sources(read, lambda path: (path, True), find, {"HERE": "x"})
+    found = launch_of_ros2("/p/main.launch.py", arguments or {}, sources)
+    assert found is not None
+    return found
+
+
+def function(body: str) -> str:
+    """A file whose one function has a body; an expression alone is the list of actions."""
+    body = dedent(body).strip()
+    if "return" not in body and "ld" not in body.split():
+        body = f"return LaunchDescription([{body}])"
+    return "def generate_launch_description():\n" + "".join(f"    {line}\n" for line in body.splitlines())
+
+
+def names(found: Launch) -> list[str]:
+    return [name for spawn in found.spawns for name, _ in spawn.names]
+
+
+def spawn(found: Launch) -> Spawn:
+    (only,) = found.spawns
+    return only
+
+
+def spawner(*words: str, more: str = "") -> str:
+    return f"Node(package='controller_manager', executable='spawner', arguments={list(words)!r}{more})"
+
+
+IDIOMS = {
+    "a list of words": (spawner("arm", "-c", "/controller_manager"), ["arm"]),
+    "several names": (spawner("jsb", "arm"), ["jsb", "arm"]),
+    "a loop over names": (
+        """
+        nodes = []
+        for name in ['jsb', 'arm']:
+            nodes.append(Node(package='controller_manager', executable='spawner', arguments=[name]))
+        return LaunchDescription(nodes)
+        """,
+        ["jsb", "arm"],
+    ),
+    "a list made by a comprehension": (
+        """
+        return LaunchDescription([
+            Node(package='controller_manager', executable='spawner', arguments=[name, '-c', f'/{ns}/manager'])
+            for ns, name in (('a', 'jsb'), ('a', 'arm')) if name != 'none'])
+        """,
+        ["jsb", "arm"],
+    ),
+    "a function of the file": (
+        """
+        def make(name, *, stopped=False):
+            return Node(package='controller_manager', executable='spawner',
+                        arguments=[name] + (['--inactive'] if stopped else []))
+        return LaunchDescription([make('jsb'), make('arm', stopped=True)])
+        """,
+        ["jsb", "arm"],
+    ),
+    "a description that actions are added to": (
+        """
+        ld = LaunchDescription()
+        jsb = Node(package='controller_manager', executable='spawner', arguments=['jsb'])
+        ld.add_action(jsb)
+        return ld
+        """,
+        ["jsb"],
+    ),
+    "a list that is put together": (
+        """
+        nodes = [Node(package='controller_manager', executable='spawner', arguments=['jsb'])]
+        nodes += [Node(package='controller_manager', executable='spawner', arguments=['arm'])]
+        return LaunchDescription([DeclareLaunchArgument('x')] + nodes)
+        """,
+        ["jsb", "arm"],
+    ),
+    "what follows the end of another": (
+        """
+        jsb = ExecuteProcess(cmd=['ros2', 'control', 'load_controller', '--set-state', 'active', 'jsb'])
+        arm = ExecuteProcess(cmd=['ros2', 'control', 'load_controller', '--set-state', 'active', 'arm'])
+        return LaunchDescription([
+            RegisterEventHandler(event_handler=OnProcessExit(target_action=jsb, on_exit=[arm])), jsb])
+        """,
+        ["jsb", "arm"],
+    ),
+    "an argument's default": (
+        """
+        return LaunchDescription([
+            DeclareLaunchArgument('controller', default_value='arm'),
+            Node(package='controller_manager', executable='spawner', arguments=[LaunchConfiguration('controller')])])
+        """,
+        ["arm"],
+    ),
+    "a function that is called with the context": (
+        """
+        def setup(context, *args, **kwargs):
+            name = LaunchConfiguration('prefix').perform(context) + 'arm'
+            if LaunchConfiguration('sim').perform(context) == 'true':
+                return [Node(package='controller_manager', executable='spawner', arguments=[name])]
+            return [Node(package='controller_manager', executable='spawner', arguments=['real'])]
+        return LaunchDescription([DeclareLaunchArgument('prefix', default_value='l_'),
+            DeclareLaunchArgument('sim', default_value='true'), OpaqueFunction(function=setup)])
+        """,
+        ["l_arm"],
+    ),
+    "the helper of controller_manager": (
+        """
+        return LaunchDescription([generate_load_controller_launch_description(controller_name='arm'),
+            generate_controllers_spawner_launch_description(['jsb', 'hand'])])
+        """,
+        ["arm", "jsb", "hand"],
+    ),
+    "a shell's command": (
+        """
+        return LaunchDescription([ExecuteProcess(
+            cmd=['ros2 control load_controller --set-state active arm'], shell=True)])
+        """,
+        ["arm"],
+    ),
+    "a dict's items": (
+        """
+        controllers = {'jsb': [], 'arm': ['--inactive']}
+        return LaunchDescription([
+            Node(package='controller_manager', executable='spawner', arguments=[name, *more])
+            for name, more in controllers.items()])
+        """,
+        ["jsb", "arm"],
+    ),
+    "words of a sentence": (
+        """
+        return LaunchDescription([
+            Node(package='controller_manager', executable='spawner', arguments='jsb arm'.split())])
+        """,
+        ["jsb", "arm"],
+    ),
+}
+
+
+@pytest.mark.parametrize(("body", "found"), IDIOMS.values(), ids=IDIOMS)
+def test_spawners_are_found_however_they_are_written(body: str, found: list[str]) -> None:
+    made = launch(body)
+    assert names(made) == found
+    assert made.complete
+    assert all(one.sure and one.complete for one in made.spawns)
+
+
+def test_a_name_stands_where_it_is_written() -> None:
+    made = launch("""
+        names = ['jsb', 'arm']
+        return LaunchDescription([
+            Node(package='controller_manager', executable='spawner', arguments=[n]) for n in names])
+        """)
+    assert [at.span.text for one in made.spawns for _, at in one.names] == ["'jsb'", "'arm'"]
+
+
+@pytest.mark.parametrize(
+    ("words", "more", "manager", "namespace", "active"),
+    [
+        (("a",), "", "controller_manager", "", True),
+        (("a", "--inactive"), "", "controller_manager", "", False),
+        (("a", "-c", "/r/controller_manager"), "", "controller_manager", "/r", True),
+        (("a", "--controller-manager=/r/cm"), "", "cm", "/r", True),
+        (("a", "-c", "cm"), ", namespace='r'", "cm", "/r", True),
+        (("a",), ", namespace='/r'", "controller_manager", "/r", True),
+        (("a", "--namespace", "/q"), ", namespace='r'", "controller_manager", "/q", True),
+    ],
+)
+def test_a_spawner_tells_its_manager(
+    words: tuple[str, ...], more: str, manager: str, namespace: str, active: bool
+) -> None:
+    one = spawn(launch(spawner(*words, more=more)))
+    assert (one.manager, one.namespace, one.active) == (manager, namespace, active)
+
+
+UNSURE = {
+    "a condition that is not known": "if os.path.exists('/x'):\n    nodes.append(arm)",
+    "a loop over what is not known": "for _ in os.listdir('.'):\n    nodes.append(arm)",
+    "a loop that may not end": "while busy():\n    nodes.append(arm)",
+    "a return before": "if os.path.exists('/x'):\n    return LaunchDescription([])\nnodes.append(arm)",
+    "a choice": "nodes.append(arm if maybe() else None)",
+}
+
+
+@pytest.mark.parametrize("statement", UNSURE.values(), ids=UNSURE)
+def test_what_hangs_on_something_unknown_is_not_sure(statement: str) -> None:
+    made = launch(
+        "arm = Node(package='controller_manager', executable='spawner', arguments=['arm'])\n"
+        f"nodes = []\n{statement}\nreturn LaunchDescription(nodes)"
+    )
+    assert made.started is None
+    assert not any(one.sure for one in made.spawns)
+
+
+UNKNOWN_ACTIONS = {
+    "another module's function": "make_spawners()",
+    "a list from elsewhere": "*actions",
+    "a file that is not there": "IncludeLaunchDescription(PythonLaunchDescriptionSource('/p/none.launch.py'))",
+    "another package's file": "IncludeLaunchDescription([FindPackageShare('q'), '/launch/x.launch.py'])",
+    "a class": "Robot().action",
+}
+
+
+@pytest.mark.parametrize("action", UNKNOWN_ACTIONS.values(), ids=UNKNOWN_ACTIONS)
+def test_an_action_that_is_not_known_may_do_anything(action: str) -> None:
+    made = launch(spawner("arm") + ", " + action)
+    assert names(made) == ["arm"]
+    assert not made.complete
+
+
+@pytest.mark.parametrize("what", ["LogInfo(msg='x')", "SetParameter(name='use_sim_time', value=True)", "None"])
+def test_some_actions_are_known_to_be_harmless(what: str) -> None:
+    assert launch(f"{spawner('arm')}, {what}").complete
+
+
+CONDITIONS = {
+    "IfCondition(LaunchConfiguration('yes'))": True,
+    "UnlessCondition(LaunchConfiguration('yes'))": False,
+    "IfCondition(PythonExpression([\"'\", LaunchConfiguration('kind'), \"' == 'arm'\"]))": True,
+    "IfCondition(PythonExpression(['not ', LaunchConfiguration('yes')]))": None,
+    "LaunchConfigurationEquals('kind', 'leg')": False,
+    "IfCondition(NotSubstitution(LaunchConfiguration('yes')))": False,
+    "IfCondition(AndSubstitution(LaunchConfiguration('yes'), LaunchConfiguration('unset')))": None,
+    "IfCondition(OrSubstitution(LaunchConfiguration('yes'), LaunchConfiguration('unset')))": True,
+    "IfCondition(EqualsSubstitution(LaunchConfiguration('kind'), 'arm'))": True,
+    "IfCondition(EnvironmentVariable('NOWHERE'))": None,
+    "own_condition()": None,
+}
+
+
+@pytest.mark.parametrize(("condition", "held"), CONDITIONS.items())
+def test_a_condition_holds_does_not_or_is_not_known(condition: str, held: bool | None) -> None:
+    made = launch(
+        "DeclareLaunchArgument('yes', default_value='true'), DeclareLaunchArgument('kind', default_value='arm'), "
+        + spawner("arm", more=f", condition={condition}")
+    )
+    if held is False:
+        assert not made.spawns
+        assert [name for one in made.elsewhere for name, _ in one.names] == ["arm"]
+    else:
+        assert spawn(made).sure is bool(held)
+
+
+DESCRIPTIONS = {
+    "Command(['xacro ', '/p/r.xacro', ' a:=', LaunchConfiguration('a')])": ("/p/r.xacro", (("a", "1"),)),
+    "Command([FindExecutable(name='xacro'), ' ', PathJoinSubstitution([FindPackageShare('p'), 'r.xacro'])])": (
+        "/p/r.xacro",
+        (),
+    ),
+    "ParameterValue(Command(['xacro', ' ', os.path.join(get_package_share_directory('p'), 'r.xacro')]), "
+    "value_type=str)": ("/p/r.xacro", ()),
+    "xacro.process_file('/p/r.xacro', mappings={'a': 'b'}).toxml()": ("/p/r.xacro", (("a", "b"),)),
+    "xacro.process_file(os.path.join(get_package_share_directory('p'), 'r.xacro')).toprettyxml(indent=' ')": (
+        "/p/r.xacro",
+        (),
+    ),
+    "open('/p/r.urdf').read()": ("/p/r.urdf", ()),
+    "LaunchConfiguration('description')": ("/p/d.xacro", (("a", "1"),)),
+    "Command(['xacro ', LaunchConfiguration('unset'), ' a:=2'])": (None, (("a", "2"),)),
+    "Command(['xacro /p/r.xacro a:=', LaunchConfiguration('unset')])": ("/p/r.xacro", None),
+    "MoveItConfigsBuilder('r', package_name='p').robot_description(mappings={'a': '1'}).to_moveit_configs()"
+    ".robot_description['robot_description']": ("/p/config/r.urdf.xacro", (("a", "1"),)),
+    "text": (None, None),
+}
+
+
+@pytest.mark.parametrize(("value", "found"), DESCRIPTIONS.items())
+def test_a_description_tells_its_file_and_arguments(
+    value: str, found: tuple[str | None, tuple[tuple[str, str], ...] | None]
+) -> None:
+    made = launch(
+        "DeclareLaunchArgument('a', default_value='1'), "
+        "DeclareLaunchArgument('description', "
+        "default_value=Command(['xacro /p/d.xacro a:=', LaunchConfiguration('a')])), "
+        f"Node(package='robot_state_publisher', executable='robot_state_publisher', "
+        f"parameters=[{{'robot_description': {value}}}])"
+    )
+    (description,) = made.descriptions
+    assert (description.file.path, description.arguments) == found
+
+
+def test_xacro_that_is_parsed_and_processed_is_a_description() -> None:
+    made = launch("""
+        path = os.path.join(get_package_share_directory('p'), 'r.xacro')
+        doc = xacro.parse(open(path))
+        xacro.process_doc(doc, mappings={'a': 'b'})
+        params = {'robot_description': doc.toxml()}
+        return LaunchDescription([
+            Node(package='robot_state_publisher', executable='robot_state_publisher', parameters=[params])])
+        """)
+    assert [(d.file.path, d.arguments) for d in made.descriptions] == [("/p/r.xacro", (("a", "b"),))]
+
+
+def test_a_manager_loads_the_files_it_is_given() -> None:
+    made = launch("""
+        params = PathJoinSubstitution([FindPackageShare('p'), 'config', 'c.yaml'])
+        return LaunchDescription([Node(package='controller_manager', executable='ros2_control_node',
+            parameters=[params, {'update_rate': 100}, ParameterFile('/p/d.yaml', allow_substs=True)])])
+        """)
+    assert [load.file.path for load in made.loads] == ["/p/config/c.yaml", "/p/d.yaml"]
+    (node,) = made.nodes
+    assert [word.text for word in node.parameters] == ["update_rate"]
+    assert node.complete
+
+
+def test_a_spawner_loads_its_parameter_file() -> None:
+    made = launch(spawner("arm", "--param-file", "/p/c.yaml", "-p", "/p/d.yaml"))
+    assert [file.path for file in spawn(made).files] == ["/p/c.yaml", "/p/d.yaml"]
+    assert [load.node for load in made.loads] == ["spawner", "spawner"]
+
+
+def test_included_files_are_followed_with_their_arguments() -> None:
+    made = launch(
+        """
+        return LaunchDescription([IncludeLaunchDescription(
+            PythonLaunchDescriptionSource([get_package_share_directory('p'), '/inner.launch.py']),
+            launch_arguments={'name': 'arm'}.items())])
+        """,
+        inner="""
+        def generate_launch_description():
+            return LaunchDescription([
+                DeclareLaunchArgument('name', default_value='other'),
+                Node(package='controller_manager', executable='spawner', arguments=[LaunchConfiguration('name')])])
+        """,
+    )
+    assert names(made) == ["arm"]
+    assert made.complete
+
+
+def test_groups_keep_what_they_set_to_themselves() -> None:
+    made = launch(f"GroupAction([PushRosNamespace('r'), {spawner('a')}]), {spawner('b')}")
+    assert [(one.names[0][0], one.namespace) for one in made.spawns] == [("a", "/r"), ("b", "")]
+
+
+def test_a_file_that_includes_itself_comes_to_an_end() -> None:
+    made = launch("IncludeLaunchDescription('/p/main.launch.py'), " + spawner("arm"))
+    assert not made.complete
+
+
+GZ = "IncludeLaunchDescription([FindPackageShare('ros_gz_sim'), '/launch/gz_sim.launch.py'], "
+SIMULATORS = {
+    GZ + "launch_arguments={'gz_args': '-r empty.sdf'}.items())": ("gz", False),
+    GZ + "launch_arguments={'gz_args': [world, ' -v4']}.items())": ("gz", None),
+    GZ + "launch_arguments=[('gz_args', 'empty.sdf')])": ("gz", True),
+    "IncludeLaunchDescription([FindPackageShare('gazebo_ros'), '/launch/gazebo.launch.py'])": ("gazebo-classic", False),
+    "ExecuteProcess(cmd=['gz', 'sim', '-r', 'x.sdf'])": ("gz", False),
+}
+
+
+@pytest.mark.parametrize(("action", "found"), SIMULATORS.items())
+def test_simulators_are_started_paused_or_not(action: str, found: tuple[str, bool | None]) -> None:
+    made = launch(action)
+    assert [(one.simulator, one.paused) for one in made.simulations] == [found]
+    assert made.complete
+
+
+HOSTILE = {
+    "deep": "x = " + "(" * 150 + "1" + ")" * 150,
+    "doubling": "x = 'a'\nfor _ in [1, 2, 3, 4, 5, 6, 7, 8, 9] * 1:\n    x = x + x\n" + "x = x + x\n" * 60,
+    "lists": "x = [1]\n" + "x = x + x\n" * 60,
+    "loops": "\n".join("    " * i + f"for i{i} in {list(range(100))}:" for i in range(8)) + "\n" + " " * 32 + "x = 1",
+    "recursion": "def f(x):\n    return f(x)\nf(1)",
+    "two ways again": "\n".join("if a():\n    x = x() or [1]" for _ in range(200)),
+    "itself": "x = []\nx.append(x)\nx.extend(x)\nld = LaunchDescription(x)",
+}
+
+
+@pytest.mark.parametrize("text", HOSTILE.values(), ids=HOSTILE)
+def test_hostile_files_come_to_an_end(text: str) -> None:
+    indented = "".join(f"    {line}\n" for line in text.splitlines())
+    launch(f"def generate_launch_description():\n{indented}    return LaunchDescription([])\n")

@@ -1,0 +1,362 @@
+"""Builds the model of a launch file of ROS 2, with what it includes, from the terms that it builds itself of."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Mapping
+from typing import NamedTuple
+
+from urdfctl.model.descriptions import content_of, moveit_builder, moveit_folder
+from urdfctl.model.launch import Launch, Simulation, Spawn, Word, joined
+from urdfctl.model.launch_nodes import Gathered, Nodes
+from urdfctl.model.launch_texts import Scope, Texts, table_of
+from urdfctl.source.launch.terms import (
+    Called,
+    Constant,
+    Function,
+    Items,
+    Missing,
+    OneOf,
+    Perhaps,
+    Table,
+    Term,
+)
+from urdfctl.source.opaque import UNKNOWN
+from urdfctl.source.span import Place
+
+_MOST_DEPTH = 16
+_MOST_INCLUDES = 200
+_MOST_ACTIONS = 5000
+_SIMULATORS = {
+    "ros_gz_sim": "gz",
+    "ros_ign_gazebo": "gz",
+    "ros_gz": "gz",
+    "gazebo_ros": "gazebo-classic",
+}
+_WITHOUT_CONTROLLERS = frozenset(
+    "nav2_bringup slam_toolbox ros_gz_bridge foxglove_bridge rosbridge_server realsense2_camera rplidar_ros joy "
+    "teleop_twist_joy robot_localization turtlebot3_navigation2 velodyne usb_cam moveit_servo rviz2 depthai_ros_driver "
+    "sick_scan_xd ldlidar_stl_ros2 urg_node micro_ros_agent urdf_launch launch_testing_ament_cmake".split()
+)
+"""Packages, besides those of simulators, whose launch files start no controllers."""
+_HARMLESS = frozenset(
+    (
+        "LogInfo Shutdown EmitEvent SetEnvironmentVariable AppendEnvironmentVariable UnsetEnvironmentVariable "
+        "PrependEnvironmentVariable SetParameter SetParametersFromFile SetRemap SetUseSimTime SetROSLogDir "
+        "UnregisterEventHandler ResetEnvironment PushEnvironment PopEnvironment LoadComposableNodes "
+        "ComposableNodeContainer ComposableNode LifecycleTransition UnsetLaunchConfiguration ReadyToTest GzServer "
+        "RosGzBridge AppendEnvironment"
+    ).split()
+)
+_NODES = frozenset({"Node", "LifecycleNode"})
+_PROCESSES = frozenset({"ExecuteProcess", "ExecuteLocal"})
+_HANDLERS = {"OnProcessExit": "on_exit", "OnProcessStart": "on_start", "OnExecutionComplete": "on_completion"}
+_MOVEIT_DEMO = "generate_demo_launch"
+_SPAWNING = frozenset(
+    (
+        "generate_load_controller_launch_description generate_controllers_spawner_launch_description "
+        "generate_controllers_spawner_launch_description_from_dict"
+    ).split()
+)
+
+
+class Sources(NamedTuple):
+    """Where the texts of launch files come from: what the file at a path builds (None where it cannot be read), where
+    a file lies in the sources and whether it is there (None where nobody may look), the folder of a package that is
+    named at a place (None where it is not among the sources), and the environment."""
+
+    read: Callable[[str], Term | None]
+    locate: Callable[[str], tuple[str, bool | None]]
+    find: Callable[[str, Place], str | None]
+    environ: Mapping[str, str]
+
+
+class _State(NamedTuple):
+    """How sure it is that an action is come to; not `held`: it is not, but would be with other arguments. `after` are
+    the controllers whose spawner ends first."""
+
+    sure: bool = True
+    held: bool = True
+    after: tuple[str, ...] = ()
+    depth: int = 0
+
+
+def launch_of_ros2(path: str, arguments: Mapping[str, str], sources: Sources) -> Launch | None:
+    """The facts of a launch file of ROS 2 that is started with some arguments; None where it is no such file."""
+    term = sources.read(path)
+    if term is None:
+        return None
+    walk = _Walk(sources)
+    walk.action(term, Scope(path, arguments), _State())
+    found = walk.found
+    order = {name: index for index, spawn in enumerate(found.spawns) for name, _ in spawn.names}
+    spawns = sorted(found.spawns, key=lambda spawn: _turn(spawn, found.spawns, order))
+    return Launch(
+        path,
+        2,
+        tuple(found.descriptions),
+        tuple(found.loads),
+        tuple(spawns),
+        complete=walk.complete,
+        elsewhere=tuple(found.elsewhere),
+        nodes=tuple(found.nodes),
+        simulations=tuple(walk.simulations),
+        references=tuple(found.references.values()),
+    )
+
+
+def _turn(spawn: Spawn, spawns: list[Spawn], order: Mapping[str, int], depth: int = 0) -> int:
+    """How many spawners end before this one begins."""
+    if depth > len(spawns):
+        return depth
+    before = (spawns[order[name]] for name in spawn.after if name in order)
+    return max((1 + _turn(one, spawns, order, depth + 1) for one in before if one is not spawn), default=0)
+
+
+class _Walk:
+    def __init__(self, sources: Sources) -> None:
+        self.sources = sources
+        self.found = Gathered()
+        self.simulations: list[Simulation] = []
+        self.complete = True
+        self._includes = self._actions = 0
+
+    def texts(self, scope: Scope) -> Texts:
+        return Texts(scope, self.sources.find, self.sources.environ)
+
+    def nodes(self, scope: Scope) -> Nodes:
+        return Nodes(self.found, self.texts(scope), self.sources.locate)
+
+    def _exists(self, path: str) -> bool:
+        return bool(self.sources.locate(path)[1])
+
+    # -- actions -----------------------------------------------------------------------------------------------------
+
+    def action(self, term: Term | None, scope: Scope, state: _State) -> None:
+        """Follow an action, or a list of them."""
+        self._actions += 1
+        if self._actions > _MOST_ACTIONS or state.depth > _MOST_DEPTH * 4:
+            self.complete = False
+        elif isinstance(term, Items):
+            for value in term.values:
+                self.action(value, scope, state._replace(depth=state.depth + 1))
+        elif isinstance(term, Perhaps):
+            self.action(term.term, scope, state._replace(sure=False, depth=state.depth + 1))
+        elif isinstance(term, OneOf):
+            for option in term.options:
+                self.action(option, scope.copy(), state._replace(sure=False, depth=state.depth + 1))
+        elif isinstance(term, Called):
+            self._called(term, scope, state)
+        elif not (term is None or isinstance(term, Constant)):
+            self.complete = False
+
+    def _called(self, term: Called, scope: Scope, state: _State) -> None:
+        held = self.texts(scope).condition(term.keywords.get("condition"))
+        if held is False:
+            scope = scope.copy()
+            state = state._replace(sure=False, held=False)
+        elif held is None:
+            state = state._replace(sure=False)
+        state = state._replace(depth=state.depth + 1)
+        if term.short in _ACTIONS:
+            _ACTIONS[term.short](self, term, scope, state)
+        elif term.short in _NODES:
+            self.nodes(scope).node(term, sure=state.sure, held=state.held, after=state.after)
+        elif term.short in _PROCESSES:
+            self._process(term, scope, state)
+        elif term.short in _SPAWNING:
+            self.nodes(scope).helper(term, sure=state.sure, held=state.held)
+        elif term.short not in _HARMLESS and state.held:
+            self.complete = False
+
+    def description(self, term: Called, scope: Scope, state: _State) -> None:
+        """A launch description: its actions, one by one, and what was added to it."""
+        self.action(term.given("initial_entities", 0), scope, state)
+        for added in term.added:
+            self.action(added, scope, state)
+
+    def declared(self, term: Called, scope: Scope, state: _State) -> None:
+        """An argument of the launch file: its default holds where nothing was given."""
+        texts = self.texts(scope)
+        name = texts.of(term.given("name", 0))
+        if UNKNOWN in name or name in scope.settings:
+            return
+        default = term.given("default_value", 1)
+        if default is None and "default_value" in term.keywords:
+            return
+        scope.settings[name] = texts.of(default) if default is not None and state.sure else UNKNOWN
+        self._described(name, default, scope)
+
+    def set(self, term: Called, scope: Scope, state: _State) -> None:
+        """SetLaunchConfiguration, and `let` of XML."""
+        texts = self.texts(scope)
+        name = texts.of(term.given("name", 0))
+        value = term.given("value", 1)
+        if not state.held:
+            return
+        if UNKNOWN in name:
+            self.complete = False
+        else:
+            scope.settings[name] = texts.of(value) if state.sure else UNKNOWN
+            self._described(name, value, scope)
+
+    def _described(self, name: str, value: Term | None, scope: Scope) -> None:
+        content = content_of(value, self.texts(scope), self._exists) if value is not None else None
+        if content is not None:
+            scope.contents[name] = content
+
+    def group(self, term: Called, scope: Scope, state: _State) -> None:
+        """A group: what it sets is forgotten behind it, unless it says otherwise."""
+        texts = self.texts(scope)
+        inner = scope if texts.truth(term.keywords.get("scoped")) is False else scope.copy()
+        settings = table_of(term.keywords.get("launch_configurations"))
+        if settings:
+            inner.settings.update((name, texts.of(value)) for name, value in settings.entries.items())
+        self.action(term.given("actions", 0), inner, state)
+
+    def namespace(self, term: Called, scope: Scope, state: _State) -> None:
+        """PushRosNamespace: for what follows."""
+        if state.held:
+            pushed = self.texts(scope).of(term.given("namespace", 0))
+            scope.namespace = joined(scope.namespace, pushed) if state.sure else UNKNOWN
+
+    def opaque(self, term: Called, scope: Scope, state: _State) -> None:
+        """A function that makes actions when the launch runs: it is called with its context."""
+        function = term.given("function", 0)
+        if not isinstance(function, Function):
+            self.complete = False
+            return
+        given = term.given("args")
+        arguments = given.values if isinstance(given, Items) else []
+        keywords = table_of(term.given("kwargs"))
+        context = Missing(term.at)
+        made = function.call([context, *arguments], keywords.entries if keywords else {}, self.texts(scope).context)
+        self.action(made, scope, state)
+
+    def timer(self, term: Called, scope: Scope, state: _State) -> None:
+        """A timer: its actions run later."""
+        self.action(term.given("actions"), scope, state)
+
+    def handler(self, term: Called, scope: Scope, state: _State) -> None:
+        """An event's handler: what it does when a process ends or starts."""
+        event = term.given("event_handler", 0)
+        if not isinstance(event, Called) or event.short not in _HANDLERS:
+            return
+        target = event.given("target_action", 0)
+        if isinstance(target, Called) and event.short != "OnProcessStart":
+            told = self.nodes(scope).told(target)
+            state = state._replace(after=tuple(word.text for word in told.names) if told else ())
+        done = event.given(_HANDLERS[event.short], 1)
+        if isinstance(done, Function):
+            done = done.call([Missing(term.at), Missing(term.at)], {}, self.texts(scope).context)
+        self.action(done, scope, state)
+
+    def demo(self, term: Called, scope: Scope, state: _State) -> None:
+        """MoveIt's demo: a controller manager with ros2_controllers.yaml, and the spawners of all controllers that
+        MoveIt uses."""
+        builder, _ = moveit_builder(term.given("moveit_config", 0))
+        folder = moveit_folder(builder, self.texts(scope)) if builder else UNKNOWN
+        self.nodes(scope).moveit_demo(term, f"{folder}/config/ros2_controllers.yaml", sure=state.sure, held=state.held)
+
+    # -- included files ----------------------------------------------------------------------------------------------
+
+    def include(self, term: Called, scope: Scope, state: _State) -> None:
+        """Another launch file: what it sets stays set behind it."""
+        texts = self.texts(scope)
+        source = term.given("launch_description_source", 0)
+        if isinstance(source, Called) and source.short.endswith("LaunchDescriptionSource"):
+            source = source.given("location", 0)
+        if isinstance(source, Called) and source.short == "LaunchDescription":
+            self.description(source, scope, state)
+            return
+        path = texts.of(source)
+        given = table_of(term.given("launch_arguments"))
+        for name, value in given.entries.items() if given else ():
+            scope.settings[name] = texts.of(value)
+            self._described(name, value, scope)
+        package = package_outside(path) or _package_in(path)
+        if package in _SIMULATORS:
+            self._simulation(_SIMULATORS[package], os.path.basename(path), texts, given, term.at, state)
+        elif package_outside(path) not in _WITHOUT_CONTROLLERS:
+            at = source.at if source is not None else term.at
+            self._follow(path, Word(path, at), scope, state)
+
+    def _follow(self, path: str, written: Word, scope: Scope, state: _State) -> None:
+        self._includes += 1
+        found = None
+        if UNKNOWN not in path:
+            self.nodes(scope).reference(path, written.at, "include", sure=state.sure)
+            if self._includes <= _MOST_INCLUDES and state.depth < _MOST_DEPTH * 4:
+                found = self.sources.read(path)
+        if found is None:
+            self.complete = self.complete and not state.held
+            return
+        outer, scope.file = scope.file, path
+        self.action(found, scope, state)
+        scope.file = outer
+
+    # -- simulators --------------------------------------------------------------------------------------------------
+
+    def _simulation(
+        self, simulator: str, file: str, texts: Texts, given: Table | None, at: Place, state: _State
+    ) -> None:
+        if not state.held or ("sim" not in file and "gazebo" not in file and "gzserver" not in file):
+            return
+        entries = given.entries if given else {}
+        if simulator == "gz":
+            paused = paused_by(texts.of(entries.get("gz_args") or entries.get("ign_args") or Constant("", at)))
+            if paused and given is not None and not given.whole:
+                paused = None
+        else:
+            paused = texts.truth(entries["pause"]) if "pause" in entries else False
+        self.simulations.append(Simulation(simulator, at, paused, state.sure))
+
+    def _process(self, term: Called, scope: Scope, state: _State) -> None:
+        words = self.nodes(scope).command(term, sure=state.sure, held=state.held, after=state.after)
+        texts = [word.text for word in words]
+        if not texts or not state.held:
+            return
+        if texts[:2] in (["gz", "sim"], ["ign", "gazebo"]):
+            paused = paused_by(" ".join(texts[2:]))
+            self.simulations.append(Simulation("gz", term.at, paused, state.sure))
+        elif texts[0] in {"gazebo", "gzserver"}:
+            paused = any(text in {"-u", "--pause"} for text in texts)
+            self.simulations.append(Simulation("gazebo-classic", term.at, paused, state.sure))
+        elif texts[:2] == ["ros2", "launch"]:
+            self.complete = False
+
+
+_ACTIONS: dict[str, Callable[[_Walk, Called, Scope, _State], None]] = {
+    "LaunchDescription": _Walk.description,
+    "DeclareLaunchArgument": _Walk.declared,
+    "SetLaunchConfiguration": _Walk.set,
+    "GroupAction": _Walk.group,
+    "PushRosNamespace": _Walk.namespace,
+    "PushROSNamespace": _Walk.namespace,
+    "OpaqueFunction": _Walk.opaque,
+    "TimerAction": _Walk.timer,
+    "RosTimer": _Walk.timer,
+    "ROSTimer": _Walk.timer,
+    "RegisterEventHandler": _Walk.handler,
+    "IncludeLaunchDescription": _Walk.include,
+    _MOVEIT_DEMO: _Walk.demo,
+}
+
+
+def paused_by(arguments: str) -> bool | None:
+    """Whether gz begins paused with some arguments: it does without `-r`; None where they are not all known."""
+    if any(re.fullmatch(r"-[a-zA-Z]*r\w*", word) for word in arguments.split()):
+        return False
+    return None if UNKNOWN in arguments else True
+
+
+def package_outside(path: str) -> str | None:
+    """The package, not among the sources, that a path lies in."""
+    found = re.match(rf"{UNKNOWN}\(([^)]*)\)", path)
+    return found.group(1) if found else None
+
+
+def _package_in(path: str) -> str | None:
+    """A simulator's package by the folder's name, though it is among the sources."""
+    return next((part for part in reversed(path.split("/")) if part in _SIMULATORS), None)

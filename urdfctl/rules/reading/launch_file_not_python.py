@@ -1,0 +1,45 @@
+"""UC027."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS2
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.reading.common import findings_of
+from urdfctl.source.problem import ProblemKind
+
+
+@rule(
+    "UC027",
+    severity=Severity.ERROR,
+    distros=ROS2,
+    authority="launch launch/launch_description_sources/python_launch_file_utilities.py: the file is imported as a Python module; 'InvalidLaunchFileError'",
+    bad={
+        "arm.launch.py": """
+            from launch import LaunchDescription
+            from launch_ros.actions import Node
+
+
+            def generate_launch_description():
+                return LaunchDescription«»([Node(package='joint_state_publisher', executable='joint_state_publisher')]
+        """,
+    },
+    good={
+        "arm.launch.py": """
+            from launch import LaunchDescription
+            from launch_ros.actions import Node
+
+
+            def generate_launch_description():
+                return LaunchDescription([Node(package='joint_state_publisher', executable='joint_state_publisher')])
+        """,
+    },
+)
+def launch_file_not_python(project: Project) -> Iterator[Finding]:
+    """A launch file is not good Python.
+
+    launch imports it as a Python module, and stops with the same error: nothing of it is started. Nothing more is told
+    of the file.
+    """
+    yield from findings_of(project, ProblemKind.PYTHON_SYNTAX)

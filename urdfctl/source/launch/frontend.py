@@ -1,0 +1,285 @@
+"""Launch files of ROS 2 in XML and YAML, as the terms that the same file in Python would build."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Mapping
+from typing import NamedTuple
+
+from urdfctl.source.dom import Element
+from urdfctl.source.launch.terms import Called, Constant, Items, Missing, Table, Term
+from urdfctl.source.span import Place
+from urdfctl.source.yaml import Mapping as YamlMap
+from urdfctl.source.yaml import Node as YamlNode
+from urdfctl.source.yaml import Scalar, YamlFile
+from urdfctl.source.yaml import Sequence as YamlList
+
+_MOST_DEPTH = 30
+_QUOTED = r"'([^']*)'|\"([^\"]*)\"|(\S+)"
+_SUBSTITUTIONS: dict[str, tuple[str, int]] = {
+    "var": ("LaunchConfiguration", 2),
+    "env": ("EnvironmentVariable", 2),
+    "find-pkg-share": ("FindPackageShare", 1),
+    "find-exec": ("FindExecutable", 1),
+    "dirname": ("ThisLaunchFileDir", 0),
+    "filename": ("ThisLaunchFile", 0),
+    "file-content": ("FileContent", 1),
+    "not": ("NotSubstitution", 1),
+    "and": ("AndSubstitution", 2),
+    "or": ("OrSubstitution", 2),
+    "any": ("AnySubstitution", 9),
+    "all": ("AllSubstitution", 9),
+    "equals": ("EqualsSubstitution", 2),
+    "not-equals": ("NotEqualsSubstitution", 2),
+}
+"""The substitutions that XML and YAML know, by their names in Python, and how many arguments they take."""
+_OF_NODES = {"package": "pkg", "executable": "exec", "name": "name", "namespace": "namespace"}
+_WHOLE = {"eval": "PythonExpression", "command": "Command"}
+_PLAIN = {"log", "set_env", "unset_env", "append_env", "reset_env", "shutdown", "set_parameter", "set_remap"} | {
+    "set_parameters_from_file", "set_ros_log_dir", "set_use_sim_time", "node_container", "load_composable_node",
+    "let_env", "cmd", "reset",
+}  # fmt: skip
+
+
+class Entity(NamedTuple):
+    """An element of XML, or a map of YAML: its tag, the texts of its attributes, and what stands in it."""
+
+    tag: str
+    at: Place
+    attributes: Mapping[str, Constant]
+    children: tuple[Entity, ...]
+
+    def named(self, *tags: str) -> Iterator[Entity]:
+        """The children of some tags."""
+        return (child for child in self.children if child.tag in tags)
+
+
+def of_xml(root: Element) -> Term:
+    """What a launch file in XML builds."""
+    return _description(_of_element(root))
+
+
+def of_yaml(file: YamlFile) -> Term | None:
+    """What a launch file in YAML builds; None where it is none."""
+    root = file.documents[0] if file.documents else None
+    launch = root.get("launch") if isinstance(root, YamlMap) else None
+    if not isinstance(launch, YamlList):
+        return None
+    return _description(Entity("launch", launch.at, {}, tuple(_of_list(launch, 0))))
+
+
+def _description(root: Entity) -> Term:
+    return Called("LaunchDescription", root.at, [_actions(root)])
+
+
+def _of_element(element: Element, depth: int = 0) -> Entity:
+    attributes = {name: Constant(value, element.at[name]) for name, value in element.attrs.items()}
+    children = () if depth > _MOST_DEPTH else tuple(_of_element(child, depth + 1) for child in element.elements())
+    return Entity(element.tagName, element.at, attributes, children)
+
+
+def _of_list(items: YamlList, depth: int) -> Iterator[Entity]:
+    for item in items.items:
+        for entry in item.entries if isinstance(item, YamlMap) else ():
+            yield _of_entry(entry.key.text, entry.key.at, entry.value, depth)
+
+
+def _of_entry(tag: str, at: Place, value: YamlNode, depth: int) -> Entity:
+    if depth > _MOST_DEPTH or isinstance(value, Scalar):
+        return Entity(tag, at, {}, ())
+    if isinstance(value, YamlList):
+        return Entity(tag, at, {}, tuple(_of_list(value, depth + 1)))
+    attributes: dict[str, Constant] = {}
+    children: list[Entity] = []
+    for entry in value.entries:
+        if isinstance(entry.value, Scalar):
+            attributes[entry.key.text] = Constant(entry.value.text, entry.value.at)
+        elif isinstance(entry.value, YamlList) and entry.key.text == "children":
+            children += _of_list(entry.value, depth + 1)
+        elif isinstance(entry.value, YamlList):
+            children += (_of_entry(entry.key.text, entry.key.at, item, depth + 1) for item in entry.value.items)
+    return Entity(tag, at, attributes, tuple(children))
+
+
+# -- actions ---------------------------------------------------------------------------------------------------------
+
+
+def _actions(parent: Entity) -> Term:
+    made: list[Term] = []
+    for child in parent.children:
+        tag = child.tag.replace("-", "_")
+        term: Term
+        if tag in _ACTIONS:
+            term = _ACTIONS[tag](child)
+        elif tag in _PLAIN:
+            term = Called("LogInfo", child.at)
+        else:
+            term = Missing(child.at)
+        if isinstance(term, Called):
+            for word, condition in (("if", "IfCondition"), ("unless", "UnlessCondition")):
+                if word in child.attributes:
+                    term.keywords["condition"] = Called(condition, child.at, [_text(child, word)])
+        made.append(term)
+    return Items(made, parent.at)
+
+
+def _text(entity: Entity, *names: str) -> Term:
+    """The text of the first attribute that is there; one that is not known where none is."""
+    found = next((entity.attributes[name] for name in names if name in entity.attributes), None)
+    return substituted(found) if found is not None else Missing(entity.at)
+
+
+def _made(name: str, entity: Entity, attributes: Mapping[str, str]) -> Called:
+    """A call with keywords from those attributes that are there."""
+    given = {key: _text(entity, word) for key, word in attributes.items() if word in entity.attributes}
+    return Called(name, entity.at, (), given)
+
+
+def _node(entity: Entity) -> Called:
+    term = _made("Node", entity, _OF_NODES)
+    if "args" in entity.attributes:
+        term.keywords["arguments"] = words_of(entity.attributes["args"])
+    parameters = [_parameter(child) for child in entity.named("param")]
+    if parameters:
+        term.keywords["parameters"] = Items(parameters, entity.at)
+    remaps: list[Term] = [
+        Items([_text(child, "from"), _text(child, "to")], child.at) for child in entity.named("remap")
+    ]
+    if remaps:
+        term.keywords["remappings"] = Items(remaps, entity.at)
+    return term
+
+
+def _parameter(entity: Entity) -> Term:
+    if "from" in entity.attributes:
+        return Called("ParameterFile", entity.at, [_text(entity, "from")])
+    table = Table(entity.at)
+    table.put(entity.attributes.get("name") or Missing(entity.at), _text(entity, "value"))
+    return table
+
+
+def _executable(entity: Entity) -> Called:
+    term = _made("ExecuteProcess", entity, {"shell": "shell"})
+    if "cmd" in entity.attributes:
+        term.keywords["cmd"] = words_of(entity.attributes["cmd"])
+    return term
+
+
+def _include(entity: Entity) -> Called:
+    given = [Items([_text(child, "name"), _text(child, "value")], child.at) for child in entity.named("arg", "let")]
+    return Called(
+        "IncludeLaunchDescription", entity.at, [_text(entity, "file")], {"launch_arguments": Items(given, entity.at)}
+    )
+
+
+def _group(entity: Entity) -> Called:
+    term = _made("GroupAction", entity, {"scoped": "scoped"})
+    term.keywords["actions"] = _actions(entity)
+    return term
+
+
+def _timer(entity: Entity) -> Called:
+    return Called("TimerAction", entity.at, (), {"actions": _actions(entity)})
+
+
+_ACTIONS: dict[str, Callable[[Entity], Called]] = {
+    "arg": lambda entity: _made("DeclareLaunchArgument", entity, {"name": "name", "default_value": "default"}),
+    "let": lambda entity: _made("SetLaunchConfiguration", entity, {"name": "name", "value": "value"}),
+    "node": _node,
+    "executable": _executable,
+    "include": _include,
+    "group": _group,
+    "timer": _timer,
+    "ros_timer": _timer,
+    "push_ros_namespace": lambda entity: _made("PushRosNamespace", entity, {"namespace": "namespace"}),
+}
+
+
+# -- texts -----------------------------------------------------------------------------------------------------------
+
+
+def words_of(text: Constant) -> Term:
+    """The words of an attribute that is a command line, each with its place."""
+    whole = text.text or ""
+    words: list[Term] = []
+    start = depth = 0
+    for index, char in enumerate(f"{whole} "):
+        depth += (char == "(" and whole[index - 1 : index] == "$") - (char == ")" and depth > 0)
+        if char.isspace() and not depth:
+            if index > start:
+                words.append(substituted(Constant(whole[start:index].strip("'\""), _part(text, whole[start:index]))))
+            start = index + 1
+    return Items(words, text.at)
+
+
+def _part(text: Constant, word: str) -> Place:
+    """Where a word of a text stands; the whole text where it is not written so."""
+    span = text.at.span
+    found = re.search(rf"(?<!\S){re.escape(word)}(?!\S)", span.text)
+    if found is None:
+        return text.at
+    start = span.start + len(span.text[: found.start()].encode())
+    return Place(span.source, start, text.at.call, end=start + len(word.encode()))
+
+
+def substituted(text: Constant, depth: int = 0) -> Term:
+    """A text with its `$(...)` as substitutions."""
+    whole = text.text or ""
+    if "$(" not in whole:
+        return text
+    parts: list[Term] = []
+    index = 0
+    while (start := whole.find("$(", index)) >= 0:
+        end = _closing(whole, start)
+        if end is None or depth > _MOST_DEPTH:
+            return Missing(text.at)
+        if start > index:
+            parts.append(Constant(whole[index:start], text.at))
+        parts.append(_substitution(whole[start + 2 : end], text.at, depth))
+        index = end + 1
+    if index < len(whole):
+        parts.append(Constant(whole[index:], text.at))
+    return parts[0] if len(parts) == 1 else Items(parts, text.at)
+
+
+def _closing(text: str, start: int) -> int | None:
+    depth = 0
+    for index in range(start + 1, len(text)):
+        depth += (text[index] == "(") - (text[index] == ")")
+        if depth == 0:
+            return index
+    return None
+
+
+def _substitution(inside: str, at: Place, depth: int) -> Term:
+    name, _, rest = inside.strip().partition(" ")
+    if name in _WHOLE:
+        given = rest.strip()
+        if name == "command":  # what follows the quotes tells what becomes of warnings
+            given = re.sub(r"(['\"])\s+(?:warn|fail|ignore|capture)$", r"\1", given)
+        quoted = re.fullmatch(r"'(.*)'|\"(.*)\"", given, re.DOTALL)
+        text = (quoted.group(1) if quoted.group(1) is not None else quoted.group(2)) if quoted else given
+        return Called(_WHOLE[name], at, [substituted(Constant(text, at), depth + 1)])
+    if name not in _SUBSTITUTIONS:
+        return Missing(at)
+    full, most = _SUBSTITUTIONS[name]
+    arguments = [substituted(Constant(word, at), depth + 1) for word in _arguments(rest)]
+    if full == "EnvironmentVariable" and len(arguments) > 1:
+        return Called(full, at, arguments[:1], {"default_value": arguments[1]})
+    return Called(full, at, arguments[:most])
+
+
+def _arguments(text: str) -> Iterator[str]:
+    """The arguments of a substitution: words, in quotes or not, which may hold further ones."""
+    start, depth, quote = 0, 0, ""
+    for index, char in enumerate(f"{text} "):
+        if quote:
+            quote = "" if char == quote else quote
+        elif char in "'\"" and not depth:
+            quote = char
+        else:
+            depth += (char == "(") - (char == ")")
+        if char.isspace() and not quote and not depth:
+            if index > start:
+                yield re.sub(r"^(['\"])(.*)\1$", r"\2", text[start:index])
+            start = index + 1
