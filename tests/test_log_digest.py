@@ -93,6 +93,12 @@ def test_of_a_line_that_wraps_another_message_the_inner_one_is_explained() -> No
     assert known.values == ({"parameter": "wheel_radius", "wanted": "double", "given": "integer"},)
 
 
+def test_what_the_line_around_a_message_names_is_known_too() -> None:
+    known = only(log("Can't activate controller 'arm': Command interface with 'elbow/effort' does not exist"))
+    assert known.message.id == "command-interface-not-available"
+    assert {"controller": "arm", "interface": "elbow/effort"}.items() <= known.values[0].items()
+
+
 def test_a_message_that_is_cut_at_its_end_or_its_beginning_is_known() -> None:
     assert (
         only(pasted("No valid hardware interface element found in jo")).message.id == "no-hardware-interface-in-joint"
@@ -130,6 +136,10 @@ def test_unknown_errors_are_told_and_other_unknown_lines_are_not() -> None:
     ]
 
 
+def test_a_line_that_is_marked_as_harmless_is_no_error_whatever_it_says() -> None:
+    assert log("[spawner-3] [DEBUG] [1.0] [rcl]: Couldn't parse arg 0. Error: lexeme not found\n").unknown == ()
+
+
 def test_the_nearest_message_is_named_only_where_it_is_near() -> None:
     (unknown,) = pasted("no valid hardware interface elements found for joint 'elbow'").unknown
     assert unknown.nearest is not None
@@ -148,6 +158,17 @@ def test_a_log_is_read_up_to_its_limit() -> None:
     assert (digest(lines, pasted=False).known, lines.complete) == ((), False)
     lines = Lines(io.BytesIO(b"x" * 99 + b"\n"), most_bytes=100)
     assert (len(list(lines)), lines.complete) == (1, True)
+
+
+def test_a_log_that_is_interrupted_is_read_so_far() -> None:
+    class Live(io.BytesIO):
+        def read1(self, size: int | None = -1, /) -> bytes:
+            if chunk := super().read1(10):
+                return chunk
+            raise KeyboardInterrupt
+
+    lines = Lines(Live(NO_INTERFACE.encode()))
+    assert (list(lines), lines.complete) == ([NO_INTERFACE], False)
 
 
 def test_lines_are_those_of_the_log_however_it_arrives() -> None:

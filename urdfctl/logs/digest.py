@@ -18,6 +18,7 @@ _MOST_WRAPPED = 6
 _SURE = 3
 _LEVELS = r"ERROR|Error|error|Err|FATAL|Fatal|critical|WARN|WARNING|Warning|warning|Wrn"
 _SUSPICIOUS = re.compile(rf"\[\s*(?:{_LEVELS})\s*\]|\b(?:{_LEVELS})\b\s*:|\b[Ee]xception\b|what\(\):")
+_CALM = re.compile(r"\[\s*(?:INFO|DEBUG|Msg|Dbg|info|debug)\s*\]")
 _ERROR = re.compile(r"\[\s*(?:ERROR|error|Err|FATAL|critical)\s*\]|\b(?:ERROR|Error|FATAL)\b\s*:|what\(\):")
 _PROCESS = re.compile(r"\[[\w.-]+ *-\d+\] ?")
 _PREFIX = re.compile(
@@ -99,7 +100,7 @@ class _Reader:
             self._take_cut(wrapped)
         for hit in hits:
             self._keep(hit, self._number, line)
-        if not hits and (self._pasted or _SUSPICIOUS.search(line)) and line.strip():
+        if not hits and (self._pasted or _is_suspicious(line)) and line.strip():
             self._look(line)
 
     def finished(self) -> Digest:
@@ -165,6 +166,11 @@ class _Reader:
             self._unknown[cut.text] = known._replace(times=known.times + 1)
         elif len(self._unknown) < _MOST_UNKNOWN:
             self._unknown[cut.text] = Unknown(cut.number, 1, cut.text, self._partial.nearest(cut.text))
+
+
+def _is_suspicious(line: str) -> bool:
+    """Whether a line looks like an error or a warning."""
+    return _SUSPICIOUS.search(line) is not None and _CALM.search(line) is None
 
 
 def plain(line: str) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter, defaultdict
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -73,11 +73,22 @@ def found_among(spellings: Iterable[Spelling], line: str) -> list[Hit]:
         for spelling in spellings
         if (match := found_in(spelling.pattern, line)) is not None
     ]
-    if len(found) > 1:
-        found = _whole(found)
-        own = [hit for hit in found if hit.message.kind != "consequence"]
-        found = own or found[:1]
-    return found
+    return _telling(_whole(found)) if len(found) > 1 else found
+
+
+def _telling(found: list[Hit]) -> list[Hit]:
+    """The hits that tell why: the others only stand around them. What those name is known of these too."""
+    own = [hit for hit in found if hit.message.kind != "consequence"]
+    if not own:
+        return found[:1]
+    around = {name: value for hit in found if hit not in own for name, value in hit.match.values.items()}
+    return [_with(hit, around) for hit in own] if around else own
+
+
+def _with(hit: Hit, around: Mapping[str, str]) -> Hit:
+    """A hit with those values from around it that its own texts ask for."""
+    asked = {name: value for name, value in around.items() if f"{{{name}}}" in hit.message.meaning + hit.message.fix}
+    return hit._replace(match=hit.match._replace(values={**asked, **hit.match.values}))
 
 
 def _whole(found: list[Hit]) -> list[Hit]:
