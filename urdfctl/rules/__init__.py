@@ -101,7 +101,7 @@ FAMILIES = (
     Family("UC2", _transmissions, _has_transmissions),
     Family("UC3", _ros2_control, _is_controlled_by_ros2),
     Family("UC4", _controllers, lambda project: project.controllers is not None),
-    Family("UC4", _claims, lambda project: project.controllers is not None and project.robot is not None),
+    Family("UC4", _claims, lambda project: project.controllers is not None),
     Family("UC5", _simulation, _loads_plugins),
     Family("UC7", _migration, _may_move_on),
 )

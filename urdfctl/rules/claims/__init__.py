@@ -9,7 +9,11 @@ from urdfctl.rules.claims.chained_interface_not_exported import chained_interfac
 from urdfctl.rules.claims.command_interface_not_exported import command_interface_not_exported
 from urdfctl.rules.claims.controllers_chained_in_a_circle import controllers_chained_in_a_circle
 from urdfctl.rules.claims.controllers_in_conflict import controllers_in_conflict
+from urdfctl.rules.claims.gains_missing import gains_missing
+from urdfctl.rules.claims.hardware_interface_not_in_gazebo import hardware_interface_not_in_gazebo
 from urdfctl.rules.claims.interface_claimed_twice import interface_claimed_twice
+from urdfctl.rules.claims.joint_in_another_interface import joint_in_another_interface
+from urdfctl.rules.claims.joint_without_transmission import joint_without_transmission
 from urdfctl.rules.claims.state_interface_not_exported import state_interface_not_exported
 
 RULES: tuple[Rule, ...] = (
@@ -21,4 +25,8 @@ RULES: tuple[Rule, ...] = (
     controllers_chained_in_a_circle,
     controllers_in_conflict,
     interface_claimed_twice,
+    joint_in_another_interface,
+    joint_without_transmission,
+    hardware_interface_not_in_gazebo,
+    gains_missing,
 )

@@ -71,7 +71,8 @@ def _wrong(reader: Reader) -> Iterator[Finding]:
         problem = type_problem(value, parameter, reader.distro)
         if problem is not None:
             message = f"'{given.name}' {problem}"
-            refused = not is_ros1(reader) or parameter.needed or parameter.floats_only
+            dire = parameter.needed or parameter.floats_only or parameter.if_absent == "crash"
+            refused = not is_ros1(reader) or dire
             severity = Severity.ERROR if refused else Severity.WARNING
             yield Finding(given.value.at, message, fix=_fix(given.value, parameter), severity=severity)
 

@@ -1,0 +1,250 @@
+"""What the rules on claims say, how gravely, and where they keep silent; their examples show the rest."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from control_session import ARM, POSITION, STATES, VELOCITY, component, joint, transmission
+
+from urdfctl.diagnostic import Diagnostic
+from urdfctl.lint import Selection, joined
+from urdfctl.load import Loader, Target
+from urdfctl.rules.examples import completed
+from urdfctl.settings import Settings
+
+GAZEBO = '<gazebo><plugin name="control" filename="libgazebo_ros_control.so"/></gazebo>'
+CLAIMS = ("UC45", "UC46")
+MANAGER = "controller_manager:\n  ros__parameters:\n    update_rate: 100\n"
+
+
+class Bench:
+    """The small arm with its controllers, in a folder of its own."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+
+    def lint(
+        self,
+        part: str,
+        yaml: str,
+        *,
+        distro: str | None = "jazzy",
+        started: tuple[str, ...] | None = None,
+        simulator: str | None = None,
+        name: str = "robot.urdf",
+    ) -> list[Diagnostic]:
+        robot, controllers = self.folder / name, self.folder / "controllers.yaml"
+        robot.write_text(part if part.startswith("<robot") else completed(name, part), encoding="utf-8")
+        controllers.write_text(yaml, encoding="utf-8")
+        settings = Settings(distro=distro, started=started, simulator=simulator, workspace=str(self.folder))
+        target = Target(str(robot), controllers=(str(controllers),))
+        found = joined([Loader(settings, Selection()).lint(target).outcome], Selection())
+        return [one for one in found if one.code.startswith(CLAIMS)]
+
+    def says(self, part: str, yaml: str, **options: object) -> list[str]:
+        return [f"{one.severity.value} {one.code} {one.message}" for one in self.lint(part, yaml, **options)]  # type: ignore[arg-type]
+
+    def codes(self, part: str, yaml: str, **options: object) -> list[str]:
+        return [" ".join(said.split()[:2]) for said in self.says(part, yaml, **options)]
+
+
+@pytest.fixture
+def bench(tmp_path: Path) -> Bench:
+    return Bench(tmp_path)
+
+
+def forward(name: str, joints: str, interface: str = "position") -> str:
+    return f"{name}:\n  ros__parameters: {{joints: [{joints}], interface_name: {interface}}}\n"
+
+
+def controllers(*names: str, kind: str = "forward_command_controller/ForwardCommandController") -> str:
+    return MANAGER + "".join(f"    {name}: {{type: {kind}}}\n" for name in names)
+
+
+# -- interfaces of ROS 2 ---------------------------------------------------------------------------------------------
+
+
+def test_an_interface_that_all_joints_lack_is_told_once_where_it_is_named(bench: Bench) -> None:
+    [found] = bench.lint(ARM, controllers("arm") + forward("arm", "shoulder, elbow", "effort"))
+    assert found.message == (
+        "'shoulder' and 'elbow' export no 'effort' command interface for controller 'arm'; "
+        "the hardware of 'shoulder' exports: position"
+    )
+    assert found.excerpt.strip().endswith("interface_name: effort}")
+    assert found.excerpt[found.at.column - 1 :].startswith("effort")
+
+
+def test_an_interface_that_one_joint_lacks_is_told_at_that_joint(bench: Bench) -> None:
+    part = component(joint("shoulder", VELOCITY + POSITION + STATES) + joint("elbow"))
+    [found] = bench.lint(part, controllers("arm") + forward("arm", "shoulder, elbow", "velocity"))
+    assert (
+        found.message
+        == "'elbow' exports no 'velocity' command interface for controller 'arm'; its hardware exports: position"
+    )
+    assert found.excerpt[found.at.column - 1 :].startswith("elbow")
+
+
+def test_a_joint_that_stands_in_no_component_is_told_once(bench: Bench) -> None:
+    jtc = controllers("arm", kind="joint_trajectory_controller/JointTrajectoryController") + (
+        "arm:\n  ros__parameters:\n    joints: [shoulder]\n    command_interfaces: [position]\n"
+        "    state_interfaces: [position, velocity]\n"
+    )
+    [said] = bench.says(component(joint("elbow")), jtc)
+    assert said.startswith(
+        "error UC450 no hardware offers anything of 'shoulder', and so no 'position' command interface"
+    )
+
+
+def test_a_sensor_that_is_misspelt_is_found_by_its_name(bench: Bench) -> None:
+    imu = controllers("imu", kind="state_interfaces_broadcaster/StateInterfacesBroadcaster") + (
+        "imu:\n  ros__parameters: {interfaces: [imu_sensr/yaw]}\n"
+    )
+    part = component('<sensor name="imu_sensor"><state_interface name="yaw"/></sensor>')
+    [said] = bench.says(part, imu)
+    assert said.startswith("error UC451 no hardware offers anything of 'imu_sensr'")
+    assert said.endswith("did you mean 'imu_sensor'?")
+
+
+def test_of_a_driver_it_is_not_sure(bench: Bench) -> None:
+    part = component(joint("elbow"), plugin="acme_driver/Arm")
+    [found] = bench.lint(part, controllers("arm") + forward("arm", "elbow", "effort"))
+    assert found.severity.value == "warning"
+    assert found.notes[-1].message == "a driver may export more than its description says; of this one it is not known"
+    assert bench.lint(part, controllers("arm") + forward("arm", "tcp", "twist.x")) == []
+
+
+def test_controllers_for_the_choice_are_no_fault(bench: Bench) -> None:
+    menu = controllers("arm", "pushing") + forward("arm", "elbow") + forward("pushing", "elbow", "effort")
+    assert bench.codes(ARM, menu) == ["info UC450"]
+    assert bench.codes(ARM, menu, started=("arm",)) == []
+    assert bench.codes(ARM, menu, started=("pushing",)) == ["error UC450"]
+
+
+def test_what_only_some_distros_refuse_is_a_warning_that_names_them(bench: Bench) -> None:
+    drive = controllers("base", kind="diff_drive_controller/DiffDriveController") + (
+        "base:\n  ros__parameters:\n    left_wheel_names: [shoulder]\n    right_wheel_names: [elbow]\n"
+        "    wheel_separation: 1.0\n    wheel_radius: 1.0\n    open_loop: true\n"
+    )
+    part = component(joint("shoulder", VELOCITY) + joint("elbow", VELOCITY))
+    [found] = bench.lint(part, drive, distro=None)
+    assert (found.code, found.severity.value) == ("UC451", "warning")
+    assert found.notes[-1].message == "this holds for foxy to iron" or "holds for" in found.notes[-1].message
+    assert bench.lint(part, drive, distro="jazzy") == []
+
+
+@pytest.mark.parametrize(
+    ("part", "yaml"),
+    [
+        ("", controllers("arm") + forward("arm", "elbow", "effort")),
+        (ARM, controllers("arm", kind="acme/Arm") + forward("arm", "elbow", "effort")),
+        (ARM, controllers("arm") + forward("arm", "$(var prefix)elbow", "effort")),
+        (ARM, controllers("arm") + forward("arm", "elbow", "$(var interface)")),
+        (ARM, controllers("arm") + forward("arm", "nobody")),
+    ],
+    ids=["no component", "unknown type", "joint not known", "interface not known", "misnamed joint"],
+)
+def test_it_is_silent_where_nothing_can_be_known_or_another_rule_speaks(bench: Bench, part: str, yaml: str) -> None:
+    assert bench.lint(part, yaml) == []
+
+
+def test_a_macro_of_a_library_is_not_judged(bench: Bench) -> None:
+    macro = (
+        '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:macro name="control" params="name">'
+        f"{component(joint('${name}'))}</xacro:macro></robot>"
+    )
+    assert bench.lint(macro, controllers("arm") + forward("arm", "elbow", "effort"), name="r.xacro") == []
+
+
+# -- ROS 1 -----------------------------------------------------------------------------------------------------------
+
+EFFORT = "arm: {type: effort_controllers/JointEffortController, joint: elbow}\n"
+
+
+def test_gazebo_offers_a_joint_in_one_interface_only(bench: Bench) -> None:
+    [found] = bench.lint(transmission("elbow") + GAZEBO, EFFORT, distro="noetic")
+    assert found.severity.value == "error"
+    assert found.message == (
+        "controller 'arm' wants 'elbow' in the EffortJointInterface, and the transmission offers the "
+        "PositionJointInterface: name 'hardware_interface/EffortJointInterface' in the transmission"
+    )
+
+
+def test_the_type_that_does_the_same_is_named(bench: Bench) -> None:
+    yaml = "arm: {type: effort_controllers/JointTrajectoryController, joints: [elbow], gains: {elbow: {p: 1}}}"
+    [found] = bench.lint(transmission("elbow") + GAZEBO, yaml, distro="noetic")
+    assert found.fix is not None
+    assert found.fix.edits[0].text == "position_controllers/JointTrajectoryController"
+    assert not found.fix.safe
+
+
+@pytest.mark.parametrize(
+    ("options", "told"),
+    [({"simulator": "gazebo-classic"}, ["error UC461"]), ({}, ["warning UC461"]), ({"simulator": "none"}, [])],
+)
+def test_real_hardware_may_offer_what_it_likes(bench: Bench, options: dict[str, str], told: list[str]) -> None:
+    assert bench.codes(transmission("elbow"), EFFORT, distro="noetic", **options) == told
+
+
+def test_a_joint_without_transmission_is_told_unless_another_rule_says_why_it_has_none(bench: Bench) -> None:
+    yaml = "arm: {type: position_controllers/JointPositionController, joint: shoulder}\n"
+    assert bench.codes(transmission("elbow") + GAZEBO, yaml, distro="noetic") == ["error UC462"]
+    broken = transmission("shoulder").replace("hardwareInterface", "interface")
+    assert bench.codes(transmission("elbow") + broken + GAZEBO, yaml, distro="noetic") == []
+    nested = f"<gazebo>{transmission('shoulder')}</gazebo>"
+    assert bench.codes(transmission("elbow") + nested + GAZEBO, yaml, distro="noetic") == []
+
+
+def test_sensors_of_gazebo_need_no_controller(bench: Bench) -> None:
+    yaml = "imu: {type: imu_sensor_controller/ImuSensorController, publish_rate: 50}\n"
+    assert bench.codes(transmission("elbow") + GAZEBO, yaml, distro="noetic") == ["error UC463"]
+    assert bench.codes(transmission("elbow"), yaml, distro="noetic") == []
+
+
+# -- gains -----------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("yaml", "told"),
+    [
+        (
+            "arm: {type: effort_controllers/JointPositionController, joint: elbow}",
+            "error UC464 controller 'arm' has no gain 'pid.p', and so it is not loaded",
+        ),
+        (
+            "arm: {type: velocity_controllers/JointTrajectoryController, joints: [a, b], gains: {a: {p: 1}}}",
+            "error UC464 controller 'arm' has no gain 'gains.b.p', and so it crashes when it is started",
+        ),
+        (
+            "hand: {type: effort_controllers/GripperActionController, joint: a}",
+            "warning UC464 controller 'hand' has no gain 'gains.a.p', and so it does not move",
+        ),
+        ("arm: {type: position_controllers/JointTrajectoryController, joints: [a, b]}", None),
+        ("arm: {type: effort_controllers/JointPositionController, joint: elbow, pid: {p: 0.0}}", None),
+    ],
+)
+def test_gains_of_ros_1(bench: Bench, yaml: str, told: str | None) -> None:
+    assert bench.says("", yaml, distro="noetic") == ([told] if told else [])
+
+
+@pytest.mark.parametrize(
+    ("given", "distro", "idle"),
+    [
+        ("command_interfaces: [effort]", "jazzy", True),
+        ("command_interfaces: [effort], gains: {elbow: {p: 0.0, d: 0.0}}", "jazzy", True),
+        ("command_interfaces: [effort], gains: {elbow: {p: 10.0}}", "jazzy", False),
+        ("command_interfaces: [velocity], gains: {elbow: {ff_velocity_scale: 1.0}}", "humble", False),
+        ("command_interfaces: [velocity], open_loop_control: true", "humble", False),
+        ("command_interfaces: [velocity]", "kilted", True),
+        ("command_interfaces: [position]", "jazzy", False),
+        ("command_interfaces: [effort], gains: {elbow: {p: $(var p)}}", "jazzy", False),
+        ("command_interfaces: $(var interfaces)", "jazzy", False),
+    ],
+)
+def test_gains_of_ros_2_are_zero_where_none_is_given(bench: Bench, given: str, distro: str, idle: bool) -> None:
+    part = component(joint("elbow", '<command_interface name="effort"/>' + VELOCITY + POSITION + STATES))
+    yaml = controllers("arm", kind="joint_trajectory_controller/JointTrajectoryController") + (
+        f"arm:\n  ros__parameters: {{joints: [elbow], state_interfaces: [position, velocity], {given}}}\n"
+    )
+    told = "controller 'arm' closes a loop, and its gains are all 0 for 'elbow': it becomes active and does not move"
+    assert bench.says(part, yaml, distro=distro) == [f"warning UC464 {told}"] * idle
