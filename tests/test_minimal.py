@@ -11,6 +11,7 @@ from urdfctl.catalog.map_parameters import expected
 from urdfctl.catalog.validators import problem
 from urdfctl.catalog.value_types import type_problem
 from urdfctl.control.claims import claims, exports
+from urdfctl.control.gains import missing_gains
 from urdfctl.control.minimal import minimal_parameters
 from urdfctl.control.parameter_rules import breaches
 from urdfctl.control.values import Values
@@ -29,7 +30,8 @@ def faults(controller: ControllerType, values: dict[str, object]) -> list[str]:
     wrong += [f"{name} {problem(values[name], p.validators)}" for name, p in given.items()]
     missing = [f"{name} is missing" for name, p in named.items() if (p.needed or p.if_absent) and name not in values]
     broken = [f"{b.parameter} {b.message}" for b in breaches(controller, values) if b.rule.severity == "error"]
-    return [fault for fault in wrong if not fault.endswith(" None")] + missing + broken
+    gains = [f"{gain.name} is missing" for gain in missing_gains(controller, values)]
+    return [fault for fault in wrong if not fault.endswith(" None")] + missing + broken + gains
 
 
 @pytest.mark.parametrize("controller", controllers(), ids=lambda c: f"{c.distro}-{c.type}")

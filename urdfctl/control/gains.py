@@ -46,8 +46,9 @@ def missing_gains(kind: ControllerType, given: Mapping[str, object]) -> Iterator
     for rule in kind.rules:
         if rule.kind == NONZERO and applies(rule, values):
             for names in zip(*(expanded(param, values) for param in rule.params), strict=True):
-                if all(is_known(values.get(name)) and not values.get(name) for name in names):
-                    yield MissingGain(names[0], _element(names[0], kind), Fate.IDLE)
+                element = _element(names[0], kind)
+                if element and all(is_known(values.get(name)) and not values.get(name) for name in names):
+                    yield MissingGain(names[0], element, Fate.IDLE)
 
 
 def _proportional(kind: ControllerType, values: Values) -> Iterator[MissingGain]:

@@ -8,6 +8,7 @@ from urdfctl.catalog.entries import ControllerType, Parameter, ParameterRule
 from urdfctl.catalog.map_parameters import expanded
 from urdfctl.catalog.validators import problem
 from urdfctl.catalog.values import elements, is_set
+from urdfctl.control.gains import missing_gains
 from urdfctl.control.parameter_rules import applies
 from urdfctl.control.values import Values
 
@@ -30,6 +31,8 @@ def minimal_parameters(controller: ControllerType) -> dict[str, object]:
         if parameter.is_map and (parameter.needed or parameter.if_absent):
             for name in expanded(parameter.name, Values(controller, values)):
                 values[name] = _example(parameter, controller, values)
+    for gain in list(missing_gains(controller, values)):
+        values[gain.name] = _NUMBERS[0]
     return values
 
 

@@ -70,9 +70,9 @@ def _ungained(reader: Reader) -> Iterator[Finding]:
 
 def _message(reader: Reader, missing: list[MissingGain]) -> str:
     if generation(reader.distro) != 1:
-        joints = in_words([gain.element for gain in missing if gain.element])
+        joints = in_words([gain.element or "" for gain in missing])
         start = f"controller '{reader.name}' closes a loop, and its gains are all 0"
-        return f"{start} for {joints}: it becomes active and does not move" if joints else start
+        return f"{start} for {joints}: it becomes active and does not move"
     names = in_words([gain.name for gain in missing])
     gives = "gain" if len(missing) == 1 else "gains"
     return f"controller '{reader.name}' has no {gives} {names}, and so it {missing[0].fate.value}"
