@@ -8,7 +8,7 @@ from urdfctl.control.hardware import Hardware
 from urdfctl.control.names import is_misnamed
 from urdfctl.model.robot import Robot
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import Names, replaced
+from urdfctl.rules.common import Names, in_words, replaced
 from urdfctl.rules.controllers.joints import hardware_in, links_called, meant_by, named, robot_of, severity_of
 from urdfctl.rules.controllers.readers import Reader, in_each_distro
 
@@ -61,8 +61,12 @@ def _unknown(reader: Reader, robot: Robot, hardware: Hardware, names: Names, pro
     found = list(named(reader))
     wrong = [one for one in found if is_misnamed(one.claim, hardware) and one.name not in hardware.fixed]
     others = {one.name for one in found} - {one.name for one in wrong}
-    for one in wrong:
-        right = meant_by(names, one, others)
+    meant = [meant_by(names, one, others) for one in wrong]
+    if len(wrong) > 1 and not others and not any(meant):
+        message = f"none of the joints of controller '{reader.name}' is one of the robot's: {in_words([w.name for w in wrong])}"
+        yield Finding(wrong[0].at, message, severity=severity_of(project, hardware, meant=False, others=False))
+        return
+    for one, right in zip(wrong, meant, strict=True):
         end = f"; did you mean '{right}'?" if right else ", and none of the robot's is like it"
         message = f"unknown joint '{one.name}' of controller '{reader.name}'{end}"
         fix = replaced(one.at, one.name, right) if right else None

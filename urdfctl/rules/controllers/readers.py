@@ -53,20 +53,21 @@ def in_each_distro(project: Project, judge: Judge, *, newest: bool = False) -> I
         idle = readers[0].controller is not None and not may_be_started(project, readers[0].controller)
         for by_distro in found.values():
             if not newest or readers[-1].distro in by_distro:
-                finding = _joined(by_distro, len(readers))
+                finding = _joined(by_distro, [reader.distro for reader in readers])
                 yield finding._replace(severity=Severity.WARNING) if idle and _is_error(finding) else finding
 
 
-def _joined(by_distro: Mapping[str, Finding], distros: int) -> Finding:
-    """The newest distro's words for all."""
+def _joined(by_distro: Mapping[str, Finding], distros: list[str]) -> Finding:
+    """The newest distro's words for all; what is mended in newer ones is no more than worth knowing."""
     last = list(by_distro.values())[-1]
-    if len(by_distro) == distros:
+    if len(by_distro) == len(distros):
         mildest = min(
             (finding.severity or Severity.ERROR for finding in by_distro.values()), key=lambda one: one.weight
         )
         return last._replace(severity=mildest)
     most = 2 * len(_MAINTAINED & by_distro.keys()) > len(_MAINTAINED)
-    less = Severity.WARNING if _is_error(last) or (most and last.severity is Severity.WARNING) else Severity.INFO
+    worse = _is_error(last) or (most and last.severity is Severity.WARNING)
+    less = Severity.WARNING if worse and distros[-1] in by_distro else Severity.INFO
     return last._replace(severity=less, notes=(*last.notes, Note(f"this holds for {in_words(by_distro)}")))
 
 

@@ -83,8 +83,10 @@ def _of_package(package: str, name: str, types: list[str]) -> str | None:
     if not inside and package != "gripper_controllers":  # the package that these come in; their types begin otherwise
         return None
     classes = {one.partition("/")[2]: one for one in types}
+    if name in classes:
+        return classes[name]
     close = nearest(name, [one.partition("/")[2] for one in inside])
-    return f"{package}/{close}" if close else classes.get(name) or _only_one_of(package, types)
+    return f"{package}/{close}" if close else _only_one_of(package, types)
 
 
 def _only_one_of(package: str, types: list[str]) -> str | None:
