@@ -53,7 +53,8 @@ class PluginChild(NamedTuple):
 
 class SimulatorPlugin(NamedTuple):
     """A plugin of a simulator as one distro has it: by its library's file names, and by its own names where they are
-    not free. `old_names` are taken too, with a warning; `replacement` is the id of the one that takes its place."""
+    not free. `old_names` are taken too, with a warning; `replacement` is the id of the one that takes its place. Of an
+    `external` one, of another package than the simulator's own, the distros are not sure."""
 
     id: str
     simulator: str
@@ -68,6 +69,7 @@ class SimulatorPlugin(NamedTuple):
     old_names: tuple[str, ...] = ()
     deprecated: bool = False
     replacement: str | None = None
+    external: bool = False
 
 
 class HardwareInterface(NamedTuple):
@@ -138,6 +140,7 @@ def simulator_plugin(own: Plain, distro: str) -> SimulatorPlugin:
         tuple(own.get("old_names", ())),
         _holds(own.get("deprecated"), distro),
         own.get("replacement"),
+        "origin" in own,
     )
 
 

@@ -50,7 +50,9 @@ def plugin_of_other_ros(project: Project) -> Iterator[Finding]:
             continue
         at = one.plugin.at["filename"]
         right = _in_place(project, one)
-        severity = Severity.ERROR if one.hosts_control or one.moves_joints else Severity.WARNING
+        vital = one.hosts_control or one.moves_joints
+        sure = vital and not (one.any and one.any.external)
+        severity = Severity.ERROR if sure else Severity.WARNING
         message = f"'{one.filename}' is not in {in_words(project.distros)}, but in {where}"
         fix = replaced(at, one.plugin.filename or "", right) if right else None
         yield Finding(at, message, tuple(_notes(project, one)), fix, severity)
