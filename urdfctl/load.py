@@ -92,10 +92,10 @@ class Loader:
         if is_yaml(path) or is_launch(path):
             return self._lint_alone(path, target, launched)
         expander = self.expander(path, LibraryExpander if target.fragment else Expander)
-        expansion = _expansion(expander, path, arguments)
+        expansion = expansion_of(expander, path, arguments)
         if expander.macros and not expansion.library and _is_library(expansion):
             expander = self.expander(path, LibraryExpander)
-            expansion = _expansion(expander, path, arguments)
+            expansion = expansion_of(expander, path, arguments)
         project = self._project(path, expansion, expander, target.controllers, launched)
         root = expansion.document.documentElement if expansion.document else None
         return self._linted(project, (expander.files, launched), lambda span: root is None or is_reached(span, root))
@@ -220,7 +220,7 @@ def _read_controllers(paths: Sequence[str], robot: Robot | None, launch: Launch 
     return read_controllers(paths, robot, launch, files)
 
 
-def _expansion(expander: Expander, path: str, arguments: Mapping[str, str]) -> Expansion:
+def expansion_of(expander: Expander, path: str, arguments: Mapping[str, str]) -> Expansion:
     """The tree of a file: expanded where it is xacro; a plain URDF is read as it stands, as robots load it."""
     try:
         source = expander.files.read(path)

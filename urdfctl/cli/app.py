@@ -6,6 +6,7 @@ from typing import Annotated
 
 import typer
 
+from urdfctl.cli.generate_options import add_commands
 from urdfctl.cli.options import (
     Arguments,
     ConfigFile,
@@ -152,3 +153,6 @@ def explain(
     from urdfctl.cli.explain_command import run_explain
 
     raise typer.Exit(run_explain(what or [], output_format))
+
+
+add_commands(app)

@@ -1,0 +1,69 @@
+"""What the tests of the generators share: a robot with everything, and what lint says of files."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from urdfctl.catalog.catalog import CATALOG
+from urdfctl.generate.everything import Order, files
+from urdfctl.generate.facts import JointFacts, RobotFacts
+from urdfctl.generate.options import File, Options, Roles
+from urdfctl.generate.templates import Templates
+from urdfctl.lint import Selection
+from urdfctl.load import Loader, Target
+from urdfctl.settings import Settings
+
+TEMPLATES = Templates()
+WHEELS = (
+    ("front_left", 0.3, 0.2),
+    ("front_right", 0.3, -0.2),
+    ("rear_left", -0.3, 0.2),
+    ("rear_right", -0.3, -0.2),
+)
+STEERED = (("steer_left", 0.3, 0.2), ("steer_right", 0.3, -0.2))
+JOINTS = (
+    *(
+        JointFacts(n, "continuous", at=(x, y, 0.0), axis=(0.0, 1.0, 0.0), radius=0.1, velocity=3.0)
+        for n, x, y in WHEELS
+    ),
+    *(JointFacts(n, at=(x, y, 0.0), axis=(0.0, 0.0, 1.0), lower=-1, upper=1, effort=9.0) for n, x, y in STEERED),
+    JointFacts("arm", at=(0.0, 0.0, 1.0), axis=(1.0, 0.0, 0.0), lower=-1, upper=1, effort=9.0, inertia=0.2),
+)
+ROBOT = RobotFacts("everything", root="base_link", joints=JOINTS)
+_ROLES = {
+    "tricycle_steering": Roles(traction=("rear_left", "rear_right"), steering=("steer_left",)),
+    "tricycle": Roles(traction=("front_left",), steering=("steer_left",)),
+    "bicycle": Roles(traction=("front_left",), steering=("steer_left",)),
+    "ackermann": Roles(traction=("rear_left", "rear_right"), steering=("steer_left", "steer_right")),
+    "four_wheel": Roles(
+        traction=("front_left", "front_right", "rear_left", "rear_right"),
+        steering=("steer_left", "steer_right", "arm", "front_left"),
+    ),
+}
+
+
+def roles_of(name: str) -> Roles:
+    """The roles that a drive wants of the robot's joints."""
+    return next((roles for part, roles in _ROLES.items() if part in name), Roles())
+
+
+def made(
+    command: str, options: Options, joints: tuple[JointFacts, ...] = JOINTS, robot: RobotFacts = ROBOT
+) -> list[File]:
+    """The files of a command."""
+    return files(command, Order(joints, options, CATALOG, robot, TEMPLATES))
+
+
+def told(folder: Path, texts: Mapping[str, str], distro: str, simulator: str | None = None) -> list[str]:
+    """What lint says, under all rules, of some files; the first is the robot, or a controllers' file alone."""
+    for name, text in texts.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    loader = Loader(Settings(distro, simulator, workspace=str(folder), package_paths=(str(folder),)), Selection())
+    first, *others = [str(folder / name) for name in texts]
+    controllers = tuple(path for path in others if path.endswith(".yaml"))
+    launch = next((path for path in others if path.endswith(".launch")), None)
+    outcome = loader.lint(Target(first, controllers=controllers, launch=launch)).outcome
+    return [f"{found.code} {found.message}" for found in outcome.diagnostics]

@@ -1,0 +1,300 @@
+"""Controllers' files: of every type in every distro, for joints with any name, from any list."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+import yaml
+from folder import Folder
+from generating import JOINTS, ROBOT, made, roles_of, told
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from urdfctl.catalog.catalog import CATALOG
+from urdfctl.catalog.distros import ALL
+from urdfctl.errors import UserError
+from urdfctl.generate.choice import chosen
+from urdfctl.generate.facts import JointFacts, RobotFacts
+from urdfctl.generate.joint_list import joints_listed
+from urdfctl.generate.options import Options, Roles
+from urdfctl.generate.recipes import recipes
+from urdfctl.generate.values import NAMES
+
+ARM = """<robot name="arm">
+  <link name="base"/>
+  <link name="upper"><inertial><mass value="1"/><origin xyz="0.5 0 0"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+  <link name="fore"/>
+  <joint name="shoulder" type="revolute"><parent link="base"/><child link="upper"/><axis xyz="0 0 1"/>
+    <limit lower="-1" upper="1" effort="40" velocity="2"/></joint>
+  <joint name="elbow" type="revolute"><parent link="upper"/><child link="fore"/><axis xyz="0 0 1"/>
+    <limit lower="-1" upper="1" effort="10" velocity="2"/></joint>
+  <joint name="mimicking" type="revolute"><parent link="base"/><child link="third"/><mimic joint="elbow"/>
+    <limit lower="-1" upper="1" effort="10" velocity="2"/></joint>
+  <link name="third"/>
+</robot>
+"""
+ROVER = """<robot name="rover"><link name="base_link"/>
+  <link name="left"><collision><geometry><cylinder radius="0.1" length="0.02"/></geometry></collision></link>
+  <link name="right"><visual><geometry><cylinder radius="0.1" length="0.02"/></geometry></visual></link>
+  <joint name="left_joint" type="continuous"><parent link="base_link"/><child link="left"/>
+    <origin xyz="0 0.25 0" rpy="-1.5707963 0 0"/><axis xyz="0 0 1"/><limit effort="5" velocity="10"/></joint>
+  <joint name="right_joint" type="continuous"><parent link="base_link"/><child link="right"/>
+    <origin xyz="0 -0.25 0" rpy="-1.5707963 0 0"/><axis xyz="0 0 1"/><limit effort="5" velocity="10"/></joint>
+</robot>
+"""
+
+
+def read(text: str) -> dict:  # type: ignore[type-arg]
+    return yaml.safe_load(text)
+
+
+def of_types(distro: str) -> list[str]:
+    kinds = [name for name, plain in recipes()["kinds"].items() if f"ros{1 if distro in ALL[:7] else 2}" in plain]
+    return [*CATALOG.known_types(distro), *kinds]
+
+
+@pytest.mark.parametrize("distro", ALL)
+def test_every_type_of_controller_is_written_so_that_lint_finds_nothing_and_twice_the_same(
+    distro: str, tmp_path: Path
+) -> None:
+    found = {}
+    written = 0
+    for name in of_types(distro):
+        options = Options(distro, types=(name,), roles=roles_of(name))
+        try:
+            [file] = made("gen-controllers", options)
+        except UserError as error:
+            assert f"{distro} has no '" in str(error) or "is deprecated" in str(error)  # noqa: PT017
+            continue
+        written += 1
+        found[name] = told(tmp_path, {"controllers.yaml": file.text}, distro)
+        assert made("gen-controllers", options) == [file]
+    assert {name: findings for name, findings in found.items() if findings} == {}
+    assert written > 20
+
+
+def test_a_type_that_is_deprecated_in_the_distro_is_not_written() -> None:
+    with pytest.raises(UserError, match="take 'parallel_gripper_action_controller/GripperActionController'"):
+        made("gen-controllers", Options("jazzy", types=("position_controllers/GripperActionController",)))
+    [file] = made("gen-controllers", Options("humble", types=("gripper",)), JOINTS[:1])
+    assert "position_controllers/GripperActionController" in file.text
+
+
+@pytest.mark.parametrize("distro", ["kilted", "lyrical"])
+def test_a_group_controller_is_written_where_the_distro_has_it(distro: str) -> None:
+    options = Options(distro, types=("effort",), group=True)
+    if distro == "lyrical":
+        with pytest.raises(UserError, match="lyrical has no 'effort_controllers/JointGroupEffortController'"):
+            made("gen-controllers", options)
+    else:
+        assert "type: effort_controllers/JointGroupEffortController" in made("gen-controllers", options)[0].text
+
+
+TRAPS = ["on", "1e3", "~", "null", "a b", "it's", 'say "x"', "größe", "a: b", "# no", "0x10", "yes", "-", "{}", "1_000"]
+
+
+@pytest.mark.parametrize("distro", ["noetic", "jazzy"])
+@pytest.mark.parametrize("name", TRAPS)
+def test_a_joint_keeps_its_name_whatever_yaml_would_make_of_it(name: str, distro: str) -> None:
+    [file] = made("gen-controllers", Options(distro, types=("trajectory",)), (JointFacts(name),), RobotFacts())
+    plain = read(file.text)["joint_trajectory_controller"]
+    assert plain.get("ros__parameters", plain)["joints"] == [name]
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.lists(st.text(st.characters(exclude_categories=("Cs",)), min_size=1), min_size=1, max_size=20, unique=True))
+def test_any_names_come_back_in_their_order(names: list[str]) -> None:
+    joints = tuple(JointFacts(name) for name in names)
+    [file] = made("gen-controllers", Options("jazzy", types=("effort",)), joints, RobotFacts())
+    assert read(file.text)["effort_controller"]["ros__parameters"]["joints"] == names
+    [file] = made("gen-controllers", Options("noetic", types=("effort",)), joints, RobotFacts())
+    plain = read(file.text)
+    assert [one["joint"] for name, one in plain.items() if name != "joint_state_controller"] == names
+
+
+@pytest.mark.parametrize("count", [1, 2, 50, 200])
+def test_each_joint_has_its_gains(count: int) -> None:
+    joints = tuple(JointFacts(f"joint_{number}", effort=5.0) for number in range(count))
+    options = Options("jazzy", types=("trajectory",), interface="effort")
+    [file] = made("gen-controllers", options, joints, RobotFacts())
+    assert len(read(file.text)["joint_trajectory_controller"]["ros__parameters"]["gains"]) == count
+
+
+def test_the_robots_joints_are_those_that_move_and_mimic_no_other(folder: Folder) -> None:
+    folder.write({"robot.urdf": ARM})
+    done = folder.run("gen-controllers", "--type", "effort", "--distro", "jazzy")
+    assert read(done.stdout)["effort_controller"]["ros__parameters"]["joints"] == ["shoulder", "elbow"]
+    assert done.stdout.startswith("# made by: urdfctl gen-controllers --type effort --distro jazzy\n")
+
+
+def test_joints_are_chosen_by_regular_expressions(folder: Folder) -> None:
+    folder.write({"robot.urdf": ARM})
+    done = folder.run("gen-controllers", "robot.urdf", "--type", "effort", "--distro", "noetic", "--exclude", "s.*")
+    assert [one.get("joint") for one in read(done.stdout).values()] == [None, "elbow"]
+    wrong = folder.run("gen-controllers", "robot.urdf", "--type", "effort", "--joints", "elbo")
+    assert (wrong.returncode, wrong.stdout) == (2, "")
+    assert "no joint matches 'elbo'; did you mean 'elbow'?" in wrong.stderr
+
+
+def test_a_joint_that_the_robot_does_not_have_is_told(folder: Folder) -> None:
+    folder.write({"robot.urdf": ARM})
+    done = folder.run("gen-controllers", "robot.urdf", "--joint", "elbwo", "--type", "effort", "--distro", "jazzy")
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == "urdfctl: the robot has no joint 'elbwo'; did you mean 'elbow'?\n"
+
+
+def test_gains_begin_with_the_inertia_that_a_joint_moves(folder: Folder) -> None:
+    folder.write({"robot.urdf": ARM})
+    done = folder.run("gen-controllers", "--type", "position", "--interface", "effort", "--distro", "noetic")
+    gains = read(done.stdout)["shoulder_position_controller"]["pid"]
+    assert gains == {"p": 41.1, "i": 0.0, "d": 6.53}  # 0.01 + 1 kg at 0.5 m = 0.26 kg m2, at 2 Hz
+    assert "starting values, to be tuned, by the 0.26 kg m2 that it moves" in done.stdout
+    assert read(done.stdout)["elbow_position_controller"]["pid"]["p"] == 50.0
+    assert "by the effort limit alone" in done.stdout
+
+
+def test_a_drive_is_measured(folder: Folder) -> None:
+    folder.write({"robot.urdf": ROVER})
+    done = folder.run("gen-controllers", "--type", "diff_drive", "--distro", "jazzy")
+    drive = read(done.stdout)["diff_drive_controller"]["ros__parameters"]
+    assert (drive["left_wheel_names"], drive["right_wheel_names"]) == (["left_joint"], ["right_joint"])
+    assert (drive["wheel_separation"], drive["wheel_radius"]) == (0.5, 0.1)
+    assert drive["linear"]["x"]["max_velocity"] == 1.0
+    assert "m, measured: the radius" in done.stdout
+
+
+def test_what_cannot_be_measured_is_a_todo() -> None:
+    options = Options("jazzy", types=("diff_drive",), roles=Roles(left=("l",), right=("r",)))
+    [file] = made("gen-controllers", options, (JointFacts("l"), JointFacts("r")), RobotFacts())
+    assert "wheel_separation: 0.5  # m between left and right, TODO: measure" in file.text
+    assert "Look for TODO" in file.text.splitlines()[1]
+
+
+def test_a_drive_whose_wheels_nobody_knows_is_told() -> None:
+    with pytest.raises(UserError, match="'diff_drive' needs --left with joints: the robot does not tell"):
+        made("gen-controllers", Options("jazzy", types=("diff_drive",)), (JointFacts("a"),), RobotFacts())
+    with pytest.raises(UserError, match="'bicycle' needs --traction with 1 joint: it is given 4"):
+        made("gen-controllers", Options("jazzy", types=("bicycle",)))
+
+
+def test_drives_leave_their_joints_to_no_other_controller() -> None:
+    [file] = made("gen-controllers", Options("jazzy", types=("trajectory", "diff_drive")))
+    plain = read(file.text)
+    assert list(plain) == ["controller_manager", "joint_trajectory_controller", "diff_drive_controller"]
+    assert plain["joint_trajectory_controller"]["ros__parameters"]["joints"] == ["steer_left", "steer_right", "arm"]
+
+
+def test_the_interfaces_that_a_robot_has_are_taken() -> None:
+    robot = ROBOT._replace(interfaces={"arm": ("effort",)})
+    [file] = made("gen-controllers", Options("noetic", types=("position",)), JOINTS[-1:], robot)
+    assert read(file.text)["arm_position_controller"]["type"] == "effort_controllers/JointPositionController"
+
+
+@pytest.mark.parametrize(("distro", "key"), [("jazzy", "/r1/effort_controller"), ("noetic", "r1")])
+def test_a_namespace_stands_before_all_names(distro: str, key: str, tmp_path: Path) -> None:
+    [file] = made("gen-controllers", Options(distro, types=("effort",), namespace="r1"))
+    assert key in read(file.text)
+    assert told(tmp_path, {"controllers.yaml": file.text}, distro) == []
+
+
+LISTS = {
+    "joints.txt": "elbow\n# the next one\nwrist\n",
+    "joints.csv": "name,interface,effort,p\nelbow,effort,5,2.5\nwrist,,,\n",
+    "plain.csv": "elbow, wrist\n",
+    "joints.yaml": "- {name: elbow, interface: effort, gains: {p: 2.5}, limits: {effort: 5}}\n- wrist\n",
+    "map.yaml": "joints:\n  elbow: {reduction: 50}\n  wrist:\n",
+}
+
+
+@pytest.mark.parametrize("source", LISTS)
+def test_joints_are_read_from_lists(source: str) -> None:
+    elbow, wrist = joints_listed(LISTS[source], source)
+    assert (elbow.name, wrist) == ("elbow", JointFacts("wrist"))
+    if source in ("joints.csv", "joints.yaml"):
+        assert (elbow.interface, elbow.effort, elbow.gains) == ("effort", 5.0, (("p", 2.5),))
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("- {name: a, efort: 3}", "list.yaml: unknown key 'efort'; did you mean 'effort'?"),
+        ("- on", "list.yaml: 'True' is no name of a joint"),
+        ("- {name: a, effort: much}", "list.yaml: 'effort' is a number, not 'much'"),
+        ("- {effort: 3}", "list.yaml: a joint without a name"),
+        ("3", "list.yaml: no list of joints"),
+        ("[", "list.yaml: no YAML"),
+    ],
+)
+def test_a_list_that_is_none_is_told(text: str, message: str) -> None:
+    with pytest.raises(UserError, match=message.replace("?", "\\?")):
+        joints_listed(text, "list.yaml")
+
+
+def test_a_list_goes_over_what_the_robot_says() -> None:
+    [arm] = chosen(ROBOT, joints_listed("- {name: arm, effort: 3, interface: effort}", "list.yaml"))
+    assert (arm.effort, arm.interface, arm.inertia) == (3.0, "effort", 0.2)
+
+
+def test_a_list_comes_from_standard_input(folder: Folder) -> None:
+    done = folder.run("gen-controllers", "-", "--type", "velocity", "--distro", "jazzy", text="a\nb\n")
+    assert read(done.stdout)["velocity_controller"]["ros__parameters"] == {
+        "joints": ["a", "b"],
+        "interface_name": "velocity",
+    }
+
+
+def test_a_file_is_written_checked_and_not_overwritten(folder: Folder) -> None:
+    words = ("gen-controllers", "--joint", "a", "--type", "effort", "--distro", "jazzy", "-o", "c.yaml")
+    assert folder.run(*words, "--check").stdout == "c.yaml is stale\n"
+    assert folder.run(*words).returncode == 0
+    assert folder.run(*words, "--check").returncode == 0
+    before = (folder.path / "c.yaml").read_bytes()
+    (folder.path / "c.yaml").write_bytes(before + b"mine: 1\n")
+    assert folder.run(*words, "--check").returncode == 1
+    assert "-mine: 1" in folder.run(*words, "--diff").stdout
+    refused = folder.run(*words)
+    assert (refused.returncode, refused.stderr) == (
+        2,
+        "urdfctl: 'c.yaml' exists; --force overwrites it, --diff shows what would change\n",
+    )
+    assert folder.run(*words, "--force").returncode == 0
+    assert (folder.path / "c.yaml").read_bytes() == before
+
+
+def test_a_robot_that_cannot_be_read_is_told_with_its_place(folder: Folder) -> None:
+    folder.write({"robot.urdf": '<robot name="x"><link></robot>'})
+    done = folder.run("gen-controllers", "robot.urdf", "--type", "effort")
+    assert (done.returncode, done.stdout) == (1, "")
+    assert "robot.urdf:1:" in done.stderr
+
+
+def test_a_template_of_the_users_comes_before_the_own(folder: Folder) -> None:
+    folder.write(
+        {"mine/controllers/ros2.yaml.j2": "# {{ command }}\nx: 1\n", "bad/controllers/ros2.yaml.j2": "{{ no }}"}
+    )
+    words = ("gen-controllers", "--joint", "a", "--type", "effort", "--distro", "jazzy", "--templates")
+    assert folder.run(*words, "mine").stdout.endswith("x: 1\n")
+    assert folder.run(*words, "bad").stderr == "urdfctl: template 'controllers/ros2.yaml.j2': 'no' is undefined\n"
+    assert "controllers/ros2.yaml.j2\n" in folder.run("gen-controllers", "--list-templates").stdout
+
+
+def test_the_recipes_speak_of_what_there_is() -> None:
+    plain = recipes()
+    entries = [
+        entry
+        for one in (*plain["parameters"].values(), *plain["groups"].values())
+        for name, entry in one.items()
+        if name != "also"
+    ]
+    names = [
+        part[1:]
+        for value, _ in entries
+        for part in (value if isinstance(value, list) else [value])
+        if str(part).startswith("$")
+    ]
+    assert set(names) <= NAMES
+    for name, recipe in plain["parameters"].items():
+        known = {p for distro in ALL if (one := CATALOG.controller(name, distro)) for p in one.parameters}
+        assert any(parameter in known for parameter in recipe if parameter != "also") or "also" in recipe, name

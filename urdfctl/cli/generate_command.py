@@ -1,0 +1,164 @@
+"""`urdfctl gen-...`: what the words mean, and where the files go."""
+
+from __future__ import annotations
+
+import os
+import shlex
+import sys
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from urdfctl.catalog.catalog import catalog_with
+from urdfctl.cli.generate_writing import Writing, deliver
+from urdfctl.cli.words import configured, settings_from, split_arguments
+from urdfctl.cli.writing import print_text
+from urdfctl.discover import find
+from urdfctl.errors import UserError
+from urdfctl.generate.choice import chosen
+from urdfctl.generate.everything import Order, files
+from urdfctl.generate.facts import NO_ROBOT, JointFacts, RobotFacts
+from urdfctl.generate.joint_list import joints_listed
+from urdfctl.generate.options import Options, Roles
+from urdfctl.generate.templates import Templates, template_names
+from urdfctl.measure import facts_from
+from urdfctl.report.common import Report
+from urdfctl.report.text import render
+from urdfctl.settings import Settings
+
+_LISTS = (".txt", ".csv", ".yaml", ".yml", ".list")
+_SAID_OTHERWISE = frozenset(
+    {"words", "output", "force", "diff", "check", "into", "timeout", "memory", "distro", "simulator", "list_templates"}
+)
+_NAMES = {"types": "type"}
+_DEFAULT_DISTRO = {1: "noetic", 2: "jazzy", None: "jazzy"}
+
+
+class Unreadable(Exception):
+    """The robot cannot be read; what was found is told."""
+
+
+def run_generate(command: str, given: Mapping[str, Any]) -> int:
+    """Generate, write or show or check it, and give the exit status."""
+    if given["list_templates"]:
+        print_text("".join(f"{name}\n" for name in template_names(given["templates"])))
+        return 0
+    words = given["words"] or []
+    config = configured([], given["config"], given["workspace"])
+    settings = settings_from(
+        config, given["distro"], given["simulator"], None, given["workspace"], given["package_path"], given["env"],
+        given["trust"], given["timeout"], given["memory"],
+    )  # fmt: skip
+    try:
+        robot, listed = _sources(words, given, settings)
+    except Unreadable as error:
+        sys.stderr.write(str(error))
+        return 1
+    options = _options(command, given, settings, robot)
+    joints = chosen(robot, listed, given.get("joints") or (), given.get("exclude") or ())
+    if not joints:
+        raise UserError(_no_joints(robot))
+    order = Order(joints, options, catalog_with(settings.additions), robot or NO_ROBOT, Templates(given["templates"]))
+    writing = Writing(given["output"], given["force"], given["diff"], given["check"], given.get("into"))
+    return deliver(files(command, order), writing, many=command == "gen-all")
+
+
+def _no_joints(robot: RobotFacts | None) -> str:
+    if robot is None:
+        return "no joints: name a robot, a list of joints, or --joint NAME,NAME"
+    return "the robot has no joint to control: none that moves and mimics no other" + (
+        "" if not robot.joints else ", and that is not excluded"
+    )
+
+
+def _sources(
+    words: list[str], given: Mapping[str, Any], settings: Settings
+) -> tuple[RobotFacts | None, list[JointFacts]]:
+    """The robot, None where there is none, and the joints that are listed."""
+    paths, arguments = split_arguments(words)
+    listed = [JointFacts(name) for name in _split(given.get("joint"))]
+    lists = [path for path in paths if path == "-" or path.endswith(_LISTS)]
+    robots = [path for path in paths if path not in lists]
+    for path in lists:
+        listed += joints_listed(_text(path), "standard input" if path == "-" else path)
+    if not robots and (listed or lists):
+        return None, listed
+    found = find(robots)
+    descriptions = [path for path, _ in found.descriptions()]
+    if len(descriptions) != 1:
+        shown = ", ".join(sorted(os.path.relpath(path) for path in descriptions))
+        raise UserError(
+            f"which robot? {shown}" if descriptions else "no robot found here: name one, or a list of joints"
+        )
+    path = robots[0] if robots and not os.path.isdir(robots[0]) else os.path.relpath(descriptions[0])
+    read = facts_from(path, arguments, settings)
+    if read.facts is None:
+        raise Unreadable("\n".join(render(Report((), read.problems)).splitlines()[:-1]) + "\n")
+    return read.facts, listed
+
+
+def _text(path: str) -> str:
+    try:
+        if path == "-":
+            return sys.stdin.buffer.read().decode("utf-8")
+        with open(path, encoding="utf-8") as file:
+            return file.read()
+    except OSError as error:
+        raise UserError(f"'{path}' cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise UserError(f"'{path}' cannot be read: it is no UTF-8") from None
+
+
+def _options(command: str, given: Mapping[str, Any], settings: Settings, robot: RobotFacts | None) -> Options:
+    distro = settings.distro or (robot.distro if robot else None) or settings.environ.get("ROS_DISTRO")
+    if not distro:
+        distro = _DEFAULT_DISTRO[robot.ros if robot else None]
+        sys.stderr.write(f"urdfctl: no distro is told; {distro} is taken (--distro)\n")
+    simulator = settings.simulator or (robot.simulator if robot else None) or "none"
+    defaults = Options(distro)
+    states = given.get("state")
+    return Options(
+        distro,
+        simulator,
+        tuple(_split(given.get("types"))),
+        given.get("interface") or given.get("command"),
+        tuple(_split([states])) if states else None,
+        given.get("hardware"),
+        bool(given.get("group")),
+        (given.get("namespace") or "").strip("/"),
+        given.get("name"),
+        Roles(*(tuple(_split(given.get(role))) for role in Roles._fields)),
+        given.get("sensor"),
+        given.get("frame"),
+        given.get("broadcaster", True),
+        given.get("rate", defaults.rate),
+        given.get("package") or (robot.package if robot else None),
+        given.get("controllers") or defaults.controllers_file,
+        robot.package_path if robot else None,
+        bool(given.get("macro")),
+        given.get("form") or defaults.form,
+        _said_again(command, given, distro, simulator),
+    )
+
+
+def _split(given: Iterable[str] | None) -> list[str]:
+    return [name.strip() for item in given or () for name in item.split(",") if name.strip()]
+
+
+def _said_again(command: str, given: Mapping[str, Any], distro: str, simulator: str) -> str:
+    """The command that makes the same files: without what says where they go, and with what was found out."""
+    words = ["urdfctl", command, *(given["words"] or ())]
+    plain = Options("jazzy")
+    for key, value in given.items():
+        option = f"--{_NAMES.get(key, key).replace('_', '-')}"
+        if key in _SAID_OTHERWISE or value in (None, False, "", getattr(plain, key, None)):
+            continue
+        if value is True:
+            words.append(option)
+        else:
+            words += [
+                word for one in (value if isinstance(value, list | tuple) else [value]) for word in (option, str(one))
+            ]
+    if given.get("broadcaster") is False:
+        words.append("--no-broadcaster")
+    words += ["--distro", distro] + (["--simulator", simulator] if simulator != "none" else [])
+    return shlex.join(words)

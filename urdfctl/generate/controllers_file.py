@@ -1,0 +1,72 @@
+"""The controllers' file: YAML as rosparam or rcl reads it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from urdfctl.generate.controllers import Controller
+from urdfctl.generate.options import File, Options
+from urdfctl.generate.scalars import one_line
+from urdfctl.generate.settings import lines_of
+from urdfctl.generate.templates import Templates
+from urdfctl.generate.values import TODO, reference
+
+
+def controllers_file(made: Sequence[Controller], options: Options, templates: Templates, title: str = "") -> File:
+    """The file of some controllers."""
+    space = options.namespace.strip("/")
+    shown = [_shown(one, space) for one in made]
+    text = templates.render(
+        f"controllers/ros{options.ros}.yaml",
+        command=one_line(options.command),
+        title=one_line(title or "the robot"),
+        distro=options.distro,
+        rate=options.rate,
+        simulated=options.simulated,
+        namespace=space,
+        indent="  " if space else "",
+        manager=f"/{space}/controller_manager" if space else "controller_manager",
+        controllers=shown,
+        todos=any(TODO in line for one in shown for line in one["lines"]),
+    )
+    return File(options.controllers_file, text)
+
+
+def _shown(one: Controller, space: str) -> dict[str, Any]:
+    key = f"/{space}/{one.name}" if space else one.name
+    return {
+        "name": one.name,
+        "key": key,
+        "type": one.type.type,
+        "lines": lines_of(one.settings),
+        "about": one_line(_about(one, key)),
+    }
+
+
+_ABOUT = {
+    "effort": "efforts, in N or Nm",
+    "velocity": "speeds, in rad/s or m/s",
+    "position": "positions, in rad or m",
+    "trajectory": "trajectories, by topic or by the action follow_joint_trajectory",
+    "gripper": "opens and closes a gripper, by action",
+    "diff_drive": "drives on two rows of wheels, by cmd_vel",
+}
+
+
+def _about(one: Controller, key: str) -> str:
+    """What a beginner wants to know of a controller: what it takes, and where."""
+    kind, ros = one.task.kind, one.task.options.ros
+    if "joint_state" in one.type.type:
+        return "Publishes the joints' states on joint_states: needed by robot_state_publisher and rviz."
+    if one.type.broadcaster:
+        return "Publishes what a sensor measures; it moves nothing."
+    if kind in ("effort", "velocity", "position"):
+        topic = f"/{key.strip('/')}/{'commands' if ros == 2 else 'command'}"  # noqa: PLR2004
+        unit = _ABOUT[reference(one.task) if kind == "velocity" else kind]
+        return f"Takes {unit}, on {topic}."
+    return (
+        f"{_ABOUT[kind][0].upper()}{_ABOUT[kind][1:]}."
+        if kind in _ABOUT
+        else f"A controller of the type {one.type.type}."
+    )

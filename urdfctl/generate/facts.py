@@ -1,0 +1,80 @@
+"""What the generators know of a robot: its moving joints, measured with all joints at zero, and the control it has."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+Vector = tuple[float, float, float]
+
+
+class JointFacts(NamedTuple):
+    """A joint that moves. Limits in rad or m, N m or N, rad/s or m/s, None where the robot has none.
+
+    `at` and `axis` are in the frame of the root link, `radius` in m is that of the wheel it turns, `inertia` in kg m2
+    (kg where it slides) what it has to move. `interface`, `gains` and `reduction` are what a list says of it.
+    """
+
+    name: str
+    type: str = "revolute"
+    mimics: bool = False
+    lower: float | None = None
+    upper: float | None = None
+    effort: float | None = None
+    velocity: float | None = None
+    at: Vector | None = None
+    axis: Vector | None = None
+    radius: float | None = None
+    inertia: float | None = None
+    interface: str | None = None
+    gains: tuple[tuple[str, float], ...] = ()
+    reduction: float = 1.0
+
+    @property
+    def slides(self) -> bool:
+        """Whether it moves along its axis, in metres."""
+        return self.type == "prismatic"
+
+
+class RobotFacts(NamedTuple):
+    """A robot as the generators see it.
+
+    `file` is where it was read from, `package` and `package_path` the package that holds it, and where in it. `root`
+    is its root link. `interfaces` are the command interfaces that its joints have already (by transmissions or by
+    `<ros2_control>`), `sensors` its sensors' names; `hosts` are the file names of its simulator plugins.
+    """
+
+    name: str | None = None
+    file: str | None = None
+    package: str | None = None
+    package_path: str | None = None
+    root: str | None = None
+    joints: tuple[JointFacts, ...] = ()
+    fixed: tuple[str, ...] = ()
+    interfaces: Mapping[str, tuple[str, ...]] = {}
+    sensors: tuple[str, ...] = ()
+    components: tuple[str, ...] = ()
+    hosts: tuple[str, ...] = ()
+    distro: str | None = None
+    ros: int | None = None
+    simulator: str | None = None
+
+    def to_json(self) -> dict[str, Any]:
+        """As plain data."""
+        return {**self._asdict(), "joints": [joint._asdict() for joint in self.joints]}
+
+    @classmethod
+    def from_json(cls, plain: Mapping[str, Any]) -> RobotFacts:
+        """From plain data."""
+        values: dict[str, Any] = {n: tuple(value) if isinstance(value, list) else value for n, value in plain.items()}
+        values["joints"] = tuple(_joint(joint) for joint in plain["joints"])
+        values["interfaces"] = {joint: tuple(names) for joint, names in plain["interfaces"].items()}
+        return cls(**values)
+
+
+NO_ROBOT = RobotFacts()
+
+
+def _joint(plain: Mapping[str, Any]) -> JointFacts:
+    values: dict[str, Any] = {n: tuple(value) if isinstance(value, list) else value for n, value in plain.items()}
+    return JointFacts(**{**values, "gains": tuple((name, gain) for name, gain in plain["gains"])})

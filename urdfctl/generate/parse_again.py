@@ -1,0 +1,51 @@
+"""Reads what was generated as its readers will, before it leaves: a template of the user's may spoil it."""
+
+from __future__ import annotations
+
+import ast
+
+from urdfctl.errors import UserError
+from urdfctl.generate.options import File
+
+
+def checked(file: File) -> File:
+    """The file, if it can be read. UserError where it cannot."""
+    why = _fault(file)
+    if why is not None:
+        raise UserError(
+            f"what was made as '{file.name}' cannot be read: {why}; are its template and its names in order?"
+        )
+    return file
+
+
+def _fault(file: File) -> str | None:
+    if file.name.endswith((".yaml", ".yml")):
+        return _of_yaml(file.text)
+    if file.name.endswith((".xml", ".xacro", ".urdf", ".launch")):
+        return _of_xml(file.text)
+    if file.name.endswith(".py"):
+        try:
+            ast.parse(file.text)
+        except (SyntaxError, ValueError) as error:
+            return str(error)
+    return None
+
+
+def _of_yaml(text: str) -> str | None:
+    import yaml
+
+    try:
+        yaml.load(text, getattr(yaml, "CSafeLoader", yaml.SafeLoader))  # noqa: S506 (a safe loader)
+    except (yaml.YAMLError, ValueError) as error:
+        return " ".join(str(error).split())
+    return None
+
+
+def _of_xml(text: str) -> str | None:
+    from xml.parsers import expat
+
+    try:
+        expat.ParserCreate().Parse(text.encode("utf-8"), True)  # noqa: FBT003 (expat's own)
+    except (expat.ExpatError, UnicodeEncodeError) as error:
+        return str(error)
+    return None

@@ -1,0 +1,45 @@
+"""Parameters as they are written: nested, in YAML, each with its comment."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Any, NamedTuple
+
+from urdfctl.generate.scalars import one_line, yaml_text, yaml_value
+
+_WIDE = 100
+
+
+class Setting(NamedTuple):
+    """A parameter: its name in the catalogue, where it stands, its value, and a comment."""
+
+    name: str
+    path: tuple[str, ...]
+    value: object
+    comment: str = ""
+
+
+def lines_of(settings: Iterable[Setting]) -> list[str]:
+    """The lines of YAML, not indented."""
+    tree: dict[str, Any] = {}
+    for setting in settings:
+        below = tree
+        for part in setting.path[:-1]:
+            below = below.setdefault(part, {})
+        below[setting.path[-1]] = setting
+    return list(_lines(tree, ""))
+
+
+def _lines(tree: dict[str, Any], indent: str) -> Iterator[str]:
+    for key, below in tree.items():
+        if isinstance(below, dict):
+            yield f"{indent}{yaml_text(key)}:"
+            yield from _lines(below, f"{indent}  ")
+            continue
+        comment = f"  # {one_line(below.comment)}" if below.comment else ""
+        flow = f"{indent}{yaml_text(key)}: {yaml_value(below.value)}"
+        if isinstance(below.value, list) and len(flow) > _WIDE:
+            yield f"{indent}{yaml_text(key)}:{comment}"
+            yield from (f"{indent}  - {yaml_value(part)}" for part in below.value)
+        else:
+            yield flow + comment

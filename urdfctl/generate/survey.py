@@ -1,0 +1,70 @@
+"""What the generators need to know, taken from a robot's model."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.generate.facts import JointFacts, RobotFacts
+from urdfctl.generate.frames import Measured, measured, root_of
+from urdfctl.model.parts import Number
+from urdfctl.model.robot import Joint, Robot
+from urdfctl.model.ros2_control import Part
+
+_MOVING = ("revolute", "continuous", "prismatic")
+
+
+def facts_of(robot: Robot) -> RobotFacts:
+    """The facts of a robot, without those of its files."""
+    found = measured(robot)
+    named = {joint.name: joint for joint in robot.joints if joint.name}
+    moving = [_joint(name, joint, found.get(name)) for name, joint in named.items() if joint.type in _MOVING]
+    return RobotFacts(
+        robot.name,
+        root=root_of(robot),
+        joints=tuple(moving),
+        fixed=tuple(name for name, joint in named.items() if joint.type not in _MOVING),
+        interfaces=_interfaces(robot),
+        sensors=tuple(part.name for part in _sensors(robot) if part.name),
+        components=tuple(control.name or "" for control in robot.ros2_controls),
+        hosts=tuple(plugin.filename for plugin in robot.plugins if plugin.filename),
+    )
+
+
+def _sensors(robot: Robot) -> Iterator[Part]:
+    return (part for control in robot.ros2_controls for part in control.of_kind("sensor"))
+
+
+def _joint(name: str, joint: Joint, found: Measured | None) -> JointFacts:
+    limit = joint.limit
+    lower, upper = (_value(limit.lower), _value(limit.upper)) if limit and joint.type != "continuous" else (None, None)
+    return JointFacts(
+        name,
+        joint.type or "",
+        joint.mimic is not None,
+        lower,
+        upper,
+        _value(limit.effort) if limit else None,
+        _value(limit.velocity) if limit else None,
+        found.at if found else None,
+        found.axis if found else None,
+        found.radius if found else None,
+        found.inertia if found else None,
+    )
+
+
+def _value(number: Number | None) -> float | None:
+    return number.value if number else None
+
+
+def _interfaces(robot: Robot) -> dict[str, tuple[str, ...]]:
+    """The command interfaces that joints have: of ROS 2 by name, of ROS 1 by their type's first word."""
+    found: dict[str, list[str]] = {}
+    for transmission in robot.transmissions:
+        for end in transmission.kept_joints:
+            names = [one.value.removeprefix("hardware_interface/") for one in end.named_interfaces]
+            plain = [name.removesuffix("JointInterface").lower() for name in names]
+            found.setdefault(end.name or "", []).extend(plain)
+    for control in robot.ros2_controls:
+        for part in control.of_kind("joint"):
+            found.setdefault(part.name or "", []).extend(one.name for one in part.commands if one.name)
+    return {joint: tuple(dict.fromkeys(names)) for joint, names in found.items()}

@@ -1,0 +1,223 @@
+"""What `$name` in the recipes stands for, of one controller."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import NamedTuple
+
+from urdfctl.generate.facts import JointFacts, RobotFacts
+from urdfctl.generate.gains import Gains, starting_gains
+from urdfctl.generate.options import Options
+from urdfctl.generate.wheels import Measure, across, along, from_centre, radius
+
+
+class Left(NamedTuple):
+    """The answer where a parameter is left out."""
+
+
+LEFT_OUT = Left()
+TODO = "TODO"
+
+
+class Answer(NamedTuple):
+    """A value with what is to be said of how it was found."""
+
+    value: object
+    how: str = ""
+
+
+class Task(NamedTuple):
+    """A controller that is to be made: its joints, by roles where it is a drive, and the interface it commands;
+    `passive` are those that a drive only rolls on."""
+
+    kind: str
+    interface: str
+    joints: tuple[JointFacts, ...]
+    left: tuple[JointFacts, ...]
+    right: tuple[JointFacts, ...]
+    traction: tuple[JointFacts, ...]
+    steering: tuple[JointFacts, ...]
+    robot: RobotFacts
+    options: Options
+    passive: tuple[JointFacts, ...] = ()
+
+
+def answer(name: str, task: Task, joint: JointFacts | None) -> Answer | Left:
+    """What a `$name` stands for; of the gains and limits, for one joint."""
+    if name in _OF_JOINT:
+        return _OF_JOINT[name](task, joint or task.joints[0])
+    if name in _MEASURED:
+        measure = _MEASURED[name](task)
+        return Answer(*measure) if measure.value is not None else Answer(_STAND_INS.get(name, 0.1), f"{TODO}: measure")
+    return _OTHERS[name](task)
+
+
+def gains(task: Task, joint: JointFacts) -> Gains:
+    """The gains of a joint, by what the controller is asked for and what it commands."""
+    return starting_gains(joint, reference(task), task.interface)
+
+
+def reference(task: Task) -> str:
+    """What the controller is asked for: positions, or speeds."""
+    if task.kind in ("velocity", "diff_drive") or (task.kind == "pid" and task.interface == "velocity"):
+        return "velocity"
+    return "position"
+
+
+def _gain(letter: str) -> Callable[[Task, JointFacts], Answer | Left]:
+    def found(task: Task, joint: JointFacts) -> Answer | Left:
+        if task.interface == "position" or (task.kind in ("velocity", "effort") and task.kind == task.interface):
+            return LEFT_OUT
+        return Answer(getattr(gains(task, joint), letter))
+
+    return found
+
+
+def _feed_forward(task: Task, joint: JointFacts) -> Answer | Left:
+    del joint
+    return Answer(1.0) if task.interface == "velocity" else LEFT_OUT
+
+
+def _max_effort(task: Task, joint: JointFacts) -> Answer | Left:
+    if task.interface == "position" and task.options.ros == 2:  # noqa: PLR2004
+        return LEFT_OUT
+    if joint.effort:
+        return Answer(joint.effort, "the joint's limit")
+    return Answer(10.0, f"{TODO}: the joint has no limit")
+
+
+def _clamp(sign: float) -> Callable[[Task, JointFacts], Answer | Left]:
+    def found(task: Task, joint: JointFacts) -> Answer | Left:
+        limit = joint.effort if task.interface == "effort" else joint.velocity
+        return Answer(sign * limit) if limit else LEFT_OUT
+
+    return found
+
+
+def _speed(task: Task) -> tuple[float, float] | None:
+    """The speed that the wheels allow, in m/s, and their radius."""
+    wheel = radius((*task.left, *task.right)).value
+    fastest = [joint.velocity for joint in (*task.left, *task.right) if joint.velocity]
+    return (round(min(fastest) * wheel, 3), wheel) if wheel and fastest else None
+
+
+def _max_speed(sign: float) -> Callable[[Task], Answer | Left]:
+    def found(task: Task) -> Answer | Left:
+        speed = _speed(task)
+        return Answer(sign * speed[0], "the speed limit of the wheels times their radius") if speed else LEFT_OUT
+
+    return found
+
+
+def _names(joints: Sequence[JointFacts]) -> Answer:
+    return Answer([joint.name for joint in joints])
+
+
+def _sensor(task: Task) -> Answer:
+    if task.options.sensor or task.robot.sensors:
+        return Answer(task.options.sensor or task.robot.sensors[0])
+    return Answer(_SENSORS.get(task.kind, "sensor"), f"{TODO}: its name")
+
+
+_SENSORS = {
+    "imu_broadcaster": "imu_sensor",
+    "force_torque_broadcaster": "force_torque_sensor",
+    "admittance": "force_torque_sensor",
+    "pose_broadcaster": "pose",
+    "range_broadcaster": "range_sensor",
+    "gps_broadcaster": "gps_sensor",
+    "magnetometer_broadcaster": "magnetometer",
+}
+
+
+def _frame(task: Task) -> Answer:
+    if task.options.frame:
+        return Answer(task.options.frame)
+    return Answer(task.robot.root or "base_link", f"{TODO}: it is taken to be the root")
+
+
+def _half(joints: Sequence[JointFacts], first: bool) -> Answer:  # noqa: FBT001
+    """The two of four that are ahead, or behind."""
+    ordered = sorted(joints, key=lambda joint: -(joint.at or (0.0, 0.0, 0.0))[0])
+    return _names(ordered[:2] if first else ordered[2:4])
+
+
+def _mecanum(task: Task) -> Measure:
+    sideways = across(task.left, task.right)
+    lengthways = along((task.left[0], task.right[0]), (task.left[-1], task.right[-1]))
+    if sideways.value is None or lengthways.value is None:
+        return Measure(None, "")
+    return Measure(round(sideways.value / 2 + lengthways.value / 2, 5), "measured between the joints")
+
+
+def _tricycle(task: Task) -> Measure:
+    return along(task.passive, task.steering) if task.passive else Measure(None, "")
+
+
+_OF_JOINT: Mapping[str, Callable[[Task, JointFacts], Answer | Left]] = {
+    "joint": lambda _, joint: Answer(joint.name),
+    "p": _gain("p"),
+    "i": _gain("i"),
+    "d": _gain("d"),
+    "ff": _feed_forward,
+    "max_effort": _max_effort,
+    "max_command": _clamp(1.0),
+    "min_command": _clamp(-1.0),
+}
+_MEASURED: Mapping[str, Callable[[Task], Measure]] = {
+    "wheel_radius": lambda task: radius((*task.left, *task.right)),
+    "traction_radius": lambda task: radius(task.traction),
+    "omni_radius": lambda task: radius(task.joints),
+    "wheel_separation": lambda task: across(task.left, task.right),
+    "wheelbase": lambda task: along(task.traction, task.steering),
+    "tricycle_wheelbase": _tricycle,
+    "traction_track": lambda task: across(task.traction[:1], task.traction[1:2]),
+    "steering_track": lambda task: _between(task.steering),
+    "robot_radius": lambda task: from_centre(task.joints)[0],
+    "wheel_offset": lambda task: from_centre(task.joints)[1],
+    "mecanum_sum": _mecanum,
+}
+_STAND_INS = {
+    "wheel_separation": 0.5,
+    "wheelbase": 0.5,
+    "traction_track": 0.5,
+    "steering_track": 0.5,
+    "wheel_offset": 0.0,
+}
+
+
+def _between(pair: Sequence[JointFacts]) -> Measure:
+    """The distance of a pair whose axes stand upright, across the robot."""
+    if len(pair) < 2 or pair[0].at is None or pair[1].at is None:  # noqa: PLR2004
+        return Measure(None, "")
+    gap = abs(pair[0].at[1] - pair[1].at[1])
+    return Measure(round(gap, 5), "measured between the joints") if gap else Measure(None, "")
+
+
+_OTHERS: Mapping[str, Callable[[Task], Answer | Left]] = {
+    "joints": lambda task: _names(task.joints),
+    "interface": lambda task: Answer(task.interface),
+    "reference": lambda task: Answer(reference(task)),
+    "left": lambda task: _names(task.left),
+    "right": lambda task: _names(task.right),
+    "traction": lambda task: _names(task.traction),
+    "steering": lambda task: _names(task.steering),
+    "one_traction": lambda task: Answer(task.traction[0].name),
+    "one_steering": lambda task: Answer(task.steering[0].name),
+    "front_left": lambda task: Answer(task.left[0].name),
+    "rear_left": lambda task: Answer(task.left[-1].name),
+    "front_right": lambda task: Answer(task.right[0].name),
+    "rear_right": lambda task: Answer(task.right[-1].name),
+    "front_traction": lambda task: _half(task.traction, first=True),
+    "rear_traction": lambda task: _half(task.traction, first=False),
+    "front_steering": lambda task: _half(task.steering, first=True),
+    "rear_steering": lambda task: _half(task.steering, first=False),
+    "base_frame": lambda task: Answer(task.robot.root or "base_link"),
+    "tip": lambda task: Answer(task.options.frame or "tool0", "" if task.options.frame else f"{TODO}: the tool's link"),
+    "sensor": _sensor,
+    "frame": _frame,
+    "true_if_speed": lambda task: Answer(value=True) if _speed(task) else LEFT_OUT,
+    "max_speed": _max_speed(1.0),
+    "min_speed": _max_speed(-1.0),
+}
+NAMES = frozenset({*_OF_JOINT, *_MEASURED, *_OTHERS})
