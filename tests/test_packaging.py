@@ -74,4 +74,4 @@ def test_its_metadata_name_the_command_the_licence_and_little_to_install() -> No
     metadata = Parser().parsestr(wheel()[f"{folder}/METADATA"].decode())
     needed = [line.split(";")[0] for line in metadata.get_all("Requires-Dist", []) if "extra ==" not in line]
     names = {line.split("<")[0].split(">")[0].split("=")[0].strip() for line in needed}
-    assert names == {"xacro", "pyyaml", "typer", "rich", "tomli"}
+    assert names == {"xacro", "pyyaml", "typer", "rich", "jinja2", "tomli"}

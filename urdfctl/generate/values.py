@@ -198,6 +198,8 @@ _OTHERS: Mapping[str, Callable[[Task], Answer | Left]] = {
     "joints": lambda task: _names(task.joints),
     "interface": lambda task: Answer(task.interface),
     "reference": lambda task: Answer(reference(task)),
+    "measured": lambda task: Answer([f"{joint.name}/{task.interface}" for joint in task.joints[:1]]),
+    "filtered": lambda task: Answer([f"{joint.name}/filtered_{task.interface}" for joint in task.joints[:1]]),
     "left": lambda task: _names(task.left),
     "right": lambda task: _names(task.right),
     "traction": lambda task: _names(task.traction),
