@@ -1,0 +1,104 @@
+"""The failure modes that robots' users meet, F1 to F70 of the reference, and the rules that find each of them."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from corpus import SHARED
+
+from urdfctl.rules import all_rules
+
+RULES = {
+    1: "transmission-joint-without-interface",
+    2: "empty-hardware-interface transmission-joint-without-interface",
+    3: "transmission-joint-without-interface",
+    4: "transmission-joint-without-interface",
+    5: "joint-with-two-interfaces-in-gazebo",
+    6: "hardware-interface-without-prefix",
+    7: "hardware-interface-unknown",
+    8: "transmission-joint-unknown transmission-joint-cannot-be-driven moving-link-without-inertial",
+    9: "transmission-type-unknown",
+    10: "transmission-of-two-joints-in-gazebo",
+    11: "transmission-without-type",
+    12: "actuator-without-mechanical-reduction mechanical-reduction-unusable",
+    13: "transmission-role-invalid",
+    14: "transmission-joints-with-different-interfaces",
+    15: "joint-without-limit limit-incomplete velocity-limit-zero",
+    16: "transmission-name-twice joint-in-two-transmissions actuator-name-twice",
+    17: "controller-type-unknown controller-type-not-in-distro controller-type-of-other-ros",
+    18: "controller-type-missing controllers-of-other-namespace spawner-of-other-namespace",
+    19: "joint-in-another-interface joint-without-transmission",
+    20: "joint-in-another-interface joint-without-transmission",
+    22: "gains-missing",
+    23: "joint-for-joints parameter-missing parameter-of-wrong-type parameter-refused",
+    24: "controller-joint-unknown",
+    25: "parameter-missing",
+    26: "parameter-missing parameters-not-fitting wheel-radius-not-in-robot",
+    28: "controllers-in-conflict",
+    29: "controller-type-missing",
+    30: "controller-type-unknown controller-type-not-in-distro controller-type-of-other-ros",
+    32: "parameter-missing parameter-refused",
+    33: "parameters-not-fitting",
+    34: "parameters-not-fitting parameter-refused",
+    35: "section-not-read manager-without-parameters",
+    36: "ros-parameters-missing",
+    37: "controllers-file-missing controllers-path-not-expanded",
+    38: "comment-breaks-parameter",
+    39: "update-rate-missing parameter-of-wrong-type",
+    41: "controller-faster-than-manager",
+    42: "interface-claimed-twice",
+    43: "hardware-plugin-unknown",
+    44: "blanks-around-name",
+    46: "component-joint-unknown",
+    47: "component-joint-fixed",
+    48: "mimic-joint-commanded mimic-as-parameter",
+    49: "mimicked-joint-not-in-component",
+    50: "hardware-without-plugin component-without-type component-type-unknown component-child-unknown",
+    51: "simulator-without-component ros2-control-not-in-root",
+    52: "command-interface-not-exported state-interface-not-exported",
+    53: "part-without-interfaces command-without-state",
+    56: "initial-value-malformed interface-limit-malformed",
+    57: "plugin-filename-misspelt plugin-of-other-ros plugin-class-unknown",
+    58: "plugin-of-other-ros",
+    59: "control-plugin-missing spawner-of-other-namespace",
+    62: "legacy-mode-not-given",
+    63: "moving-link-without-inertial mass-not-positive",
+    64: "root-link-with-inertial",
+    68: "undefined-name unknown-macro xml-not-well-formed package-not-found",
+    69: "control-plugin-twice",
+    70: "velocity-limit-zero",
+}
+LATER = {
+    27: "the launch file tells where robot_description is published",
+    31: "the launch file tells what the spawner is given",
+    45: "the launch file tells that ros2_control_node is started beside the simulator",
+    54: "the launch file and the manager's hardware_components_initial_state tell what is started",
+    60: "the launch file tells how robot_description reaches the manager",
+    61: "the launch file tells whether the simulation starts paused",
+    65: "MoveIt's own files are compared with the controllers'",
+    66: "the launch file tells what is spawned",
+    67: "the launch file tells which executables and options are used",
+}
+NOT_IN_THE_FILES = {
+    21: "harmless: the simulation sets positions itself; explain says so",
+    40: "the simulation's step stands in the world, which no robot names",
+    55: "only gazebo_ros2_control's own variant position_pid, which no robot of the corpus uses",
+}
+
+
+def test_each_failure_mode_is_found_by_a_rule_or_it_is_said_why_not() -> None:
+    assert sorted([*RULES, *LATER, *NOT_IN_THE_FILES]) == list(range(1, 71))
+
+
+@pytest.mark.parametrize("number", RULES)
+def test_the_rules_of_a_failure_mode_exist(number: int) -> None:
+    assert set(RULES[number].split()) <= {rule.name for rule in all_rules()}
+
+
+def test_the_reference_holds_as_many_failure_modes() -> None:
+    reference = SHARED / "reference" / "failure_modes.md"
+    if not reference.exists():
+        pytest.skip("the reference is not beside the checkout")
+    text = reference.read_text(encoding="utf-8")
+    assert [int(number) for number in re.findall(r"(?m)^(\d+)\. ", text)] == list(range(1, 71))
