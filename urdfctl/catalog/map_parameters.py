@@ -47,10 +47,23 @@ def matching(
     for pattern, parameter in parameters.items():
         below = getattr(parameter, "type", None) == "none"
         if "<" in pattern or below:
-            found = _regex(pattern, below).fullmatch(name)
-            if found:
-                return pattern, found[1] if found.re.groups else None
+            found = _found(pattern, name, below=below)
+            if found is not None:
+                return pattern, found or None
     return None
+
+
+def _found(pattern: str, name: str, *, below: bool) -> str | None:
+    """What a name has for the first placeholder of a pattern, empty where that has none; None where it is not of it."""
+    before, placeholder, rest = pattern.partition("<")
+    if not name.startswith(before):
+        return None
+    after = rest.partition(">")[2]
+    if below or "<" in after:
+        found = _regex(pattern, below).fullmatch(name)
+        return None if found is None else found[1] if placeholder else ""
+    is_of_it = name.endswith(after) and len(name) > len(before) + len(after)
+    return name[len(before) : len(name) - len(after)] if is_of_it else None
 
 
 def prefixes(parameters: Iterable[str]) -> frozenset[str]:

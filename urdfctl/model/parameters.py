@@ -47,10 +47,11 @@ class Parameter(NamedTuple):
 class Parameters:
     """Parameters by their dotted names, in the order of the files; of a name given twice the last one."""
 
-    __slots__ = ("_by_name",)
+    __slots__ = ("_by_name", "_leaves")
 
     def __init__(self, parameters: Iterable[Parameter] = ()) -> None:
         self._by_name: Mapping[str, Parameter] = {parameter.name: parameter for parameter in parameters}
+        self._leaves: tuple[Parameter, ...] | None = None
 
     def __iter__(self) -> Iterator[Parameter]:
         return iter(self._by_name.values())
@@ -73,8 +74,10 @@ class Parameters:
     @property
     def leaves(self) -> tuple[Parameter, ...]:
         """The parameters that are no maps; an empty map counts as one."""
-        parents = {name.rpartition(".")[0] for name in self._by_name}
-        return tuple(p for p in self if p.value.kind is not Kind.MAP or p.name not in parents)
+        if self._leaves is None:
+            parents = {name.rpartition(".")[0] for name in self._by_name}
+            self._leaves = tuple(p for p in self if p.value.kind is not Kind.MAP or p.name not in parents)
+        return self._leaves
 
     def below(self, name: str = "") -> tuple[Parameter, ...]:
         """What stands directly in a map, or at the top: with its whole dotted name."""

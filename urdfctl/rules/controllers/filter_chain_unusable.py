@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 
+from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.distros import ROS2
 from urdfctl.catalog.entries import Parameter as Known
 from urdfctl.catalog.validators import problem
@@ -49,12 +50,12 @@ def filter_chain_unusable(project: Project) -> Iterator[Finding]:
     The filters are `filter1`, `filter2` and so on, without a gap, each with a name, a type and the parameters of that
     type. A chain without `filter1` is empty, and what goes in comes out as it is.
     """
-    catalog = project.catalog
-    yield from in_each_distro(project, lambda reader: _faults(reader, catalog.filters(reader.distro)))
+    yield from in_each_distro(project, lambda reader: _faults(reader, project.catalog))
 
 
-def _faults(reader: Reader, known: Filters) -> Iterator[Finding]:
+def _faults(reader: Reader, catalog: Catalog) -> Iterator[Finding]:
     found = list(chains(reader))
+    known = catalog.filters(reader.distro) if found else {}
     yield from _unfiltered(reader, found)
     for chain in found:
         filters = list(chain.filters())

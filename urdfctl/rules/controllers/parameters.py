@@ -16,7 +16,7 @@ from urdfctl.model.controllers import Controller
 from urdfctl.model.parameters import Kind
 from urdfctl.model.parameters import Parameter as Given
 from urdfctl.rule import Project
-from urdfctl.rules.controllers.readers import Reader, readers_of
+from urdfctl.rules.controllers.readers import Reader, once_per_reader, readers_of
 from urdfctl.suggest import nearest
 
 OF_EVERY_NODE = ("qos_overrides", "start_type_description_service", "diagnostic_updater", "enable_logger_service")
@@ -38,7 +38,13 @@ class Missing(NamedTuple):
 
 def known_as(reader: Reader, name: str) -> tuple[str, str | None] | None:
     """The parameter that a node reads under a full name, and the element that it is for."""
-    return matching(name, reader.known)
+    given = _known_as(reader)
+    return given[name] if name in given else matching(name, reader.known)
+
+
+@once_per_reader
+def _known_as(reader: Reader) -> dict[str, tuple[str, str | None] | None]:
+    return {parameter.name: matching(parameter.name, reader.known) for parameter in reader.located}
 
 
 def is_ros1(reader: Reader) -> bool:
@@ -46,18 +52,19 @@ def is_ros1(reader: Reader) -> bool:
     return generation(reader.distro) == 1
 
 
-def unread(reader: Reader) -> Iterator[Given]:
+@once_per_reader
+def unread(reader: Reader) -> list[Given]:
     """What is given to a node alone, and it does not read; of a map that it knows nothing of, the map."""
     starts = _starts(reader)
-    told: set[str] = set()
+    told: dict[str, Given] = {}
     for leaf in reader.own.leaves:
         top = _unknown_part(leaf.name, starts)
         if top in told or _is_foreign(reader, leaf.name) or known_as(reader, leaf.name):
             continue
         found = reader.own.get(top)
         if found is not None:
-            told.add(top)
-            yield found
+            told[top] = found
+    return list(told.values())
 
 
 def _is_foreign(reader: Reader, name: str) -> bool:
@@ -70,6 +77,7 @@ def _is_foreign(reader: Reader, name: str) -> bool:
     return reader.type is not None and first in reader.type.ignored
 
 
+@once_per_reader
 def _starts(reader: Reader) -> dict[str, FormerParameter]:
     """What stands before the dots in the names that a node reads, or that others read, as something to be matched."""
     names = prefixes((*reader.known, *reader.former))
@@ -94,15 +102,16 @@ def _of_last(names: frozenset[str]) -> dict[str, list[str]]:
     return by_last
 
 
+@once_per_reader
 def slips(reader: Reader) -> dict[str, str]:
     """Of the unread parameters those that surely mean one that is read, and which: both by their full names."""
+    found: dict[str, str] = {}
+    if not unread(reader):
+        return found
     candidates = frozenset(
-        name
-        for name in (*expected(reader.known, reader.given), *_starts(reader))
-        if "<" not in name and name not in reader.own
+        name for name in (*_expected(reader), *_starts(reader)) if "<" not in name and name not in reader.own
     )
-    found = {}
-    for parameter in list(unread(reader))[:_MOST_COMPARED]:
+    for parameter in unread(reader)[:_MOST_COMPARED]:
         meant = nearest(parameter.name, candidates) or _misplaced(parameter, candidates)
         if meant is not None and matching(parameter.name, reader.former) is None:
             found[parameter.name] = meant
@@ -119,7 +128,7 @@ def namesakes(reader: Reader, parameter: Given) -> list[str]:
     """The parameters that are called so within maps, where there are several: `linear.x.max_velocity` and its like."""
     if parameter.value.kind is Kind.MAP or "." in parameter.name:
         return []
-    return [name for name in expected(reader.known, reader.given) if name.endswith(f".{parameter.name}")]
+    return [name for name in _expected(reader) if name.endswith(f".{parameter.name}")]
 
 
 def of_other_ros(project: Project, reader: Reader, name: str) -> int | None:
@@ -133,6 +142,13 @@ def of_other_ros(project: Project, reader: Reader, name: str) -> int | None:
     return generation(distro) if known else None
 
 
+@once_per_reader
+def _expected(reader: Reader) -> dict[str, Parameter]:
+    """The parameters by the full names that they have with the values that are given."""
+    return expected(reader.known, reader.given)
+
+
+@once_per_reader
 def missing(reader: Reader) -> list[Missing]:
     """What a node needs and is not given, but for the gains of ROS 1's PID controllers, which have rules of their own."""
     found = {name: Missing(name, refused=True) for name, parameter in _needed(reader) if not _is_given(reader, name)}
@@ -147,7 +163,7 @@ def missing(reader: Reader) -> list[Missing]:
 
 
 def _needed(reader: Reader) -> Iterator[tuple[str, Parameter]]:
-    for name, parameter in expected(reader.known, reader.given).items():
+    for name, parameter in _expected(reader).items():
         gain = is_ros1(reader) and name.rpartition(".")[2] == "p"
         if parameter.needed and not gain:
             yield name, parameter
