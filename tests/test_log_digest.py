@@ -124,6 +124,11 @@ def test_a_message_that_is_wrapped_is_known(lines: str) -> None:
         assert known.values == ({"controller": "arm", "type": "x/Y"},)
 
 
+def test_the_quotes_of_web_pages_are_those_of_the_message() -> None:
+    known = only(pasted("This robot has a joint named “elbow” which is not in the gazebo model."))
+    assert known.values == ({"joint": "elbow"},)
+
+
 def test_a_line_behind_a_cut_message_is_read_for_itself() -> None:
     found = log(f"[ERROR] [1.0]: Could not load controller 'arm' because contr\n[ERROR] [1.0]: {NO_INTERFACE}\n")
     assert {known.line for known in found.known} >= {2}

@@ -15,7 +15,9 @@ _MOST_NAMES = 100
 _MOST_UNKNOWN = 100
 _MOST_LOOKS = 400
 _MOST_WRAPPED = 6
+_MOST_PREFIXES = 12
 _SURE = 3
+_STRAIGHT = str.maketrans("‘’“”", "''\"\"")  # noqa: RUF001 (web pages make them of straight ones)
 _LEVELS = r"ERROR|Error|error|Err|FATAL|Fatal|critical|WARN|WARNING|Warning|warning|Wrn"
 _SUSPICIOUS = re.compile(rf"\[\s*(?:{_LEVELS})\s*\]|\b(?:{_LEVELS})\b\s*:|\b[Ee]xception\b|what\(\):")
 _CALM = re.compile(r"\[\s*(?:INFO|DEBUG|Msg|Dbg|info|debug)\s*\]")
@@ -92,6 +94,8 @@ class _Reader:
     def read(self, line: str) -> None:
         """Take the next line."""
         self._number += 1
+        if self._pasted and not line.isascii():
+            line = line.translate(_STRAIGHT)
         hits = self._index.hits(line)
         wrapped, self._wrapped = self._wrapped, None
         if wrapped and not hits and self._goes_on(wrapped, line):
@@ -174,8 +178,11 @@ def _is_suspicious(line: str) -> bool:
 
 
 def plain(line: str) -> str:
-    """A line without what is put before the message: times, levels, names of nodes and files; with straight quotes."""
-    text = single_blanks(line)
-    while (found := _PREFIX.match(text)) is not None and found.end():
-        text = text[found.end() :]
-    return text
+    """A line without what is put before the message: times, levels, names of nodes and files."""
+    text, at = single_blanks(line), 0
+    for _ in range(_MOST_PREFIXES):
+        found = _PREFIX.match(text, at)
+        if found is None:
+            break
+        at = found.end()
+    return text[at:]
