@@ -102,8 +102,9 @@ def test_a_sensor_that_is_misspelt_is_found_by_its_name(bench: Bench) -> None:
     )
     part = component('<sensor name="imu_sensor"><state_interface name="yaw"/></sensor>')
     [said] = bench.says(part, imu)
-    assert said.startswith("error UC451 no hardware offers anything of 'imu_sensr'")
+    assert said.startswith("warning UC451 no hardware offers anything of 'imu_sensr'")
     assert said.endswith("did you mean 'imu_sensor'?")
+    assert bench.codes(part, imu, started=("imu",)) == ["error UC451"]
 
 
 def test_of_a_driver_it_is_not_sure(bench: Bench) -> None:

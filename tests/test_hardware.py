@@ -115,3 +115,8 @@ def test_of_several_interfaces_the_simulation_takes_the_first_and_needs_no_prefi
 def test_names_are_read_without_blanks_around_them() -> None:
     tag = component(joint(" elbow ", STATES.replace('"position"', '" position"')))
     assert offered(hardware(tag))[1] == ["elbow/position", "elbow/velocity"]
+
+
+def test_gazebo_classic_offers_position_for_its_own_pid() -> None:
+    tag = component(joint("elbow", '<command_interface name="position_pid"/>'), "gazebo_ros2_control/GazeboSystem")
+    assert offered(hardware(tag, "humble"))[0] == ["elbow/position"]

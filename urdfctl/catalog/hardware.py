@@ -18,7 +18,7 @@ class HardwareType(NamedTuple):
     `simulator` is what it simulates with: a simulator's name, `mock`, `topic` or `replay`; None is real hardware.
     `host` is the id of the simulator plugin that loads it. Interfaces of None are any, or not known.
     `sensor_interfaces` are by kind of sensor. `states_commanded`: a parameter that is true adds a command interface to
-    each state interface of a kind of part.
+    each state interface of a kind of part. Commands of some names are `offered_as` others.
     """
 
     type: str
@@ -35,6 +35,7 @@ class HardwareType(NamedTuple):
     deprecated: bool = False
     replacement: Replacement | None = None
     states_commanded: Mapping[str, str] = MappingProxyType({})
+    offered_as: Mapping[str, str] = MappingProxyType({})
 
 
 class PluginChild(NamedTuple):
@@ -120,6 +121,7 @@ def hardware_type(own: Plain, distro: str) -> HardwareType:
         _holds(own.get("deprecated"), distro),
         replacement_of(own),
         {name: kind for name, kind in own.get("states_commanded", {}).items() if name in (parameters or ())},
+        own.get("offered_as", {}),
     )
 
 

@@ -59,9 +59,14 @@ def _commands(control: Ros2Control, plugin: HardwareType | None) -> Iterator[Off
     added = _commanded_states(control, plugin)
     for part in control.parts:
         if control.type != "sensor" and part.kind != "sensor":
-            yield from _offers(control, part, part.commands)
+            yield from _renamed(_offers(control, part, part.commands), plugin)
         if part.kind in added:
             yield from _offers(control, part, part.states)
+
+
+def _renamed(offers: Iterator[Offer], plugin: HardwareType | None) -> Iterator[Offer]:
+    names = plugin.offered_as if plugin is not None else {}
+    return (offer._replace(interface=names.get(offer.interface, offer.interface)) for offer in offers)
 
 
 def _commanded_states(control: Ros2Control, plugin: HardwareType | None) -> set[str]:

@@ -77,13 +77,22 @@ def place_of(one: Configured, claim: Claim, *, of_interface: bool = False) -> Pl
     return value.at
 
 
-def severity_of(session: Session, one: Configured, absences: Iterable[Absence]) -> Severity:
-    """An error where an interface is surely missing. A controller that nobody is known to start may be one of several
-    that a file offers for the choice: where another one can have its joints, its faults are no more than worth knowing."""
-    if session.started is None and _has_alternative(session, one):
+def severity_of(session: Session, one: Configured, missing: Iterable[Missing]) -> Severity:
+    """An error where an interface is surely missing.
+
+    A controller that nobody is known to start may be one of several that a file offers for the choice: where another
+    one can have its joints, its faults are no more than worth knowing. Or it is for another variant of the robot, one
+    that has a sensor more.
+    """
+    missing = list(missing)
+    known_to_start = session.started is not None
+    if not known_to_start and _has_alternative(session, one):
         return Severity.INFO
-    sure = all(absence is Absence.SURE for absence in absences)
-    return Severity.ERROR if sure and one.type is not None and not one.type.external else Severity.WARNING
+    sure = all(each.absence is Absence.SURE for each in missing)
+    hardware = session.hardware
+    there = all(hardware.has(each.claim.component) or each.claim.component in hardware.joints for each in missing)
+    external = one.type is None or one.type.external
+    return Severity.ERROR if sure and not external and (there or known_to_start) else Severity.WARNING
 
 
 def _has_alternative(session: Session, one: Configured) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from urdfctl.control.hardware import Absence, Kind
+from urdfctl.control.hardware import Kind
 from urdfctl.control.hardware_ros1 import PREFIX
 from urdfctl.control.session import Configured, Missing, Session
 from urdfctl.rule import Project, Severity
@@ -18,7 +18,7 @@ def mended_severity(project: Project, session: Session, one: Configured) -> Seve
     gazebo = in_gazebo(project)
     if gazebo is None:
         return None
-    return min(gazebo, severity_of(session, one, [Absence.SURE]), key=lambda severity: severity.weight)
+    return min(gazebo, severity_of(session, one, ()), key=lambda severity: severity.weight)
 
 
 def unregistered(session: Session, one: Configured) -> Iterable[Missing]:

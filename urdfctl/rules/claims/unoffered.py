@@ -39,7 +39,7 @@ def _finding(session: Session, one: Configured, kind: Kind, missing: list[Missin
     at = place_of(one, claims[0], of_interface=len(claims) > 1)
     if at is not None:
         notes = tuple(_notes(session, one, kind, claims, at))
-        severity = severity_of(session, one, [each.absence for each in missing])
+        severity = severity_of(session, one, missing)
         yield Finding(at, _message(session, one, kind, claims), notes, severity=severity)
 
 
