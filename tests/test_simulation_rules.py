@@ -150,9 +150,20 @@ def test_a_file_that_is_spelt_nearly_right_is_told(robot: Robot, written: str, m
     assert f"did you mean '{meant}'?" in robot.only("UC503", plugin(filename=written)).message
 
 
+def test_a_slip_in_the_name_of_what_moves_the_robot_is_an_error(robot: Robot) -> None:
+    assert robot.only("UC503", plugin(filename="libgazebo_ros_contol.so")).severity.value == "error"
+    assert robot.only("UC503", plugin(filename="libgazebo_ros_camra.so")).severity.value == "warning"
+
+
 @pytest.mark.parametrize(
     "filename",
-    ["libmy_gazebo_ros_control.so", "libbaxter_gazebo_ros_control.so", "/opt/lib/libgazebo_ros_contol.so", "dummyfile"],
+    [
+        "libgazebo_ros_camera2.so",
+        "libmy_gazebo_ros_control.so",
+        "libbaxter_gazebo_ros_control.so",
+        "/opt/lib/libgazebo_ros_contol.so",
+        "dummyfile",
+    ],
 )
 def test_a_library_of_ones_own_is_not_judged(robot: Robot, filename: str) -> None:
     assert robot.says(plugin("<anything>1</anything>", filename)) == []
@@ -162,6 +173,15 @@ def test_a_class_of_gz_is_not_free_and_one_of_classic_is(robot: Robot) -> None:
     free = GZ.replace("gz_ros2_control::GazeboSimROS2ControlPlugin", "control")
     assert "error UC505" in robot.says(component(IN_GZ) + free)
     assert robot.says(component(IN_CLASSIC) + CLASSIC.replace('name="gazebo_ros2_control"', 'name="any"')) == []
+
+
+def test_a_class_of_gz_may_bear_the_version_of_its_library(robot: Robot) -> None:
+    part = plugin("", "gz-sim-joint-state-publisher-system", "gz::sim::v8::systems::JointStatePublisher")
+    assert robot.says(part, distro="jazzy") == []
+
+
+def test_a_leftover_of_ros_1_beside_the_plugin_of_ros_2_is_a_warning(robot: Robot) -> None:
+    assert robot.only("UC504", component(IN_CLASSIC) + CLASSIC + plugin(), distro="foxy").severity.value == "warning"
 
 
 def test_the_libraries_of_gz_are_known_with_and_without_lib(robot: Robot) -> None:
@@ -269,6 +289,11 @@ def test_a_fixed_joint_is_merged_away_unless_it_is_kept(robot: Robot) -> None:
     assert robot.says(part, distro="noetic") == ["info UC515"]
     kept = '<gazebo reference="mount"><preserveFixedJoint>true</preserveFixedJoint></gazebo>'
     assert robot.says(part + kept, distro="noetic") == []
+
+
+def test_a_part_of_a_robot_is_not_blamed_for_joints_that_stand_elsewhere(robot: Robot) -> None:
+    part = f'<robot xmlns:xacro="http://www.ros.org/wiki/xacro">{drive(right="wheel")}</robot>'
+    assert "error UC515" not in robot.says(part, name="drive.xacro")
 
 
 def test_one_setting_may_list_several_joints(robot: Robot) -> None:

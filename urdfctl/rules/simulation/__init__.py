@@ -31,6 +31,7 @@ from urdfctl.rules.simulation.plugin_without_filename import plugin_without_file
 from urdfctl.rules.simulation.plugin_without_name import plugin_without_name
 from urdfctl.rules.simulation.robot_sim_type_unknown import robot_sim_type_unknown
 from urdfctl.rules.simulation.spawner_of_other_namespace import spawner_of_other_namespace
+from urdfctl.rules.simulation.wheel_pairs_miscounted import wheel_pairs_miscounted
 
 RULES: tuple[Rule, ...] = (
     plugin_without_filename,
@@ -61,4 +62,5 @@ RULES: tuple[Rule, ...] = (
     robot_sim_type_unknown,
     legacy_mode_not_given,
     control_period_not_positive,
+    wheel_pairs_miscounted,
 )

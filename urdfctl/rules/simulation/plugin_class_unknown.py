@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
@@ -48,12 +49,12 @@ def plugin_class_unknown(project: Project) -> Iterator[Finding]:
     Otherwise the plugin is not loaded, and of ros2_control nothing runs.
     """
     for one in loaded(project):
-        name = (one.plugin.name or "").strip()
+        name = re.sub(r"::v[0-9]+::", "::", (one.plugin.name or "").strip())
         names = {each: None for known in one.known for each in (*known.names, *known.old_names)}
         if not name or not names or name in names or not is_known(name):
             continue
         right = next(iter(names))
         at = one.plugin.at["name"]
-        message = f"'{name}' is no class in the library '{one.filename}'; its name must be '{right}'"
+        message = f"'{one.plugin.name}' is no class in the library '{one.filename}'; its name must be '{right}'"
         fix = replaced(at, one.plugin.name or "", right, safe=len(names) == 1)
         yield Finding(at, message, fix=fix)

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.catalog.hardware import library_of
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, replaced
 from urdfctl.rules.simulation.common import Loaded, folded, loaded
-from urdfctl.rules.simulation.facts import LIBRARIES
+from urdfctl.rules.simulation.facts import DRIVES, LIBRARIES
 from urdfctl.suggest import is_slip
 
 
@@ -47,10 +48,17 @@ def plugin_filename_misspelt(project: Project) -> Iterator[Finding]:
         meant = _meant(one, known)
         if meant:
             at = one.plugin.at["filename"]
-            severity = Severity.ERROR if one.hosts_control or one.drives else None
+            vital = library_of(meant) in DRIVES or _hosts_control(project, meant)
+            severity = Severity.ERROR if vital else None
             message = f"no plugin has the file '{one.filename}'; did you mean '{meant}'?"
             fix = replaced(at, one.plugin.filename or "", meant)
             yield Finding(at, message, fix=fix, severity=severity)
+
+
+def _hosts_control(project: Project, filename: str) -> bool:
+    distros = project.catalog.distros_of_library(filename)
+    plugin = project.catalog.simulator_plugin(filename, distros[-1]) if distros else None
+    return plugin is not None and plugin.hosts_control
 
 
 def _meant(one: Loaded, known: dict[str, str]) -> str | None:
@@ -58,6 +66,8 @@ def _meant(one: Loaded, known: dict[str, str]) -> str | None:
         whole = known[one.library].endswith(".so") and one.simulator == "gazebo-classic"
         return known[one.library] if whole and one.filename != known[one.library] else None
     if one.any is not None:
+        return None
+    if one.library.rstrip("0123456789") in known:
         return None
     same = {folded(library): name for library, name in known.items()}.get(folded(one.library))
     return same or next((name for library, name in known.items() if is_slip(one.library, library)), None)

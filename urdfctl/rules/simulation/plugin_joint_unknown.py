@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.common import Names, is_known, replaced, robot_in
+from urdfctl.rules.common import Names, is_known, replaced, whole_robot_in
 from urdfctl.rules.simulation.common import default_joints, loaded, named_joints
 
 
@@ -47,7 +47,7 @@ def plugin_joint_unknown(project: Project) -> Iterator[Finding]:
     A drive without its joint does not work; in ROS 1 Gazebo ends. Joints of type fixed are gone in Gazebo, which makes
     one link of two.
     """
-    robot = robot_in(project)
+    robot = whole_robot_in(project)
     if robot is None:
         return
     names = Names(joint.name for joint in robot.joints)

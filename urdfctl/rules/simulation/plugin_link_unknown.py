@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import Names, is_known, replaced, robot_in
+from urdfctl.rules.common import Names, is_known, replaced, whole_robot_in
 from urdfctl.rules.simulation.common import loaded
 
 
@@ -42,7 +42,7 @@ def plugin_link_unknown(project: Project) -> Iterator[Finding]:
 
     It does not start. The frame that a drive's odometry is told for may be any, and is not judged.
     """
-    robot = robot_in(project)
+    robot = whole_robot_in(project)
     if robot is None:
         return
     names = Names(link.name for link in robot.links)

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ROS1, in_words, since
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import replaced
-from urdfctl.rules.simulation.common import ROS_2, Loaded, loaded, of_sensors
+from urdfctl.rules.simulation.common import ROS_2, Loaded, control_plugins, loaded, of_sensors
 from urdfctl.rules.simulation.facts import IN_PLACE, LIBRARIES
 
 
@@ -51,7 +51,7 @@ def plugin_of_other_ros(project: Project) -> Iterator[Finding]:
         at = one.plugin.at["filename"]
         right = _in_place(project, one)
         vital = one.hosts_control or one.moves_joints
-        sure = vital and not (one.any and one.any.external)
+        sure = vital and not (one.any and one.any.external) and not any(host.known for host in control_plugins(project))
         severity = Severity.ERROR if sure else Severity.WARNING
         message = f"'{one.filename}' is not in {in_words(project.distros)}, but in {where}"
         fix = replaced(at, one.plugin.filename or "", right) if right else None

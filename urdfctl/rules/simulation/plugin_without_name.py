@@ -11,31 +11,30 @@ from urdfctl.rules.simulation.common import loaded
 @rule(
     "UC502",
     severity=Severity.ERROR,
-    authority="gz-sim src/SystemLoader.cc: 'Failed to instantiate system plugin: empty argument'; sdformat: 'Required "
-    "attribute[name] in element[plugin] is not specified in SDF.'",
+    authority="sdformat src/Element.cc, up to version 1.9 of the format: 'Required attribute[name] in element[plugin] is not "
+    "specified in SDF.'",
     bad={
         "robot.urdf": """
             <gazebo>
-              «<plugin filename="gz-sim-joint-state-publisher-system"/>»
+              «<plugin filename="libgazebo_ros_control.so"/>»
             </gazebo>
         """,
     },
     good={
         "robot.urdf": """
             <gazebo>
-              <plugin filename="gz-sim-joint-state-publisher-system" name="gz::sim::systems::JointStatePublisher"/>
+              <plugin filename="libgazebo_ros_control.so" name="gazebo_ros_control"/>
             </gazebo>
         """,
     },
 )
 def plugin_without_name(project: Project) -> Iterator[Finding]:
-    """A plugin of Gazebo has no name.
+    """A plugin of Gazebo Classic has no name.
 
-    In gz the name tells which class of the library is meant. In Gazebo Classic it may be any, but there must be one.
+    It may be any, but there must be one: without it the whole model is refused. gz does without, and takes the only class of the
+    library.
     """
     for one in loaded(project):
-        if not one.filename or (one.plugin.name or "").strip():
-            continue
-        names = one.any.names if one.any else ()
-        fix = Fix(f'write name="{names[0]}"' if names else "give it a name")
-        yield Finding(one.plugin.at, f"the plugin of '{one.filename}' has no name, and is refused", fix=fix)
+        if one.simulator == "gazebo-classic" and not (one.plugin.name or "").strip():
+            fix = Fix(f'write name="{one.library}"')
+            yield Finding(one.plugin.at, f"the plugin of '{one.filename}' has no name, and is refused", fix=fix)
