@@ -52,6 +52,7 @@ def spawned(args: str) -> list[str]:
         ("$(equals $(var a) arm)", ["true"]),
         ("$(anon n) $(var a", []),
         ("'a'", ["a"]),
+        ("'a b' --controller-ros-args '-r ~/x:=/z' c", ["a b", "c"]),
     ],
 )
 def test_substitutions_give_what_they_give_in_python(args: str, names: list[str]) -> None:

@@ -169,6 +169,18 @@ IDIOMS = {
         """,
         ["jsb", "arm"],
     ),
+    "lists that are changed": (
+        """
+        active, inactive = ['jsb'], ['arm', 'hand']
+        if 'x' == 'x':
+            active.append('arm')
+            inactive.remove('arm')
+        return LaunchDescription([
+            Node(package='controller_manager', executable='spawner', arguments=['-c', '/controller_manager'] + names)
+            for names in (active, inactive)])
+        """,
+        ["jsb", "arm", "hand"],
+    ),
     "words of a sentence": (
         """
         return LaunchDescription([

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 _COMMENT = rb"(?s)<!--.*?(?:-->|\Z)"
 _INCLUDE = rb"(?s)<include\s[^<>]*?file\s*=\s*[\"']([^\"']+)[\"']"
-_NAMED = rb"[\"'/]([\w.-]+[._]launch\.(?:py|xml|ya?ml))[\"']|file:\s*\S*/([\w.-]+\.launch\.\w+)"
+_NAMED = rb"[\"'/]([\w.-]+[._]launch\.(?:py|xml|ya?ml))[\"']|file:[ \t]*\S{0,300}/([\w.-]{1,100}\.launch\.\w{1,5})"
 _RELEVANT = rb"<rosparam\b|[\"']controller_manager[\"']|\bros2 control\b|[\"']control[\"']"
 _DESCRIBING = rb"\brobot_state_publisher\b|\brobot_description\b|pkg:\s*controller_manager"
 _ROS2 = (".py", ".yaml", ".yml")
@@ -31,7 +31,7 @@ def is_launch_file(path: str, text: bytes) -> bool:
     """Whether a file that is found in a folder is a launch file."""
     if path.endswith(".py"):
         return b"def generate_launch_description" in text
-    return bool(re.search(rb"(?m)^launch\s*:", text)) if path.endswith(_ROS2) else b"<launch" in text
+    return bool(re.search(rb"(?m)^launch[ \t]*:", text)) if path.endswith(_ROS2) else b"<launch" in text
 
 
 def launch_roots(texts: Mapping[str, bytes]) -> list[str]:

@@ -2,14 +2,25 @@
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 
 from urdfctl.model.controllers import FileReference
-from urdfctl.model.launch import Description, Launch, ParameterLoad, Spawn, joined
+from urdfctl.model.launch import (
+    Description,
+    Launch,
+    Node,
+    Option,
+    ParameterLoad,
+    Reference,
+    Simulation,
+    Spawn,
+    Word,
+    joined,
+)
 from urdfctl.model.substitutions import Substitutions
+from urdfctl.model.xacro_command import of_command
 from urdfctl.source.dom import Document, Element
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
@@ -19,7 +30,6 @@ _MOST_INCLUDES = 200
 _SIMULATOR_ALONE = ("gazebo_ros", "gazebo_worlds")
 """Packages whose launch files start a simulator, and no controllers."""
 _OPTIONS_WITH_VALUE = ("--namespace", "--timeout", "--wait-for", "--shutdown-timeout")
-_XACRO = ("xacro", "xacro.py")
 _SPAWNING = {"spawn": True, "load": False, "start": True}
 
 
@@ -35,7 +45,8 @@ class Sources(NamedTuple):
 
 
 class _Scope(NamedTuple):
-    """What holds for the elements of a launch, group or include: their namespace (UNKNOWN where it is not known)."""
+    """What holds for the elements of a launch, group or include: their namespace (UNKNOWN where it is not known); not
+    `held` where they would be come to only with other arguments."""
 
     file: str
     namespace: str
@@ -43,6 +54,7 @@ class _Scope(NamedTuple):
     sure: bool
     depth: int = 0
     in_node: bool = False
+    held: bool = True
 
     def joined(self, namespace: str) -> str:
         return joined(self.namespace, namespace)
@@ -57,7 +69,17 @@ def launch_of(path: str, arguments: Mapping[str, str], sources: Sources) -> Laun
     builder = _Builder(sources)
     builder.walk(root, _Scope(path, "", dict(arguments), sure=True))
     return Launch(
-        path, 1, tuple(builder.descriptions), tuple(builder.loads), tuple(builder.spawns), complete=builder.complete
+        path,
+        1,
+        tuple(builder.descriptions),
+        tuple(builder.loads),
+        tuple(builder.spawns),
+        complete=builder.complete,
+        elsewhere=tuple(builder.elsewhere),
+        nodes=tuple(builder.nodes),
+        simulations=tuple(builder.simulations),
+        references=tuple(builder.references),
+        packages=tuple(builder.packages),
     )
 
 
@@ -85,6 +107,11 @@ class _Builder:
         self.descriptions: list[Description] = []
         self.loads: list[ParameterLoad] = []
         self.spawns: list[Spawn] = []
+        self.elsewhere: list[Spawn] = []
+        self.nodes: list[Node] = []
+        self.simulations: list[Simulation] = []
+        self.references: list[Reference] = []
+        self.packages: list[Word] = []
         self.complete = True
         self._includes = 0
 
@@ -92,9 +119,8 @@ class _Builder:
         for element in parent.elements():
             texts = self._texts(scope)
             held = self._held(element, texts)
-            if held is False:
-                continue
-            inner = scope._replace(sure=scope.sure and held is True)
+            inner = scope._replace(sure=scope.sure and held is True, held=scope.held and held is not False)
+            self._packages(element)
             namespace = texts.resolve(element.attrs.get("ns", "")).strip()
             if element.tagName == "arg":
                 self._argument(element, inner, texts)
@@ -105,10 +131,15 @@ class _Builder:
                 self._include(element, inner._replace(namespace=inner.joined(namespace)), texts)
             elif element.tagName == "node":
                 self._node(element, inner._replace(namespace=inner.joined(namespace)), texts)
-            elif element.tagName == "param":
+            elif element.tagName == "param" and inner.held:
                 self._param(element, inner, texts)
-            elif element.tagName == "rosparam":
+            elif element.tagName == "rosparam" and inner.held:
                 self._rosparam(element, inner, texts)
+
+    def _packages(self, element: Element) -> None:
+        for name, value in element.attrs.items():
+            for package in re.findall(r"\$\(find\s+([^\s()$]+)\s*\)", value):
+                self.packages.append(Word(package, element.at[name]))
 
     def _texts(self, scope: _Scope) -> Substitutions:
         return Substitutions(scope.file, scope.arguments, self.sources.find, self.sources.environ)
@@ -138,6 +169,7 @@ class _Builder:
         written = element.attrs.get("file", "")
         path = texts.resolve(written)
         if any(f"$(find {package})" in written for package in _SIMULATOR_ALONE):
+            self._simulation(element, scope, texts)
             return
         self._includes += 1
         arguments = dict(scope.arguments) if element.attrs.get("pass_all_args", "").lower() in ("true", "1") else {}
@@ -149,11 +181,21 @@ class _Builder:
         document = None
         if UNKNOWN not in path and scope.depth < _MOST_DEPTH and self._includes <= _MOST_INCLUDES:
             document = self.sources.read(path)
+        if scope.held:
+            self._reference(written, element.at["file"], _known(path), "include", sure=scope.sure)
         if document is None or document.documentElement is None:
-            self.complete = False
+            self.complete = self.complete and not scope.held
             return
-        inner = _Scope(path, scope.namespace, arguments, scope.sure, scope.depth + 1)
+        inner = _Scope(path, scope.namespace, arguments, scope.sure, scope.depth + 1, held=scope.held)
         self.walk(document.documentElement, inner)
+
+    def _simulation(self, element: Element, scope: _Scope, texts: Substitutions) -> None:
+        if not scope.held or "world" not in element.attrs.get("file", ""):
+            return
+        given = [c for c in element.elements() if c.tagName == "arg" and c.attrs.get("name") == "paused"]
+        paused = texts.truth(given[-1].attrs.get("value", "")) if given else False
+        at = given[-1].at if given else element.at
+        self.simulations.append(Simulation("gazebo-classic", at, paused, scope.sure))
 
     def _param(self, element: Element, scope: _Scope, texts: Substitutions) -> None:
         name = joined(scope.namespace, texts.resolve(element.attrs.get("name", "")))
@@ -164,13 +206,13 @@ class _Builder:
         source = "command" if "command" in element.attrs else "textfile"
         written = re.sub(r"\$\(find xacro\)", "xacro", element.attrs.get(source, ""))
         if source == "command":
-            path, arguments = _of_command(texts.resolve(written))
+            path, arguments = of_command(texts.resolve(written))
         elif written:
             path = _known(texts.resolve(written))
-        reference = self._reference(written, element.at[source], path)
-        self.descriptions.append(
-            Description(reference, arguments, _known(name.rpartition("/")[0]), element.at, scope.sure)
-        )
+        reference = self._reference(written, element.at[source], path, "description", sure=scope.sure)
+        names = tuple(Word(one, element.at[source]) for one in re.findall(r"(\w+):=", written))
+        namespace = _known(name.rpartition("/")[0])
+        self.descriptions.append(Description(reference, arguments, namespace, element.at, scope.sure, names, written))
 
     def _rosparam(self, element: Element, scope: _Scope, texts: Substitutions) -> None:
         if "file" not in element.attrs or element.attrs.get("command", "load") != "load":
@@ -180,21 +222,26 @@ class _Builder:
         self._load(element.attrs["file"], element.at["file"], namespace, scope, texts)
 
     def _load(self, written: str, at: Place, namespace: str, scope: _Scope, texts: Substitutions) -> None:
-        reference = self._reference(written, at, _known(texts.resolve(written)))
+        reference = self._reference(written, at, _known(texts.resolve(written)), "parameters", sure=scope.sure)
         self.loads.append(ParameterLoad(reference, _known(namespace), at, scope.sure, scope.in_node))
 
-    def _reference(self, written: str, at: Place, path: str | None) -> FileReference:
+    def _reference(self, written: str, at: Place, path: str | None, use: str, *, sure: bool) -> FileReference:
         located, exists = self.sources.locate(path) if path else (None, None)
-        return FileReference(written, at, located, exists)
+        reference = FileReference(written, at, located, exists)
+        if located is not None:
+            self.references.append(Reference(reference, use, None, sure))
+        return reference
 
     def _node(self, element: Element, scope: _Scope, texts: Substitutions) -> None:
         name = texts.resolve(element.attrs.get("name", ""))
         inside = scope._replace(namespace=scope.joined(name), arguments={**scope.arguments}, in_node=True)
         self.walk(element, inside)
         kind = element.attrs.get("type", "")
+        words = texts.resolve(element.attrs.get("args", "")).split()
+        if scope.held:
+            self._started(element, name, words, scope)
         if element.attrs.get("pkg") != "controller_manager" or kind not in ("spawner", "controller_manager"):
             return
-        words = texts.resolve(element.attrs.get("args", "")).split()
         active = True
         if kind == "controller_manager":
             if not words or words[0] not in _SPAWNING:
@@ -202,8 +249,17 @@ class _Builder:
             active = _SPAWNING[words.pop(0)]
         self._spawn(element, words, scope, texts, active=active)
 
+    def _started(self, element: Element, name: str, words: list[str], scope: _Scope) -> None:
+        package = Word(element.attrs.get("pkg", ""), element.at["pkg"])
+        program = Word(element.attrs.get("type", ""), element.at["type"])
+        at = element.at["args"]
+        given = tuple(Word(word, at.word(word)) for word in words)
+        namespace = _known(scope.namespace)
+        self.nodes.append(Node(package, program, _known(name), namespace, element.at, given, sure=scope.sure))
+
     def _spawn(self, element: Element, words: list[str], scope: _Scope, texts: Substitutions, *, active: bool) -> None:
         names: list[tuple[str, Place]] = []
+        options: list[Option] = []
         namespace, complete = scope.namespace, True
         at = element.at["args"]
         rest = iter(words)
@@ -212,41 +268,22 @@ class _Builder:
             if option in _OPTIONS_WITH_VALUE:
                 value = value if mark else next(rest, "")
                 namespace = scope.joined(value) if option == "--namespace" else namespace
-            elif option == "--stopped":
-                active = False
+                options.append(Option(option, Word(value, at.word(value)), at.word(word)))
+            elif word.startswith("--"):
+                active = active and option != "--stopped"
+                options.append(Option(option, None, at.word(word)))
             elif UNKNOWN in word:
                 complete = False
             elif word.endswith((".yaml", ".yml")):
-                self._load(word, at, "", scope, texts)
+                if scope.held:
+                    self._load(word, at, "", scope, texts)
                 complete = False
             elif not word.startswith("-"):
-                names.append((word, _place_in(at, word)))
-        self.spawns.append(Spawn(tuple(names), _known(namespace), at, active, scope.sure, complete))
+                names.append((word, at.word(word)))
+        program = Word(element.attrs.get("type", ""), element.at["type"])
+        spawn = Spawn(tuple(names), _known(namespace), at, active, scope.sure, complete, program=program)
+        (self.spawns if scope.held else self.elsewhere).append(spawn._replace(options=tuple(options)))
 
 
 def _known(text: str) -> str | None:
     return None if UNKNOWN in text else text
-
-
-def _place_in(at: Place, word: str) -> Place:
-    """Where a word stands in an attribute's value; the whole value where it is not written there."""
-    found = re.search(rf"(?<!\S){re.escape(word)}(?!\S)", at.span.text)
-    if found is None:
-        return at
-    start = at.start + len(at.span.text[: found.start()].encode())
-    return Place(at.source, start, at.call, end=start + len(word.encode()))
-
-
-def _of_command(command: str) -> tuple[str | None, tuple[tuple[str, str], ...] | None]:
-    """The file that a command prints or expands, and the arguments it gives to xacro."""
-    words = [re.sub(r"^(['\"])(.*)\1$", r"\2", word) for word in re.findall(r"'[^']*'|\"[^\"]*\"|\S+", command)]
-    if words[:2] == ["rosrun", "xacro"]:
-        words = words[2:]
-    if not words or os.path.basename(words[0]) not in (*_XACRO, "cat"):
-        return None, None
-    files = [word for word in words[1:] if ":=" not in word and not word.startswith("-")]
-    pairs = [word.partition(":=") for word in words[1:] if ":=" in word]
-    arguments = tuple((name, value.strip("'\"")) for name, _, value in pairs)
-    unknown = any(UNKNOWN in word for word in words[1:] if word not in files)
-    path = _known(files[0]) if len(files) == 1 else None
-    return path, None if unknown else arguments

@@ -7,12 +7,11 @@ import re
 from collections.abc import Callable, Iterator
 
 from urdfctl.model.launch_texts import Content, Texts, table_of
+from urdfctl.model.xacro_command import of_command
 from urdfctl.source.launch.terms import Called, Items, Member, OneOf, Term, outside
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
 
-XACRO = ("xacro", "xacro.py")
-_WORDS = r"'[^']*'|\"[^\"]*\"|\S+"
 _ARGUMENT = r"(\w+):="
 _TEXTS = frozenset({"toxml", "toprettyxml"})
 _READING = frozenset({"read", "read_text"})
@@ -40,21 +39,6 @@ def content_of(term: Term | None, texts: Texts, exists: Callable[[str], bool]) -
     if term.name in _READING and isinstance(term.of, Called) and term.of.short == "open":
         return Content(_known(texts.of(term.of.given("file", 0))), (), term.at)
     return None
-
-
-def of_command(command: str) -> tuple[str | None, tuple[tuple[str, str], ...] | None]:
-    """The file that a command prints or expands, and the arguments it gives to xacro."""
-    words = [re.sub(r"^(['\"])(.*)\1$", r"\2", word) for word in re.findall(_WORDS, command)]
-    for run in (["rosrun", "xacro"], ["ros2", "run", "xacro"]):
-        words = words[len(run) :] if words[: len(run)] == run else words
-    if not words or os.path.basename(words[0]) not in (*XACRO, "cat"):
-        return None, None
-    files = [word for word in words[1:] if ":=" not in word and not word.startswith("-")]
-    pairs = [word.partition(":=") for word in words[1:] if ":=" in word]
-    arguments = tuple((name, value.strip("'\"")) for name, _, value in pairs)
-    unknown = any(UNKNOWN in word for word in words[1:] if word not in files)
-    path = _known(files[0]) if len(files) == 1 else None
-    return path, None if unknown else arguments
 
 
 def _known(text: str) -> str | None:

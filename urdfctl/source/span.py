@@ -213,3 +213,12 @@ class Place:
             return self
         start = tag.end + len(inside) - len(inside.lstrip())
         return Place(self.source, start, self.call, end=start + len(inside.strip()))
+
+    def word(self, word: str) -> Place:
+        """Where a word, with blanks around it, stands in this place; the whole place where it is not written so."""
+        span = self.span
+        found = re.search(rf"(?<!\S){re.escape(word)}(?!\S)", span.text)
+        if found is None:
+            return self
+        start = span.start + len(span.text[: found.start()].encode())
+        return Place(span.source, start, self.call, end=start + len(word.encode()))

@@ -22,6 +22,7 @@ from urdfctl.source.launch.terms import (
     Perhaps,
     Table,
     Term,
+    is_same,
     known_text,
     one_of,
     outside,
@@ -339,9 +340,22 @@ class Evaluation:
             return Constant(None, at)
         if name == "copy":
             return Items(of.values, at)
-        if name in {"remove", "pop", "clear"}:
+        if name == "remove" and arguments:
+            self._removed(of, arguments[0], frame)
+        elif name in {"pop", "clear"}:
             of.values[:] = [perhaps(value) for value in of.values]
         return Missing(at)
+
+    @staticmethod
+    def _removed(of: Items, item: Term, frame: _Frame) -> None:
+        """Take an item out of a list; where it is not known which, each may be gone."""
+        place = next((index for index, value in enumerate(of.values) if is_same(value, item)), None)
+        if place is None:
+            of.values[:] = [perhaps(value) for value in of.values]
+        elif frame.sure:
+            del of.values[place]
+        else:
+            of.values[place] = perhaps(of.values[place])
 
     def _performed(self, of: Term, at: Place) -> Term:
         context: Context | None = self.run.context

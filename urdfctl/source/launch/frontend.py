@@ -15,7 +15,7 @@ from urdfctl.source.yaml import Scalar, YamlFile
 from urdfctl.source.yaml import Sequence as YamlList
 
 _MOST_DEPTH = 30
-_QUOTED = r"'([^']*)'|\"([^\"]*)\"|(\S+)"
+_QUOTED = r"(?s)^(['\"])(.*)\1$"
 _SUBSTITUTIONS: dict[str, tuple[str, int]] = {
     "var": ("LaunchConfiguration", 2),
     "env": ("EnvironmentVariable", 2),
@@ -199,27 +199,21 @@ _ACTIONS: dict[str, Callable[[Entity], Called]] = {
 
 
 def words_of(text: Constant) -> Term:
-    """The words of an attribute that is a command line, each with its place."""
+    """The words of an attribute that is a command line, each with its place: blanks in quotes do not part them."""
     whole = text.text or ""
     words: list[Term] = []
     start = depth = 0
+    quote = ""
     for index, char in enumerate(f"{whole} "):
         depth += (char == "(" and whole[index - 1 : index] == "$") - (char == ")" and depth > 0)
-        if char.isspace() and not depth:
+        if not depth and char in "'\"" and quote in {"", char}:
+            quote = "" if quote else char
+        if index == len(whole) or (char.isspace() and not depth and not quote):
             if index > start:
-                words.append(substituted(Constant(whole[start:index].strip("'\""), _part(text, whole[start:index]))))
+                word = whole[start:index]
+                words.append(substituted(Constant(re.sub(_QUOTED, r"\2", word), text.at.word(word))))
             start = index + 1
     return Items(words, text.at)
-
-
-def _part(text: Constant, word: str) -> Place:
-    """Where a word of a text stands; the whole text where it is not written so."""
-    span = text.at.span
-    found = re.search(rf"(?<!\S){re.escape(word)}(?!\S)", span.text)
-    if found is None:
-        return text.at
-    start = span.start + len(span.text[: found.start()].encode())
-    return Place(span.source, start, text.at.call, end=start + len(word.encode()))
 
 
 def substituted(text: Constant, depth: int = 0) -> Term:
