@@ -12,6 +12,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple
 
 from urdfctl.rule import Rule
+from urdfctl.source.files import is_launch, is_yaml
 
 _LINK = """\
 <link name="{name}">
@@ -68,8 +69,8 @@ def options_of(rule: Rule) -> tuple[dict[str, Any], tuple[tuple[str, str], ...]]
 def companions(names: Iterable[str]) -> tuple[tuple[str, ...], str | None]:
     """The controllers' files and the launch file among an example's files: what is linted together with the first."""
     _, *rest = names
-    controllers = tuple(name for name in rest if name.endswith((".yaml", ".yml")))
-    return controllers, next((name for name in rest if name.endswith(".launch")), None)
+    launches = [name for name in rest if is_launch(name)]
+    return tuple(name for name in rest if is_yaml(name)), launches[0] if launches else None
 
 
 def unmarked(files: Mapping[str, str]) -> tuple[dict[str, str], list[Mark]]:
