@@ -303,6 +303,8 @@ def test_one_fault_of_a_list_is_told_once(tmp_path: Path) -> None:
         ("shoulder, wrist", None, ["UC440 warning 7"]),
         ("wrist, finger", ("arm",), ["UC440 error 7"]),
         ("wrist, finger", None, ["UC440 info 7"]),
+        ("sholder, elbw", ("arm",), ["UC440 error 7"]),
+        ("sholder, elbw", None, ["UC440 warning 7"]),
         ("shoulder, mount", None, ["UC441 error 7"]),
         ("shoulder, upper", ("arm",), ["UC440 error 7"]),
         ("shoulder, $(var prefix)elbow", ("arm",), []),

@@ -91,6 +91,7 @@ class Names:
         self._names = {name for name in names if name}
         self._stripped = {name.strip(): name for name in self._names}
         self._left = _MOST_COMPARED
+        self._meant: dict[str, str | None] = {}
 
     def __contains__(self, name: str) -> bool:
         return name in self._names
@@ -98,10 +99,10 @@ class Names:
     def meant_by(self, name: str) -> str | None:
         """The name that differs from this one in blanks around it, or is the most like it; None where none is."""
         found = self._stripped.get(name.strip())
-        if found is None and self._left:
+        if found is None and name not in self._meant and self._left:
             self._left -= 1
-            found = nearest(name, self._names)
-        return found
+            self._meant[name] = nearest(name, self._names)
+        return found or self._meant.get(name)
 
 
 def replaced(at: Place, old: str, new: str, *, safe: bool = False, title: str | None = None) -> Fix:

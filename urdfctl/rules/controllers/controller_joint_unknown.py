@@ -9,7 +9,7 @@ from urdfctl.control.names import is_misnamed
 from urdfctl.model.robot import Robot
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import Names, in_words, replaced
-from urdfctl.rules.controllers.joints import hardware_in, links_called, meant_by, named, robot_of, severity_of
+from urdfctl.rules.controllers.joints import Named, hardware_in, links_called, meant_by, named, robot_of, severity_of
 from urdfctl.rules.controllers.readers import Reader, in_each_distro
 
 _ROBOT = """
@@ -62,9 +62,8 @@ def _unknown(reader: Reader, robot: Robot, hardware: Hardware, names: Names, pro
     wrong = [one for one in found if is_misnamed(one.claim, hardware) and one.name not in hardware.fixed]
     others = {one.name for one in found} - {one.name for one in wrong}
     meant = [meant_by(names, one, others) for one in wrong]
-    if len(wrong) > 1 and not others and not any(meant):
-        message = f"none of the joints of controller '{reader.name}' is one of the robot's: {in_words([w.name for w in wrong])}"
-        yield Finding(wrong[0].at, message, severity=severity_of(project, hardware, meant=False, others=False))
+    if len(wrong) > 1 and not others:
+        yield _none(reader, wrong, meant, severity_of(project, hardware, meant=all(meant), others=False))
         return
     for one, right in zip(wrong, meant, strict=True):
         end = f"; did you mean '{right}'?" if right else ", and none of the robot's is like it"
@@ -72,3 +71,12 @@ def _unknown(reader: Reader, robot: Robot, hardware: Hardware, names: Names, pro
         fix = replaced(one.at, one.name, right) if right else None
         severity = severity_of(project, hardware, meant=bool(right), others=bool(others))
         yield Finding(one.at, message, tuple(links_called(robot, one.name)), fix, severity)
+
+
+def _none(reader: Reader, wrong: list[Named], meant: list[str | None], severity: Severity) -> Finding:
+    """One finding for all joints, where the robot has none of them."""
+    names = in_words([one.name for one in wrong])
+    right = [name for name in meant if name]
+    end = f"; did you mean {in_words(right)}?" if len(right) == len(wrong) else ""
+    message = f"none of the joints of controller '{reader.name}' is one of the robot's: {names}{end}"
+    return Finding(wrong[0].at, message, severity=severity)

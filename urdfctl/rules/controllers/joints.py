@@ -90,8 +90,8 @@ def hardware_in(project: Project, robot: Robot) -> dict[str, Hardware]:
 def severity_of(project: Project, hardware: Hardware, *, meant: bool, others: bool) -> Severity:
     """How bad a wrong name of a joint is. Where it is not known which controllers are started, a name that none of the
     robot's is `meant` by may be for another robot, all the more where the `others` in the list are not its either."""
-    if project.started is None and not meant:
-        return Severity.WARNING if others else Severity.INFO
+    if project.started is None and not (meant and others):
+        return Severity.WARNING if meant or others else Severity.INFO
     return Severity.ERROR if hardware.known and not hardware.open else Severity.WARNING
 
 
