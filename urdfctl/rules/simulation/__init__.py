@@ -30,6 +30,7 @@ from urdfctl.rules.simulation.plugin_setting_unknown import plugin_setting_unkno
 from urdfctl.rules.simulation.plugin_without_filename import plugin_without_filename
 from urdfctl.rules.simulation.plugin_without_name import plugin_without_name
 from urdfctl.rules.simulation.robot_sim_type_unknown import robot_sim_type_unknown
+from urdfctl.rules.simulation.sensor_plugin_outside_sensor import sensor_plugin_outside_sensor
 from urdfctl.rules.simulation.spawner_of_other_namespace import spawner_of_other_namespace
 from urdfctl.rules.simulation.wheel_pairs_miscounted import wheel_pairs_miscounted
 
@@ -63,4 +64,5 @@ RULES: tuple[Rule, ...] = (
     legacy_mode_not_given,
     control_period_not_positive,
     wheel_pairs_miscounted,
+    sensor_plugin_outside_sensor,
 )

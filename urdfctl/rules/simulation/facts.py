@@ -20,6 +20,12 @@ def _libraries(words: str) -> frozenset[str]:
 LIBRARIES = {1: _libraries(f"{_BOTH} {_ROS1}"), 2: _libraries(f"{_BOTH} {_ROS2}")}
 """The libraries of gazebo_plugins by the generation of ROS, without `lib` and `.so`."""
 
+OF_SENSORS = _libraries(
+    "block_laser bumper camera depth_camera gpu_laser imu_sensor laser multicamera openni_kinect prosilica range ray_sensor "
+    "triggered_camera triggered_multicamera"
+)
+"""The libraries that are loaded by a sensor alone."""
+
 IN_PLACE = {
     1: {
         "gazebo_ros2_control": "libgazebo_ros_control.so",
