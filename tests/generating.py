@@ -21,7 +21,12 @@ WHEELS = (
     ("rear_left", -0.3, 0.2),
     ("rear_right", -0.3, -0.2),
 )
-STEERED = (("steer_left", 0.3, 0.2), ("steer_right", 0.3, -0.2))
+STEERED = (
+    ("steer_left", 0.3, 0.2),
+    ("steer_right", 0.3, -0.2),
+    ("steer_rear_left", -0.3, 0.2),
+    ("steer_rear_right", -0.3, -0.2),
+)
 JOINTS = (
     *(
         JointFacts(n, "continuous", at=(x, y, 0.0), axis=(0.0, 1.0, 0.0), radius=0.1, velocity=3.0)
@@ -38,7 +43,7 @@ _ROLES = {
     "ackermann": Roles(traction=("rear_left", "rear_right"), steering=("steer_left", "steer_right")),
     "four_wheel": Roles(
         traction=("front_left", "front_right", "rear_left", "rear_right"),
-        steering=("steer_left", "steer_right", "arm", "front_left"),
+        steering=("steer_left", "steer_right", "steer_rear_left", "steer_rear_right"),
     ),
 }
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shlex
 import sys
 from collections.abc import Iterable, Mapping
@@ -19,11 +20,13 @@ from urdfctl.generate.everything import Order, files
 from urdfctl.generate.facts import NO_ROBOT, JointFacts, RobotFacts
 from urdfctl.generate.joint_list import joints_listed
 from urdfctl.generate.options import Options, Roles
+from urdfctl.generate.scalars import xacro_text
 from urdfctl.generate.templates import Templates, template_names
 from urdfctl.measure import facts_from
 from urdfctl.report.common import Report
 from urdfctl.report.text import render
 from urdfctl.settings import Settings
+from urdfctl.source.packages import package_name
 
 _LISTS = (".txt", ".csv", ".yaml", ".yml", ".list")
 _SAID_OTHERWISE = frozenset(
@@ -55,7 +58,7 @@ def run_generate(command: str, given: Mapping[str, Any]) -> int:
         return 1
     options = _options(command, given, settings, robot)
     joints = chosen(robot, listed, given.get("joints") or (), given.get("exclude") or ())
-    if not joints:
+    if not joints and command != "gen-gazebo":
         raise UserError(_no_joints(robot))
     order = Order(joints, options, catalog_with(settings.additions), robot or NO_ROBOT, Templates(given["templates"]))
     writing = Writing(given["output"], given["force"], given["diff"], given["check"], given.get("into"))
@@ -131,13 +134,34 @@ def _options(command: str, given: Mapping[str, Any], settings: Settings, robot: 
         given.get("frame"),
         given.get("broadcaster", True),
         given.get("rate", defaults.rate),
-        given.get("package") or (robot.package if robot else None),
+        _package(command, given, robot),
         given.get("controllers") or defaults.controllers_file,
         robot.package_path if robot else None,
+        _included(given, robot),
         bool(given.get("macro")),
         given.get("form") or defaults.form,
         _said_again(command, given, distro, simulator),
     )
+
+
+def _package(command: str, given: Mapping[str, Any], robot: RobotFacts | None) -> str | None:
+    """The package that the files will be in: of gen-all the one that it writes, else the robot's."""
+    if given.get("package"):
+        return str(given["package"])
+    if command != "gen-all" or given["output"] is None:
+        return robot.package if robot else None
+    manifest = os.path.join(given["output"], "package.xml")
+    folder = os.path.basename(os.path.abspath(given["output"]))
+    return package_name(manifest) or re.sub(r"[^a-z0-9_]+", "_", folder.lower()).strip("_") or "my_robot_control"
+
+
+def _included(given: Mapping[str, Any], robot: RobotFacts | None) -> str:
+    """How a file in the folder `urdf` of what is written includes the robot."""
+    if robot is None or robot.file is None:
+        return "robot.urdf"
+    if robot.package:
+        return f"$(find {robot.package})/{xacro_text(robot.package_path)}"
+    return xacro_text(os.path.relpath(robot.file, os.path.join(given.get("output") or "", "urdf")).replace(os.sep, "/"))
 
 
 def _split(given: Iterable[str] | None) -> list[str]:

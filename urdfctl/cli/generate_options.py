@@ -108,6 +108,31 @@ COMMANDS: dict[str, tuple[str, str, tuple[str, ...]]] = {
         "urdfctl gen-controllers robot.xacro --type trajectory --joints 'arm_.*' -o config/controllers.yaml",
         (*_JOINTS, *_CONTROLLERS, *_WRITING),
     ),
+    "gen-transmissions": (
+        "Write the transmissions of ROS 1, as a xacro file to include.",
+        "urdfctl gen-transmissions robot.xacro --interface effort --macro --distro noetic -o urdf/transmissions.xacro",
+        (*_JOINTS, *_CONTROLLERS, "macro", *_WRITING, "into"),
+    ),
+    "gen-ros2-control": (
+        "Write the <ros2_control> tag of ROS 2, as a xacro file to include.",
+        "urdfctl gen-ros2-control robot.xacro --command position --state position,velocity --hardware mock",
+        (*_JOINTS, "command", "state", "hardware", *(o for o in _CONTROLLERS if o != "interface"), *_WRITING, "into"),
+    ),
+    "gen-gazebo": (
+        "Write the plugin that runs the controllers in a simulator, as a xacro file to include.",
+        "urdfctl gen-gazebo --simulator gz --distro jazzy --package my_robot --into urdf/robot.xacro",
+        (*_JOINTS, "namespace", "package", "controllers", *_WRITING, "into"),
+    ),
+    "gen-launch": (
+        "Write a launch file that starts the robot and its controllers.",
+        "urdfctl gen-launch robot.xacro --type trajectory --simulator gz -o launch/control.launch.py",
+        (*_JOINTS, *_CONTROLLERS, "package", "controllers", "form", *_WRITING),
+    ),
+    "gen-all": (
+        "Write a package with all of it: robot, controllers, launch file and dependencies.",
+        "urdfctl gen-all robot.xacro --type effort --distro jazzy --simulator gz -o my_robot_control",
+        (*_JOINTS, "state", "hardware", *_CONTROLLERS, "package", "controllers", "form", "macro", *_WRITING),
+    ),
 }
 
 

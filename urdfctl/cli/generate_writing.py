@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import os
+import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -24,6 +25,8 @@ class Writing(NamedTuple):
 
 def deliver(files: Sequence[File], writing: Writing, *, many: bool) -> int:
     """Write, show or check the files, and give the exit status: 1 where a check finds them stale."""
+    if writing.into is not None:
+        return _insert(files[0], writing.into, writing)
     if (writing.check or many) and writing.output is None:
         raise UserError(
             "-o names the folder that the files go to" if many else "--check needs -o FILE: the file to be checked"
@@ -45,6 +48,41 @@ def deliver(files: Sequence[File], writing: Writing, *, many: bool) -> int:
             _make_folder(os.path.dirname(path))
         write_file(path, text, force=writing.force)
     return 0
+
+
+def _insert(file: File, path: str, writing: Writing) -> int:
+    """Put what is between the root's tags before the last `</robot>` of a file, whose other bytes stay as they are."""
+    before = _bytes(path)
+    line_end = "\r\n" if b"\r\n" in before else "\n"
+    block = _block(file.text).replace("\n", line_end).encode("utf-8", "surrogateescape")
+    if block in before:
+        return 0
+    plain = re.sub(rb"(?s)<!--.*?-->", lambda comment: b" " * len(comment[0]), before)
+    at = plain.rfind(b"</robot>")
+    if at < 0:
+        raise UserError(f"'{path}' has no </robot> to insert it before")
+    at = plain.rfind(b"\n", 0, at) + 1 if not plain[plain.rfind(b"\n", 0, at) + 1 : at].strip() else at
+    text = (before[:at] + block + before[at:]).decode("utf-8", "surrogateescape")
+    if writing.diff or writing.check:
+        print_text(_diff(path, text) if writing.diff else f"{path} is stale\n")
+        return int(writing.check)
+    write_file(path, text, force=True)
+    return 0
+
+
+def _block(text: str) -> str:
+    """What a xacro file of ours holds, below the comment that says what made it."""
+    comment = next((line for line in text.splitlines() if line.startswith("<!-- made by ")), "")
+    body = text[text.index(">", text.index("<robot")) + 1 : text.rindex("</robot>")].strip("\n")
+    return f"\n  {comment}\n{body}\n\n"
+
+
+def _bytes(path: str) -> bytes:
+    try:
+        with open(path, "rb") as file:
+            return file.read()
+    except OSError as error:
+        raise UserError(f"'{path}' cannot be read: {error.strerror}") from None
 
 
 def _make_folder(path: str) -> None:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import re
+from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.errors import UserError
+from urdfctl.generate.bringup import dependencies, launch_file, package_files
 from urdfctl.generate.controllers import Controller, controllers
 from urdfctl.generate.controllers_file import controllers_file
+from urdfctl.generate.descriptions import component, simulator_plugin, transmissions, wanted_interfaces
 from urdfctl.generate.facts import JointFacts, RobotFacts
 from urdfctl.generate.options import File, Options
 from urdfctl.generate.parse_again import checked
@@ -33,18 +36,110 @@ class Order(NamedTuple):
         """The controllers that are asked for."""
         return controllers(self.joints, self.options, self.catalog, self.robot)
 
+    def made_if_typed(self) -> tuple[Controller, ...]:
+        """The controllers, where some are asked for."""
+        return self.controllers() if self.options.types else ()
+
 
 def _controllers(order: Order) -> list[File]:
+    return [controllers_file(_typed(order), order.options, order.templates, order.title)]
+
+
+def _wrapped(order: Order, name: str, *blocks: str, includes: Sequence[str] = (), robot: str | None = None) -> File:
+    """A xacro file of some blocks."""
+    body = [block.rstrip("\n") + "\n" for block in blocks]
+    text = order.templates.render(
+        "xacro/file.xacro", command=_one_dash(order.options.command), blocks=body, includes=includes, name=robot
+    )
+    return File(name, text)
+
+
+def _one_dash(command: str) -> str:
+    """A command as a comment of XML may hold it: one dash before a long option does as well as two."""
+    return re.sub(r"(?<= )--(?=[a-z])", "-", command)
+
+
+def _transmissions(order: Order) -> list[File]:
+    block = transmissions(order.joints, order.options, order.templates, wanted_interfaces(order.made_if_typed()))
+    return [_wrapped(order, "urdf/transmissions.xacro", block)]
+
+
+def _ros2_control(order: Order) -> list[File]:
+    block = component(order.joints, order.options, order.catalog, order.templates, order.made_if_typed())
+    return [_wrapped(order, "urdf/ros2_control.xacro", block)]
+
+
+def _gazebo(order: Order) -> list[File]:
+    return [_wrapped(order, "urdf/gazebo.xacro", simulator_plugin(order.options, order.catalog, order.templates))]
+
+
+def _launch(order: Order) -> list[File]:
+    return [_launch_file(order, _typed(order))]
+
+
+def _launch_file(order: Order, made: Sequence[Controller]) -> File:
+    options = order.options
+    if options.ros == 1 or options.form == "xml":
+        options = options._replace(command=_one_dash(options.command))
+    return launch_file(made, options, order.templates, order.robot.name or "robot")
+
+
+def _typed(order: Order) -> tuple[Controller, ...]:
     if not order.options.types:
         raise UserError("what kind of controllers? Say --type, such as --type effort, trajectory or diff_drive")
-    return [controllers_file(order.controllers(), order.options, order.templates, order.title)]
+    made = order.controllers()
+    if order.options.ros == 1 and order.options.simulated:
+        for one in made:
+            _check_simulated(one, order)
+    return made
+
+
+def _check_simulated(one: Controller, order: Order) -> None:
+    """UserError where gazebo_ros_control's own simulation has not what a controller of ROS 1 needs."""
+    known = order.catalog.hardware_interfaces(order.options.distro)
+    for name in one.type.hardware_interfaces:
+        if name in known and known[name].in_gazebo in ("absent", "refused"):
+            raise UserError(f"'{one.type.type}' needs '{name}', which Gazebo's simulation has not")
+
+
+def _all(order: Order) -> list[File]:
+    """A package: the robot with all that controls it."""
+    made, robot = _typed(order), order.robot
+    options = order.options._replace(description="urdf/robot.urdf.xacro")
+    order = order._replace(options=options)
+    blocks = []
+    if options.ros == 1 and not all(joint.name in robot.interfaces for joint in order.joints):
+        blocks.append(transmissions(order.joints, options, order.templates, wanted_interfaces(made)))
+    if options.ros == 2 and not robot.components:  # noqa: PLR2004
+        blocks.append(component(order.joints, options, order.catalog, order.templates, made))
+    hosted = options.simulator in ("gz", "gazebo-classic")
+    if hosted and not any(order.catalog.simulator_plugin(name, options.distro) for name in robot.hosts):
+        blocks.append(simulator_plugin(options, order.catalog, order.templates))
+    includes = [order.options.robot_file, f"$(find {options.package})/urdf/control.xacro"]
+    depends = dependencies(made, options, order.catalog, robot.package)
+    manifest = order._replace(options=options._replace(command=_one_dash(options.command)))
+    return [
+        controllers_file(made, options, order.templates, order.title),
+        _wrapped(order, "urdf/control.xacro", *blocks),
+        _wrapped(order, "urdf/robot.urdf.xacro", includes=includes, robot=robot.name or "robot"),
+        _launch_file(order, made),
+        *package_files(depends, manifest.options, order.templates, order.title),
+    ]
 
 
 GENERATORS: Mapping[str, Callable[[Order], list[File]]] = {
     "gen-controllers": _controllers,
+    "gen-transmissions": _transmissions,
+    "gen-ros2-control": _ros2_control,
+    "gen-gazebo": _gazebo,
+    "gen-launch": _launch,
+    "gen-all": _all,
 }
 
 
 def files(command: str, order: Order) -> list[File]:
     """The files of a command, each parsed again. UserError where they cannot be made."""
+    options = order.options
+    if options.ros == 1 and options.simulator in ("gz", "mujoco"):
+        raise UserError(f"{options.distro} has no controllers in '{options.simulator}'; take gazebo-classic, or none")
     return [checked(file) for file in GENERATORS[command](order)]

@@ -27,7 +27,8 @@ class Options(NamedTuple):
     """What the user asks for. `command` is how to say it again; `rate` is the controller manager's, in Hz.
 
     `types` are short names or full names of controllers' types; `states` and `hardware` None where the rest decides.
-    `controllers_file` and `package` tell where the files will be found when they run.
+    `controllers_file`, `description` and `package` tell where the files will be found when they run; `robot_file` is
+    how a xacro file beside them includes the robot.
     """
 
     distro: str
@@ -47,6 +48,7 @@ class Options(NamedTuple):
     package: str | None = None
     controllers_file: str = "config/controllers.yaml"
     description: str | None = None
+    robot_file: str = "robot.urdf"
     macro: bool = False
     form: str = "python"
     command: str = "urdfctl"

@@ -34,7 +34,7 @@ class Templates:
         self._folder = folder
         self._environment = _environment(folder)
 
-    def render(self, name: str, **values: object) -> str:
+    def render(self, name: str, /, **values: object) -> str:
         """A template's text with some values, ending in one line end. UserError where the template is wrong."""
         import jinja2
 

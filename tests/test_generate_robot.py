@@ -1,0 +1,179 @@
+"""Transmissions, `<ros2_control>` tags, simulator plugins, launch files, and packages with all of it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from folder import Folder
+from generating import JOINTS, ROBOT, made, roles_of, told
+
+from urdfctl.catalog.catalog import CATALOG
+from urdfctl.catalog.distros import ALL, ROS1
+from urdfctl.errors import UserError
+from urdfctl.generate.facts import JointFacts
+from urdfctl.generate.options import Options
+from urdfctl.generate.recipes import recipes
+
+SIMULATORS = ("gz", "gazebo-classic", "mujoco", "none")
+REFUSED = ("has no", "takes no", "is deprecated", "needs", "simulation has not", "no controllers in")
+
+
+def axis(joint: JointFacts) -> str:
+    x, y, z = joint.axis or (1, 0, 0)
+    return f'<axis xyz="{x:g} {y:g} {z:g}"/>'
+
+
+def robot() -> str:
+    """The tests' robot as a description: every joint hangs on the root, and every link weighs something."""
+    weight = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
+    limit = '<limit lower="-1" upper="1" effort="9" velocity="3"/>'
+    joints = [
+        f'<link name="{one.name}_link">{weight}</link><joint name="{one.name}" type="{one.type}">'
+        f'<parent link="body"/><child link="{one.name}_link"/>{axis(one)}{limit}</joint>'
+        for one in JOINTS
+    ]
+    return f"""<robot name="everything">
+      <link name="base_link"/><link name="body">{weight}</link><link name="tool0">{weight}</link>
+      <joint name="base" type="fixed"><parent link="base_link"/><child link="body"/></joint>
+      <joint name="tool" type="fixed"><parent link="arm_link"/><child link="tool0"/></joint>{"".join(joints)}</robot>"""
+
+
+def package(options: Options) -> dict[str, str]:
+    """The files of gen-all for the tests' robot, the robot's first."""
+    found = {f"all/{file.name}": file.text for file in made("gen-all", options)}
+    first = "all/urdf/robot.urdf.xacro"
+    return {first: found.pop(first), **found, "all/urdf/everything.urdf": robot()}
+
+
+@pytest.mark.parametrize("simulator", SIMULATORS)
+@pytest.mark.parametrize("distro", ALL)
+def test_a_package_of_every_kind_of_controller_lints_clean(distro: str, simulator: str, tmp_path: Path) -> None:
+    found: dict[str, list[str]] = {}
+    for name in [kind for kind, plain in recipes()["kinds"].items() if f"ros{1 if distro in ROS1 else 2}" in plain]:
+        options = Options(distro, simulator, (name,), roles=roles_of(name), package="all", robot_file="everything.urdf")
+        try:
+            files = package(options)
+        except UserError as error:
+            assert any(words in str(error) for words in REFUSED), error  # noqa: PT017
+            continue
+        found[name] = [one for one in told(tmp_path, files, distro, simulator) if one[:5] not in ("UC705", "UC706")]
+    assert {name: findings for name, findings in found.items() if findings} == {}
+
+
+@pytest.mark.parametrize("form", ["python", "xml", "yaml"])
+@pytest.mark.parametrize("distro", [distro for distro in ALL if distro not in ROS1])
+def test_launch_files_start_the_broadcaster_first(distro: str, form: str) -> None:
+    for simulator in ("gazebo-classic", "none"):
+        options = Options(distro, simulator, ("effort",), package="p", form=form, namespace="r1")
+        [file] = made("gen-launch", options)
+        assert file.text.index("joint_state_broadcaster") < file.text.index("effort_controller")
+        assert "/r1/controller_manager" in file.text
+        assert ("--param-file" in file.text) == (distro in ("jazzy", "kilted", "lyrical", "rolling"))
+        assert ("spawner.py" in file.text) == (distro == "foxy")
+        assert made("gen-launch", options) == [file]
+
+
+@pytest.mark.parametrize(
+    ("distro", "interface"), [("indigo", "EffortJointInterface"), ("noetic", "hardware_interface/EffortJointInterface")]
+)
+def test_transmissions_name_interfaces_as_their_distro_does(distro: str, interface: str) -> None:
+    [file] = made("gen-transmissions", Options(distro), (JointFacts("elbow", reduction=50.0),))
+    assert f"<hardwareInterface>{interface}</hardwareInterface>" in file.text
+    assert "<mechanicalReduction>50.0</mechanicalReduction>" in file.text
+    with pytest.raises(UserError, match="see gen-ros2-control"):
+        made("gen-transmissions", Options("jazzy"))
+
+
+def test_a_macro_is_called_for_each_joint(folder: Folder) -> None:
+    [file] = made("gen-transmissions", Options("noetic", macro=True), (JointFacts('a"b'), JointFacts("$(x)")))
+    assert file.text.count("<xacro:joint_transmission") == 2
+    folder.write({"t.xacro": file.text})
+    expanded = folder.run("expand", "t.xacro").stdout
+    assert expanded.count("hardware_interface/EffortJointInterface") == 2
+    assert '<joint name="$(x)">' in expanded
+
+
+def test_limits_stand_in_the_ros2_control_tag() -> None:
+    [file] = made("gen-ros2-control", Options("jazzy", interface="position", states=("position",)), JOINTS[-1:])
+    assert '<param name="min">-1.0</param>' in file.text
+    assert "<plugin>mock_components/GenericSystem</plugin>" in file.text
+    assert file.text.count("<state_interface") == 1
+
+
+@pytest.mark.parametrize(
+    ("hardware", "plugin"),
+    [("gz", "gz_ros2_control/GazeboSimSystem"), ("mujoco", "mujoco_ros2_control/Mujoco"), ("my/Robot", "my/Robot")],
+)
+def test_hardware_has_short_names(hardware: str, plugin: str) -> None:
+    assert f"<plugin>{plugin}" in made("gen-ros2-control", Options("jazzy", hardware=hardware))[0].text
+
+
+def test_hardware_that_the_distro_does_not_have_is_told() -> None:
+    with pytest.raises(UserError, match="jazzy has no plugin that runs controllers in 'gazebo-classic'"):
+        made("gen-ros2-control", Options("jazzy", hardware="gazebo-classic"))
+    with pytest.raises(UserError, match="unknown hardware 'mok'; did you mean 'mock'"):
+        made("gen-ros2-control", Options("jazzy", hardware="mok"))
+
+
+def test_nothing_is_written_twice_that_the_robot_has() -> None:
+    has = ROBOT._replace(components=("System",), hosts=("gz_ros2_control-system",))
+    files = made("gen-all", Options("jazzy", "gz", ("effort",), package="all"), robot=has)
+    control = next(file.text for file in files if file.name == "urdf/control.xacro")
+    assert "<ros2_control" not in control
+    assert "<plugin" not in control
+
+
+def test_a_block_is_inserted_and_every_other_byte_stays(folder: Folder) -> None:
+    before = b"<robot name='r'  >\r\n\t<link name='a'/>\r\n</robot>\r\n<!-- </robot> -->\r\n"
+    folder.write({"robot.xacro": before})
+    words = (
+        "gen-gazebo",
+        "robot.xacro",
+        "--distro",
+        "jazzy",
+        "--simulator",
+        "gz",
+        "--package",
+        "p",
+        "--into",
+        "robot.xacro",
+    )
+    assert folder.run(*words).returncode == 0
+    after = (folder.path / "robot.xacro").read_bytes()
+    start = after.index(b"\r\n  <!-- made by urdfctl gen-gazebo")
+    end = after.index(b"</robot>")
+    assert after[:start] + after[end:] == before
+    assert b"\n" not in after.replace(b"\r\n", b"")
+
+
+def test_everything_is_written_and_can_be_checked_again(folder: Folder) -> None:
+    folder.write({"everything.urdf": robot()})
+    words = (
+        "gen-all",
+        "everything.urdf",
+        "--type",
+        "trajectory",
+        "--distro",
+        "jazzy",
+        "--simulator",
+        "gz",
+        "-o",
+        "out",
+    )
+    assert folder.run(*words).returncode == 0
+    assert folder.run(*words, "--check").returncode == 0
+    assert folder.run("lint", "out", "--distro", "jazzy").returncode == 0
+    texts = [path.read_text() for path in (folder.path / "out").rglob("*") if path.is_file()]
+    assert len(texts) == 6
+    assert all("made by urdfctl gen-all everything.urdf" in text for text in texts)
+    made_by = (folder.path / "out/urdf/control.xacro").read_text().splitlines()[1]
+    again = made_by.removeprefix("<!-- made by urdfctl ").removesuffix(" -->").split()
+    assert folder.run(*again, "-o", "out", "--check").returncode == 0
+
+
+def test_every_host_of_the_catalogue_is_written() -> None:
+    for distro in ALL:
+        for simulator in {one.simulator for one in CATALOG.simulator_plugins(distro) if one.hosts_control}:
+            [file] = made("gen-gazebo", Options(distro, simulator, package="p"))
+            assert "<plugin" in file.text
