@@ -175,7 +175,7 @@ def test_what_cannot_be_measured_is_a_todo() -> None:
 def test_a_drive_whose_wheels_nobody_knows_is_told() -> None:
     with pytest.raises(UserError, match="'diff_drive' needs --left with joints: the robot does not tell"):
         made("gen-controllers", Options("jazzy", types=("diff_drive",)), (JointFacts("a"),), RobotFacts())
-    with pytest.raises(UserError, match="'bicycle' needs --traction with 1 joint: it is given 2"):
+    with pytest.raises(UserError, match="'bicycle' needs --traction with 1 joint: it is given 4"):
         made("gen-controllers", Options("jazzy", types=("bicycle",)))
 
 
