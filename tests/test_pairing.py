@@ -31,23 +31,9 @@ ROS2 = (
 ROS1 = "arm: {type: position_controllers/JointPositionController, joint: j}\n"
 
 
-class Seen(Exception):
-    """Carries out the project that was linted."""
-
-
-def project(target: Target, settings: Settings, monkeypatch: pytest.MonkeyPatch) -> Project:
+def project(target: Target, settings: Settings) -> Project:
     """The project that a target becomes."""
-    seen: list[Project] = []
-    loader = Loader(settings, Selection())
-    linted = loader._linted
-
-    def kept(project: Project, *rest: Any) -> Any:
-        seen.append(project)
-        return linted(project, *rest)
-
-    monkeypatch.setattr(loader, "_linted", kept)
-    loader.lint(target)
-    return seen[0]
+    return Loader(settings, Selection()).seen(target).project
 
 
 def controllers(project: Project) -> Controllers:
@@ -90,14 +76,12 @@ def test_a_controllers_file_alone_is_a_target(folder: Folder) -> None:
     assert folder.run("lint", "c.yaml").stdout.endswith(" in c.yaml (ROS 2, from ros__parameters)\n")
 
 
-def test_a_plugin_names_its_files_and_what_is_missing_is_a_fact(
-    folder: Folder, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_plugin_names_its_files_and_what_is_missing_is_a_fact(folder: Folder) -> None:
     here = str(folder.path)
     inside = f"<parameters> {here}/c.yaml </parameters><parameters>{here}/no.yaml</parameters>"
     inside += "<parameters>$(find p)/c.yaml</parameters>"
     folder.write({"r.urdf": ROBOT.format(PLUGIN.format(inside)), "c.yaml": ROS2})
-    made = project(Target("r.urdf"), Settings(), monkeypatch)
+    made = project(Target("r.urdf"), Settings())
     found = controllers(made)
     assert [file.path for file in found.files] == [f"{here}/c.yaml"]
     assert [(r.path, r.exists, r.at.span.text) for r in found.references] == [
@@ -109,26 +93,26 @@ def test_a_plugin_names_its_files_and_what_is_missing_is_a_fact(
     assert made.problems == ()
 
 
-def test_xacro_resolves_the_package_of_a_plugins_file(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_xacro_resolves_the_package_of_a_plugins_file(folder: Folder) -> None:
     text = ROBOT.format(PLUGIN.format("<parameters>$(find p)/config/c.yaml</parameters>"))
     text = text.replace("<robot ", '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" ')
     folder.write({"p/package.xml": "<package><name>p</name></package>", "p/r.xacro": text, "p/config/c.yaml": ROS2})
-    found = controllers(project(Target("p/r.xacro"), Settings(), monkeypatch))
+    found = controllers(project(Target("p/r.xacro"), Settings()))
     assert [c.name for c in found.controllers] == ["arm"]
     assert found.complete
 
 
-def test_a_file_outside_the_workspace_is_not_read(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_file_outside_the_workspace_is_not_read(folder: Folder) -> None:
     folder.write({"w/r.urdf": ROBOT.format(PLUGIN.format(f"<parameters>{folder.path}/c.yaml</parameters>"))})
     folder.write({"c.yaml": ROS2})
-    made = project(Target("w/r.urdf"), Settings(workspace="w"), monkeypatch)
+    made = project(Target("w/r.urdf"), Settings(workspace="w"))
     (reference,) = controllers(made).references
     assert (reference.exists, controllers(made).files) == (None, ())
 
 
-def test_a_file_that_the_user_names_has_to_be_there(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_file_that_the_user_names_has_to_be_there(folder: Folder) -> None:
     folder.write({"r.urdf": ROBOT.format("")})
-    made = project(Target("r.urdf", controllers=("no.yaml",)), Settings(), monkeypatch)
+    made = project(Target("r.urdf", controllers=("no.yaml",)), Settings())
     assert [problem.kind.name for problem in made.problems] == ["FILE_NOT_FOUND"]
 
 
@@ -145,20 +129,20 @@ def test_rosparam_takes_no_tab_behind_a_colon_and_rcl_does(folder: Folder) -> No
     assert codes(folder, "2.yaml") == []
 
 
-def test_all_that_the_files_declare_may_be_started(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_all_that_the_files_declare_may_be_started(folder: Folder) -> None:
     folder.write({"r.urdf": ROBOT.format(""), "c.yaml": ROS1 + "hand: {type: acme/Hand}\n"})
     target = Target("r.urdf", controllers=("c.yaml",))
     for started, told in ((("all",), False), (("hand", "arm"), True)):
-        found = project(target, Settings(workspace=str(folder.path), started=started), monkeypatch)
+        found = project(target, Settings(workspace=str(folder.path), started=started))
         assert (found.started, found.in_order) == (("/arm", "/hand") if started == ("all",) else started, told)
 
 
-def test_what_is_started_is_what_the_user_says(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_is_started_is_what_the_user_says(folder: Folder) -> None:
     folder.write({"r.urdf": ROBOT.format(""), "c.yaml": ROS2})
-    made = project(Target("r.urdf", controllers=("c.yaml",)), Settings(started=("arm", "x")), monkeypatch)
+    made = project(Target("r.urdf", controllers=("c.yaml",)), Settings(started=("arm", "x")))
     assert made.started == ("arm", "x")
     assert [c.name for c in controllers(made).controllers] == ["arm", "x"]
-    every = project(Target("r.urdf", controllers=("c.yaml",)), Settings(started=("all",)), monkeypatch)
+    every = project(Target("r.urdf", controllers=("c.yaml",)), Settings(started=("all",)))
     assert every.started == ("/arm",)
 
 
@@ -193,20 +177,20 @@ def test_a_launch_file_pairs_a_robot_with_its_controllers(folder: Folder, words:
     assert {target["robot"] for target in found} == {"p/r.urdf"}
 
 
-def test_a_launch_file_tells_namespace_and_what_is_started(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_launch_file_tells_namespace_and_what_is_started(folder: Folder) -> None:
     folder.write(PACKAGE)
-    made = project(Target("p/launch/l.launch"), Settings(), monkeypatch)
+    made = project(Target("p/launch/l.launch"), Settings())
     assert made.robot is not None
     assert made.started == ("/robot/arm",)
     assert [(c.full_name, c.type is not None) for c in controllers(made).controllers] == [("/robot/arm", True)]
-    other = project(Target("p/launch/l.launch", (("ns", "x"),)), Settings(started=("arm",)), monkeypatch)
+    other = project(Target("p/launch/l.launch", (("ns", "x"),)), Settings(started=("arm",)))
     assert other.started == ("arm",)
     assert [c.full_name for c in controllers(other).controllers] == ["/x/arm"]
 
 
-def test_a_name_that_is_started_elsewhere_has_no_type(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_name_that_is_started_elsewhere_has_no_type(folder: Folder) -> None:
     folder.write({**PACKAGE, "p/launch/l.launch": LAUNCH.replace('type="spawner"', 'type="spawner" ns="/other"')})
-    found = controllers(project(Target("p/launch/l.launch"), Settings(), monkeypatch))
+    found = controllers(project(Target("p/launch/l.launch"), Settings()))
     assert [(c.full_name, c.type is None) for c in found.controllers] == [("/robot/arm", False), ("/other/arm", True)]
 
 
@@ -217,10 +201,10 @@ def test_a_launch_file_without_a_robot_is_a_target_too(folder: Folder) -> None:
     assert (target["robot"], target["controllers"], target["launch"]) == (None, ["p/c.yaml"], "p/launch/l.launch")
 
 
-def test_what_a_condition_leaves_open_is_not_paired(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_a_condition_leaves_open_is_not_paired(folder: Folder) -> None:
     text = LAUNCH.replace("<rosparam ", '<rosparam if="$(env SIMULATED)" ')
     folder.write({**PACKAGE, "p/launch/l.launch": text})
-    found = controllers(project(Target("p/launch/l.launch"), Settings(), monkeypatch))
+    found = controllers(project(Target("p/launch/l.launch"), Settings()))
     assert (found.files, found.whole, found.complete) == ((), False, False)
 
 
@@ -280,23 +264,21 @@ def generate_launch_description():
 
 
 @pytest.mark.parametrize(("name", "text"), [("l.launch.xml", XML2), ("l.launch.yaml", YAML2), ("l.launch.py", PYTHON2)])
-def test_launch_files_of_ros_2_pair_a_robot_with_its_controllers(
-    folder: Folder, monkeypatch: pytest.MonkeyPatch, name: str, text: str
-) -> None:
+def test_launch_files_of_ros_2_pair_a_robot_with_its_controllers(folder: Folder, name: str, text: str) -> None:
     launch = f"p/launch/{name}"
     folder.write({**PACKAGE, "p/c.yaml": ROS2, launch: text})
     (folder.path / "p/launch/l.launch").unlink()
     for word in (launch, "p"):
         found = targets(folder, word)[-1]
         assert (found["robot"], found["controllers"], found["launch"]) == ("p/r.urdf", ["p/c.yaml"], launch)
-    made = project(Target(launch), Settings(), monkeypatch)
+    made = project(Target(launch), Settings())
     assert made.started == ("/robot/arm",)
     assert [(c.full_name, c.type is None) for c in controllers(made).controllers] == [
         ("/arm", False),
         ("/robot/arm", True),
     ]
     folder.write({"p/c.yaml": ROS2.replace("controller_manager:", "/**/controller_manager:")})
-    found = controllers(project(Target(launch), Settings(), monkeypatch))
+    found = controllers(project(Target(launch), Settings()))
     assert [(c.full_name, c.type is None) for c in found.controllers] == [("/robot/arm", False)]
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -17,7 +17,7 @@ from urdfctl.model.robot import Robot
 from urdfctl.rules import rule_of
 from urdfctl.serialise import linted_from_json, linted_to_json
 from urdfctl.settings import ALL_STARTED, Settings
-from urdfctl.source.dom import Document
+from urdfctl.source.dom import Document, Element
 from urdfctl.source.files import FileProblem, Files, is_launch, is_yaml
 from urdfctl.source.library import LibraryExpander
 from urdfctl.source.packages import PackageIndex, Packages
@@ -46,13 +46,30 @@ class Target(NamedTuple):
     launch: str | None = None
 
 
+class Seen(NamedTuple):
+    """A linted robot, with what the rules looked at, the tree that it was made of (None where there is none), and the
+    texts that were read."""
+
+    linted: Linted
+    project: Project
+    root: Element | None
+    sources: Mapping[str, SourceText]
+
+
 class Loader:
     """What the targets of a run share: the settings, and what was learned of the packages of a workspace."""
 
-    def __init__(self, settings: Settings, selection: Selection) -> None:
+    def __init__(self, settings: Settings, selection: Selection, held: Mapping[str, bytes] | None = None) -> None:
         self.settings = settings
         self.selection = selection
+        self._held = held or {}
         self._indexes: dict[str, PackageIndex] = {}
+
+    def holding(self, held: Mapping[str, bytes]) -> Loader:
+        """One that knows the same, and reads some files, by their real paths, as if they held other bytes."""
+        other = Loader(self.settings, self.selection, held)
+        other._indexes = self._indexes
+        return other
 
     def survey(self, targets: Sequence[Target]) -> None:
         """Learn once, before workers part, what each of many targets would else learn for itself."""
@@ -74,7 +91,7 @@ class Loader:
         index = self.index_for(path)
         packages = Packages(path, index)
         bounds = None if self.settings.trust else [index.workspace, *index.extra]
-        return Files(bounds, packages.source_of), packages
+        return Files(bounds, packages.source_of, self._held), packages
 
     def expander(self, path: str, kind: type[Expander] = Expander, *, strict: bool = False) -> Expander:
         """An expander for one file."""
@@ -83,6 +100,10 @@ class Loader:
 
     def lint(self, target: Target) -> Linted:
         """The findings in one robot, or in a file that is none: then in the macros it defines, or its controllers."""
+        return self.seen(target).linted
+
+    def seen(self, target: Target) -> Seen:
+        """The findings, and what they were found in."""
         path = os.path.abspath(target.path)
         launched = self._launched(path, target)
         described = launched.launch.description if launched and launched.launch else None
@@ -90,7 +111,7 @@ class Loader:
         if described and described.file.path and (is_launch(path) or _same(described.file.path, path)):
             path, arguments = described.file.path, dict(described.arguments or ())
         if is_yaml(path) or is_launch(path):
-            return self._lint_alone(path, target, launched)
+            return self._seen_alone(path, target, launched)
         expander = self.expander(path, LibraryExpander if target.fragment else Expander)
         expansion = expansion_of(expander, path, arguments)
         if expander.macros and not expansion.library and _is_library(expansion):
@@ -98,7 +119,7 @@ class Loader:
             expansion = expansion_of(expander, path, arguments)
         project = self._project(path, expansion, expander, target.controllers, launched)
         root = expansion.document.documentElement if expansion.document else None
-        return self._linted(project, (expander.files, launched), lambda span: root is None or is_reached(span, root))
+        return self._seen(project, (expander.files, launched), root)
 
     def _launched(self, path: str, target: Target) -> Launched | None:
         launch = path if is_launch(path) else target.launch and os.path.abspath(target.launch)
@@ -109,7 +130,7 @@ class Loader:
         arguments = dict(target.arguments) if is_launch(path) else {}
         return read_launch(launch, arguments, *self.reading(launch), self.settings.environ)
 
-    def _lint_alone(self, path: str, target: Target, launched: Launched | None) -> Linted:
+    def _seen_alone(self, path: str, target: Target, launched: Launched | None) -> Seen:
         """The findings in controllers' files that no robot is known for."""
         from urdfctl.pairing import read_controllers
 
@@ -120,7 +141,7 @@ class Loader:
         evidence = judged(None, packages.own(), self.settings, _of_files(read, launch))
         problems = (*(launched.problems if launched else ()), *(read.problems if read else ()))
         project = self._judged(Project(None, path, problems=problems), evidence, read, launch)
-        return self._linted(project, (files, launched), lambda _: True)
+        return self._seen(project, (files, launched), None)
 
     def _project(
         self,
@@ -166,14 +187,16 @@ class Loader:
             additions=self.settings.additions,
         )
 
-    def _linted(
-        self, project: Project, read: tuple[Files, Launched | None], reached: Callable[[SourceSpan], bool]
-    ) -> Linted:
+    def _seen(self, project: Project, read: tuple[Files, Launched | None], root: Element | None) -> Seen:
         robot, files, launched = project.robot, read[0], read[1]
         sources = {
             source.path: source for one in (files, launched and launched.files) if one for source in one.sources()
         }
-        return Linted(
+
+        def reached(span: SourceSpan) -> bool:
+            return root is None or is_reached(span, root)
+
+        linted = Linted(
             project.path,
             project.ros,
             project.distro,
@@ -188,6 +211,7 @@ class Loader:
             _controllers_files(project),
             project.launch.path if project.launch else None,
         )
+        return Seen(linted, project, root, sources)
 
 
 def _of_files(read: Read | None, launch: Launch | None) -> OfFiles | None:
@@ -258,7 +282,8 @@ def _is_library(expansion: Expansion) -> bool:
     return all(problem.kind in HARMLESS | _OF_INCLUDES for problem in expansion.problems)
 
 
-_SURVEYED_FROM = 4
+SURVEYED_FROM = 4
+"""So many targets are worth to learn of their workspace before workers part."""
 
 
 def lint_all(
@@ -266,9 +291,9 @@ def lint_all(
 ) -> Iterator[Linted]:
     """The findings of each target, in their order, each from a limited worker."""
     loader = Loader(settings, selection)
-    if len(targets) >= _SURVEYED_FROM:
+    if len(targets) >= SURVEYED_FROM:
         loader.survey(targets)
-    jobs = [_job(target, settings, selection) for target in targets]
+    jobs = [job_for(target, settings, selection) for target in targets]
     limits = Limits(settings.timeout, settings.memory, settings.environ)
     parallel = parallel or os.cpu_count() or 1
     results = run(jobs, partial(_perform_with, loader), limits, parallel, fresh="urdfctl.load:perform")
@@ -276,15 +301,17 @@ def lint_all(
         yield linted_from_json(result) if isinstance(result, dict) else dead(target, settings, result)
 
 
-def _job(target: Target, settings: Settings, selection: Selection) -> dict[str, Any]:
+def job_for(target: Target, settings: Settings, selection: Selection) -> dict[str, Any]:
+    """What a worker is told of a target."""
     return {"target": target._asdict(), "settings": settings.to_json(), "selection": selection._asdict()}
 
 
 def _perform_with(loader: Loader, job: dict[str, Any]) -> dict[str, Any]:
-    return linted_to_json(loader.lint(_target_of(job)))
+    return linted_to_json(loader.lint(target_of(job)))
 
 
-def _target_of(job: dict[str, Any]) -> Target:
+def target_of(job: dict[str, Any]) -> Target:
+    """The target of a job."""
     arguments = tuple((str(name), str(value)) for name, value in job["target"]["arguments"])
     target = job["target"]
     return Target(target["path"], arguments, target["fragment"], tuple(target["controllers"]), target["launch"])
@@ -292,7 +319,12 @@ def _target_of(job: dict[str, Any]) -> Target:
 
 def perform(job: dict[str, Any]) -> dict[str, Any]:
     """Lint the target of a job that came as JSON."""
-    return _perform_with(Loader(Settings.from_json(job["settings"]), Selection.from_json(job["selection"])), job)
+    return _perform_with(loader_of(job), job)
+
+
+def loader_of(job: dict[str, Any]) -> Loader:
+    """A loader with the settings of a job that came as JSON."""
+    return Loader(Settings.from_json(job["settings"]), Selection.from_json(job["selection"]))
 
 
 def dead(target: Target, settings: Settings, death: Died) -> Linted:

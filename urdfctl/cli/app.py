@@ -84,6 +84,13 @@ def lint(
     exit_zero: Annotated[bool, typer.Option("--exit-zero", help="Exit with 0 whatever is found.")] = False,
     jobs: Annotated[int, typer.Option(help="How many robots at once; 0: as many as there are processors.")] = 0,
     config: ConfigFile = None,
+    fix: Annotated[bool, typer.Option("--fix", help="Write what is surely meant into the files.")] = False,
+    unsafe_fixes: Annotated[
+        bool, typer.Option("--unsafe-fixes", help="The same, and what is most likely meant.")
+    ] = False,
+    diff: Annotated[
+        bool, typer.Option("--diff", help="Write nothing: show it as a diff, and exit with 1 where there is any.")
+    ] = False,
 ) -> None:
     """Find what keeps a robot from loading, starting and moving.
 

@@ -8,13 +8,14 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 from urdfctl.cli.progress import watched
+from urdfctl.cli.wanted import Fixing, Wanted, found_in
 from urdfctl.cli.words import codes, configured, settings_from, split_arguments
 from urdfctl.cli.writing import print_text, write_file
 from urdfctl.config import Config
 from urdfctl.diagnostic import Severity
 from urdfctl.discover import Found, find
 from urdfctl.errors import UserError
-from urdfctl.lint import Linted, Selection, joined, worst
+from urdfctl.lint import Linted, Selection, worst
 from urdfctl.lint import checked as checked_selection
 from urdfctl.load import Target, lint_all
 from urdfctl.report import FORMATS, render
@@ -48,6 +49,9 @@ def lint_words(  # noqa: PLR0913, PLR0917 (one for each option)
     exit_zero: bool = False,  # noqa: FBT001, FBT002
     jobs: int = 0,
     config: str | None = None,
+    fix: bool = False,  # noqa: FBT001, FBT002
+    unsafe_fixes: bool = False,  # noqa: FBT001, FBT002
+    diff: bool = False,  # noqa: FBT001, FBT002
 ) -> int:
     """Lint with the options of the command line, report it, and give the exit status."""
     if jobs < 0:
@@ -64,22 +68,9 @@ def lint_words(  # noqa: PLR0913, PLR0917 (one for each option)
         chosen,
         _baseline(baseline, write_baseline),
         statistics,
+        Fixing(unsafe_fixes, diff) if fix or unsafe_fixes or diff else None,
     )
     return run_lint(wanted, settings)
-
-
-class Wanted(NamedTuple):
-    """What a lint command was asked for; `outputs` are formats with the file they go to, None for standard output."""
-
-    words: tuple[str, ...]
-    selection: Selection
-    outputs: tuple[tuple[str, str | None], ...]
-    fail_on: Severity
-    exit_zero: bool
-    jobs: int
-    config: Config = Config()
-    baseline: Baseline | None = None
-    statistics: bool = False
 
 
 def run_lint(wanted: Wanted, settings: Settings) -> int:
@@ -88,43 +79,79 @@ def run_lint(wanted: Wanted, settings: Settings) -> int:
     found = find(paths, wanted.config.excludes)
     if not (found.descriptions() or found.controllers or found.launches or found.controllers_candidates):
         sys.stderr.write(f"urdfctl: no robot found in {', '.join(paths) or 'this folder'}\n")
-    kept, looked_at = _linted(found, tuple(arguments.items()), settings, wanted)
-    outcomes = [one.outcome for one in looked_at]
-    findings = joined(outcomes, wanted.selection)
-    findings = [one for one in findings if not wanted.config.ignores(one.at.file, one.code)]
-    told = findings
-    if wanted.baseline is not None:
-        read = {file for linted in looked_at for file in linted.files}
-        told = wanted.baseline.unknown(findings, read, wanted.selection)
-    others, known = len(looked_at) - len(kept), len(findings) - len(told)
-    report = Report(tuple(kept), tuple(told), others, wanted.fail_on, known, wanted.statistics)
-    for name, file in wanted.outputs:
-        _tell(report, name, file)
-    if any(outcome.crashed for outcome in outcomes):
+    looked_at = _linted(found, tuple(arguments.items()), settings, wanted)
+    if wanted.fixing is None:
+        return _status(_report(looked_at, wanted), looked_at, wanted)
+    from urdfctl.cli.fix_command import fix, tell_of
+
+    done, before = fix(looked_at.all, settings, wanted, wanted.fixing), looked_at
+    if wanted.fixing.as_diff:
+        _report(looked_at, wanted)
+        tell_of(done.files, before.linted, done.left, wanted, wanted.fixing)
+        return 3 if looked_at.crashed else int(done.files > 0 and not wanted.exit_zero)
+    looked_at = _linted(found, tuple(arguments.items()), settings, wanted) if done.files else before
+    report = _report(looked_at, wanted)
+    tell_of(done.files, before.linted, looked_at.linted, wanted, wanted.fixing)
+    return _status(report, looked_at, wanted)
+
+
+def _status(report: Report, looked_at: LookedAt, wanted: Wanted) -> int:
+    if looked_at.crashed:
         return 3
     gravest = worst(report.findings)
     return int(gravest is not None and gravest.weight >= wanted.fail_on.weight and not wanted.exit_zero)
 
 
-def _linted(
-    found: Found, arguments: tuple[tuple[str, str], ...], settings: Settings, wanted: Wanted
-) -> tuple[list[Linted], list[Linted]]:
+class LookedAt(NamedTuple):
     """The robots, and all that was looked at: in folders also the macro libraries, fragments and controllers' files
     that no robot uses."""
 
-    def linted(targets: list[Target]) -> Iterator[Linted]:
-        return watched(lint_all(targets, settings, wanted.selection, wanted.jobs or None), len(targets))
+    robots: list[Linted]
+    all: list[tuple[Target, Linted]]
+
+    @property
+    def linted(self) -> list[Linted]:
+        """What came of each."""
+        return [one for _, one in self.all]
+
+    @property
+    def crashed(self) -> bool:
+        """Whether urdfctl itself was at fault anywhere."""
+        return any(one.outcome.crashed for one in self.linted)
+
+
+def _report(looked_at: LookedAt, wanted: Wanted) -> Report:
+    """The report, told as is wanted; on standard output stands the diff, where one is shown."""
+    findings = found_in(looked_at.linted, wanted)
+    told = findings
+    if wanted.baseline is not None:
+        read = {file for linted in looked_at.linted for file in linted.files}
+        told = wanted.baseline.unknown(findings, read, wanted.selection)
+    others, known = len(looked_at.all) - len(looked_at.robots), len(findings) - len(told)
+    report = Report(tuple(looked_at.robots), tuple(told), others, wanted.fail_on, known, wanted.statistics)
+    for name, file in wanted.outputs:
+        if file is not None or not (wanted.fixing and wanted.fixing.as_diff):
+            _tell(report, name, file)
+    return report
+
+
+def _linted(found: Found, arguments: tuple[tuple[str, str], ...], settings: Settings, wanted: Wanted) -> LookedAt:
+    """What the words mean, linted."""
+
+    def linted(targets: list[Target]) -> Iterator[tuple[Target, Linted]]:
+        found = lint_all(targets, settings, wanted.selection, wanted.jobs or None)
+        return zip(targets, watched(found, len(targets)), strict=True)
 
     targets, kept = _targets(found, arguments)
-    all_kept = [one for one, keep in zip(linted(targets), kept, strict=True) if keep(one)]
-    read = {file for one in all_kept for file in one.files}
+    all_kept = [pair for pair, keep in zip(linted(targets), kept, strict=True) if keep(pair[1])]
+    read = {file for _, one in all_kept for file in one.files}
     all_kept += linted([Target(path) for path in found.controllers if os.path.abspath(path) not in read])
     read |= {os.path.abspath(path) for path in found.controllers}
     alone = [Target(path) for path in found.controllers_candidates if os.path.abspath(path) not in read]
     rest = [Target(path, fragment=True) for path in found.unread(read)]
     robotless = {os.path.abspath(path) for path in found.launch_candidates}
-    robots = [one for one in all_kept if one.path not in robotless]
-    return robots, [*all_kept, *linted([*rest, *alone])]
+    robots = [one for _, one in all_kept if one.path not in robotless]
+    return LookedAt(robots, [*all_kept, *linted([*rest, *alone])])
 
 
 def _targets(

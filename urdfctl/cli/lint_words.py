@@ -23,7 +23,7 @@ ONE: dict[str, Callable[[str], Any]] = {
     "--config": str,
 }
 MANY = ("--package-path", "--env", "--select", "--ignore", "--extend-select", "--format")
-FLAGS = ("--trust", "--exit-zero", "--statistics")
+FLAGS = ("--trust", "--exit-zero", "--statistics", "--fix", "--unsafe-fixes", "--diff")
 NAMES = {"--format": "formats"}
 
 

@@ -10,9 +10,14 @@ from urdfctl.errors import UserError
 
 def print_text(text: str) -> None:
     """Print a text as UTF-8, whatever the locale. UserError where there is no room for it."""
+    print_bytes(encoded(text))
+
+
+def print_bytes(data: bytes) -> None:
+    """Print bytes as they are. UserError where there is no room for them."""
     try:
         sys.stdout.flush()
-        sys.stdout.buffer.write(encoded(text))
+        sys.stdout.buffer.write(data)
         sys.stdout.buffer.flush()
     except BrokenPipeError:
         raise
@@ -50,6 +55,19 @@ def write_file(path: str, text: str, *, force: bool) -> None:
         raise UserError(f"'{path}' cannot be written: {error.strerror}") from None
 
 
+def replace_file(path: str, before: bytes, after: bytes) -> None:
+    """Write a file anew that held `before`, whole or not at all. UserError where it holds something else by now, or
+    cannot be written."""
+    try:
+        with open(path, "rb") as file:
+            found = file.read()
+        if found != before:
+            raise UserError(f"'{path}' was changed meanwhile, and is left as it is")
+        _write_beside(path, after)
+    except OSError as error:
+        raise UserError(f"'{path}' cannot be written: {error.strerror}") from None
+
+
 def _is_device(path: str) -> bool:
     """Whether a path is a device or a pipe, such as /dev/stdout."""
     return os.path.exists(path) and not os.path.isfile(path) and not os.path.isdir(path)
@@ -64,11 +82,22 @@ def _write_beside(path: str, data: bytes) -> None:
             file.write(data)
             file.flush()
             os.fsync(file.fileno())
+        _keep_owner(path, temporary)
         os.chmod(temporary, _mode(path))
         os.replace(temporary, path)
     except BaseException:
         os.unlink(temporary)
         raise
+
+
+def _keep_owner(path: str, temporary: str) -> None:
+    """Give a file the owner of the one that it will replace, where we may."""
+    try:
+        old, new = os.stat(path), os.stat(temporary)
+        if (old.st_uid, old.st_gid) != (new.st_uid, new.st_gid):
+            os.chown(temporary, old.st_uid, old.st_gid)
+    except (OSError, AttributeError):  # there is none yet, it is not ours to give, or Windows
+        return
 
 
 def _mode(path: str) -> int:

@@ -79,21 +79,21 @@ def relative(diagnostic: Diagnostic) -> Diagnostic:
     fix = diagnostic.fix
     if fix:
         edits = tuple(edit._replace(at=_located(edit.at)) for edit in fix.edits)
-        fix = fix._replace(title=_said(fix.title), edits=edits)
+        fix = fix._replace(title=said(fix.title), edits=edits)
     chains = diagnostic.expanded_from
     return diagnostic._replace(
-        message=_said(diagnostic.message),
+        message=said(diagnostic.message),
         at=_located(diagnostic.at),
         expanded_from=tuple(tuple(step._replace(file=shown(step.file)) for step in chain) for chain in chains),
         notes=tuple(
-            note._replace(message=_said(note.message), at=_located(note.at) if note.at else None)
+            note._replace(message=said(note.message), at=_located(note.at) if note.at else None)
             for note in diagnostic.notes
         ),
         fix=fix,
     )
 
 
-def _said(message: str) -> str:
+def said(message: str) -> str:
     """A message whose paths are as reports show them."""
     current = os.getcwd().rstrip(os.sep) + os.sep
     if current == os.sep or current not in message:

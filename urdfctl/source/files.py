@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import os
 import stat
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from types import MappingProxyType
 
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import Place, SourceText
 
 MAX_BYTES = 16 << 20
+_NONE: Mapping[str, bytes] = MappingProxyType({})
 _LAUNCHES = (".launch", ".launch.xml", "_launch.xml", ".launch.yaml", ".launch.yml", "_launch.yaml", ".py")
 _YAML = (".yaml", ".yml")
 
@@ -37,11 +39,18 @@ class FileProblem(Exception):
 
 
 class Files:
-    """Reads each file once. `resolve` maps an installed path to the source file that would be installed there."""
+    """Reads each file once. `resolve` maps an installed path to the source file that would be installed there; `held`
+    are files, by their paths with all links followed, that are to be read as if they held other bytes."""
 
-    def __init__(self, bounds: Sequence[str] | None = None, resolve: Callable[[str], str] = lambda path: path) -> None:
+    def __init__(
+        self,
+        bounds: Sequence[str] | None = None,
+        resolve: Callable[[str], str] = lambda path: path,
+        held: Mapping[str, bytes] = _NONE,
+    ) -> None:
         self.bounds = None if bounds is None else [os.path.realpath(bound) for bound in bounds]
         self._resolve = resolve
+        self._held = held
         self._read: dict[str, SourceText] = {}
 
     def allow(self, folder: str) -> None:
@@ -65,7 +74,8 @@ class Files:
             return self._read[path]
         found = self._resolve(path)
         self._check_bounds(found)
-        text = SourceText(_shown(found), _bytes_of(found))
+        held = self._held.get(os.path.realpath(found)) if self._held else None
+        text = SourceText(_shown(found), _bytes_of(found) if held is None else held)
         self._read[path] = text
         return text
 

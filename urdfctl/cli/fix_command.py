@@ -1,0 +1,60 @@
+"""`urdfctl lint --fix`, `--unsafe-fixes` and `--diff`."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from urdfctl.cli.patch import patch
+from urdfctl.cli.wanted import Fixing, Wanted, found_in
+from urdfctl.cli.writing import print_bytes, replace_file
+from urdfctl.errors import UserError
+from urdfctl.fix.rounds import Change, Wishes, fixed
+from urdfctl.lint import Linted
+from urdfctl.load import Target
+from urdfctl.report.common import said, visible
+from urdfctl.settings import Settings
+
+
+class Done(NamedTuple):
+    """How many files were changed, or would be, and what would be left to find."""
+
+    files: int
+    left: tuple[Linted, ...]
+
+
+def fix(looked_at: Iterable[tuple[Target, Linted]], settings: Settings, wanted: Wanted, fixing: Fixing) -> Done:
+    """Mend the files of what was looked at, or show how; tell what is not mended, and why."""
+    wishes = Wishes(wanted.selection, wanted.config.ignores, fixing.unsafe)
+    result = fixed(tuple(looked_at), settings, wishes, wanted.jobs or None)
+    _tell(result.refused)
+    if not fixing.as_diff:
+        return Done(sum([_is_written(change) for change in result.changes]), result.linted)
+    print_bytes(patch(result.changes))
+    return Done(len(result.changes), result.linted)
+
+
+def tell_of(files: int, before: Iterable[Linted], after: Iterable[Linted], wanted: Wanted, fixing: Fixing) -> None:
+    """Tell how many of the findings are fixed, or would be."""
+    known, left = len(found_in(before, wanted)), len(found_in(after, wanted))
+    done = f"{'would fix' if fixing.as_diff else 'fixed'} {max(known - left, 0)}"
+    _tell([f"{done} of {_counted(known, 'finding')} in {_counted(files, 'file')}"])
+
+
+def _counted(number: int, what: str) -> str:
+    return f"{number} {what}" if number == 1 else f"{number} {what}s"
+
+
+def _is_written(change: Change) -> bool:
+    try:
+        replace_file(change.file, change.before, change.after)
+    except UserError as error:
+        _tell([str(error)])
+        return False
+    return True
+
+
+def _tell(lines: Iterable[str]) -> None:
+    for line in lines:
+        sys.stderr.write(f"urdfctl: {visible(said(line))}\n")

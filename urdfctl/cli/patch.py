@@ -1,0 +1,41 @@
+"""Shows changes as a unified diff that `git apply` and `patch -p1` take."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator
+
+from urdfctl.fix.rounds import Change
+
+_ESCAPES = {"\\": "\\\\", '"': '\\"', "\n": "\\n", "\t": "\\t", "\r": "\\r"}
+
+
+def patch(changes: Iterable[Change]) -> bytes:
+    """The changes, with paths from the current folder on."""
+    return b"".join(line for change in changes for line in _lines(change))
+
+
+def _lines(change: Change) -> Iterator[bytes]:
+    from difflib import diff_bytes, unified_diff
+
+    name = os.path.relpath(change.file, os.path.realpath(os.curdir)).replace(os.sep, "/")
+    old, new = _split(change.before), _split(change.after)
+    for line in diff_bytes(unified_diff, old, new, _header("a", name), _header("b", name)):
+        yield line if line.endswith(b"\n") else line + b"\n\\ No newline at end of file\n"
+
+
+def _split(data: bytes) -> list[bytes]:
+    """Lines as git sees them: only LF ends one."""
+    lines = [line + b"\n" for line in data.split(b"\n")]
+    lines[-1] = lines[-1][:-1]
+    return lines if lines[-1] else lines[:-1]
+
+
+def _header(side: str, name: str) -> bytes:
+    """A path as git writes it: quoted where it would be misread, with a tab behind it where it has blanks."""
+    path = f"{side}/{name}"
+    if any(character in path for character in _ESCAPES):
+        path = '"' + "".join(_ESCAPES.get(character, character) for character in path) + '"'
+    elif " " in path:
+        path += "\t"
+    return os.fsencode(path)

@@ -1,0 +1,213 @@
+"""Whether a robot is the same before and after some edits, but for what was edited.
+
+What is compared is what the edits cannot have meant: the parts of the expanded tree, and of the edited files
+themselves, that no edit touches. A part is known by the bytes it stands at, which edits before it may have moved.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import zip_longest
+from typing import TYPE_CHECKING, NamedTuple
+
+from urdfctl.fix.edits import Shift, Splice
+from urdfctl.source.dom import COMMENT, Element, Text
+from urdfctl.source.files import is_yaml
+from urdfctl.source.problem import ReadError
+from urdfctl.source.span import Call, SourceText
+from urdfctl.source.xml import parse
+
+if TYPE_CHECKING:
+    from urdfctl.source import yaml
+
+Files = Mapping[str, "EditedFile"]
+"""What the edits do to each file that they are in, by the path that places name."""
+
+
+class EditedFile(NamedTuple):
+    """How edits move the bytes of a file, and which of its parts they touch: by the offset at which each begins before
+    the edits, and by that at which it begins after them."""
+
+    shift: Shift
+    touched: Mapping[int, tuple[Splice, ...]]
+    touched_after: frozenset[int]
+
+
+def edited_file(source: SourceText, edits: Iterable[Splice]) -> EditedFile:
+    """What some edits do to one file."""
+    shift = Shift(edits)
+    find = _scalars_touched if is_yaml(source.path) else _elements_touched
+    touched: dict[int, list[Splice]] = {}
+    for start, edit in find(source, shift.edits):
+        touched.setdefault(start, []).append(edit)
+    after = frozenset(moved for start in touched if (moved := shift.of(start)) is not None)
+    return EditedFile(shift, {start: tuple(its) for start, its in touched.items()}, after)
+
+
+def _elements_touched(source: SourceText, edits: list[Splice]) -> Iterator[tuple[int, Splice]]:
+    """Each edit, and where the innermost element begins that it lies in."""
+    root = _xml(source)
+    spans = [(element.start, _end(element)) for element in _elements(root)] if root is not None else []
+    starts = [start for start, _ in spans]
+    for edit in edits:
+        before = spans[: bisect_left(starts, edit.start)]
+        around = (start for start, end in reversed(before) if edit.end < end or edit.start < edit.end == end)
+        yield from ((start, edit) for start in [next(around, None)] if start is not None)
+
+
+def _scalars_touched(source: SourceText, edits: list[Splice]) -> Iterator[tuple[int, Splice]]:
+    from urdfctl.source.yaml import Scalar
+
+    for node, _ in _nodes(source):
+        if isinstance(node, Scalar):
+            yield from ((node.start, edit) for edit in edits if edit.start <= node.end and node.start <= edit.end)
+
+
+def _xml(source: SourceText) -> Element | None:
+    try:
+        return parse(source).documentElement
+    except ReadError:
+        return None
+
+
+def _elements(root: Element) -> Iterator[Element]:
+    pending = [root]
+    while pending:
+        element = pending.pop()
+        yield element
+        pending += reversed(element.elements())
+
+
+def _end(element: Element) -> int:
+    tag = element.source.start_tag(element.start)
+    if element.close is None or (tag is not None and tag.self_closed):
+        return tag.end if tag is not None else element.start
+    return element.source.data.find(b">", element.close) + 1
+
+
+def _nodes(source: SourceText) -> Iterator[tuple[yaml.Node, int]]:
+    """The nodes of a YAML file in order, each with the number of the one it is in."""
+    from urdfctl.source.yaml import Mapping as Map
+    from urdfctl.source.yaml import Scalar, read_yaml
+
+    pending: list[tuple[yaml.Node, int]] = [(document, -1) for document in reversed(read_yaml(source).documents)]
+    number = -1
+    while pending:
+        node, around = pending.pop()
+        yield node, around
+        number += 1
+        if isinstance(node, Map):
+            pending += [(part, number) for entry in reversed(node.entries) for part in (entry.value, entry.key)]
+        elif not isinstance(node, Scalar):
+            pending += [(item, number) for item in reversed(node.items)]
+
+
+# -- what is kept ----------------------------------------------------------------------------------------------------
+
+
+class _Part(NamedTuple):
+    """A part that stays, where it stands after the edits, the number of the part it is in, and what it says; None
+    where an edit touches it, and it may say something else."""
+
+    file: str
+    start: int
+    around: int
+    says: object
+
+
+def same_tree(before: Element | None, after: Element | None, files: Files) -> bool:
+    """Whether two expanded trees differ in nothing but what edits touch, bring or take away."""
+    if before is None or after is None:
+        return before is after
+    pairs = zip_longest(_tree(before, _Before(files)), _tree(after, _After(files)))
+    return all(one == other for one, other in pairs)
+
+
+def same_file(before: SourceText, after: SourceText, edited: EditedFile) -> bool:
+    """Whether two states of a file differ in nothing but what edits touch, bring or take away."""
+    files = {before.path: edited}
+    if is_yaml(before.path):
+        pairs = zip_longest(_yaml(before, _Before(files)), _yaml(after, _After(files)))
+        return all(one == other for one, other in pairs)
+    root, other_root = _xml(before), _xml(after)
+    return root is None or same_tree(root, other_root, files)
+
+
+class _Before:
+    """Asks of parts before the edits: where they come to stand, None where they go; and whether they are touched."""
+
+    def __init__(self, files: Files) -> None:
+        self.files = files
+
+    def start(self, file: str, offset: int) -> int | None:
+        edited = self.files.get(file)
+        return edited.shift.of(offset) if edited else offset
+
+    def is_touched(self, file: str, offset: int) -> bool:
+        edited = self.files.get(file)
+        return edited is not None and offset in edited.touched
+
+
+class _After:
+    """Asks the same of parts after the edits, where those that the edits brought do not count."""
+
+    def __init__(self, files: Files) -> None:
+        self.files = files
+
+    def start(self, file: str, offset: int) -> int | None:
+        edited = self.files.get(file)
+        return None if edited and edited.shift.is_new(offset) else offset
+
+    def is_touched(self, file: str, offset: int) -> bool:
+        edited = self.files.get(file)
+        return edited is not None and offset in edited.touched_after
+
+
+def _tree(root: Element, state: _Before | _After) -> Iterator[_Part]:
+    """The elements that stay, in order; not those that came by a call that is edited."""
+    called: dict[int, bool] = {}
+    pending = [(root, -1)]
+    number = -1
+    while pending:
+        element, around = pending.pop()
+        file, start = element.source.path, state.start(element.source.path, element.start)
+        if start is not None and not _is_called_anew(element.call, state, called):
+            number += 1
+            touched = state.is_touched(file, element.start)
+            yield _Part(file, start, around, None if touched else _says(element))
+            around = number
+        pending += [(child, around) for child in reversed(element.elements())]
+
+
+def _is_called_anew(call: Call | None, state: _Before | _After, known: dict[int, bool]) -> bool:
+    if call is None:
+        return False
+    if id(call) not in known:
+        file = call.source.path
+        anew = state.start(file, call.offset) is None or state.is_touched(file, call.offset)
+        known[id(call)] = anew or _is_called_anew(call.parent, state, known)
+    return known[id(call)]
+
+
+def _says(element: Element) -> object:
+    texts = (node.data for node in element.children() if isinstance(node, Text) and node.nodeType != COMMENT)
+    return element.tagName, element.attrs, [text for text in texts if text.strip()]
+
+
+def _yaml(source: SourceText, state: _Before | _After) -> Iterator[_Part]:
+    from urdfctl.source.yaml import Scalar
+
+    numbers: list[int] = []
+    number = -1
+    for node, around in _nodes(source):
+        inside = numbers[around] if around >= 0 else -1
+        start = state.start(source.path, node.start)
+        if start is None:
+            numbers.append(inside)
+            continue
+        number += 1
+        numbers.append(number)
+        touched = state.is_touched(source.path, node.start)
+        says = (node.text, node.style) if isinstance(node, Scalar) else ()
+        yield _Part(source.path, start, inside, None if touched else (type(node).__name__, node.tag, says))
