@@ -4,8 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
+from typing import NamedTuple
+
+from typer.testing import CliRunner
 
 from urdfctl.catalog.catalog import CATALOG
+from urdfctl.cli.app import app
+from urdfctl.errors import UserError
 from urdfctl.generate.everything import Order, files
 from urdfctl.generate.facts import JointFacts, RobotFacts
 from urdfctl.generate.options import File, Options, Roles
@@ -75,3 +80,20 @@ def told(folder: Path, texts: Mapping[str, str], distro: str, simulator: str | N
     launch = next((path for path in others if path.endswith(".launch")), None)
     outcome = loader.lint(Target(first, controllers=controllers, launch=launch)).outcome
     return [f"{found.code} {found.message}" for found in outcome.diagnostics if found.code != "UC707"]
+
+
+class Ran(NamedTuple):
+    """What a command came to."""
+
+    returncode: int
+    stdout: str
+    stderr: str
+
+
+def command(*words: str, text: str | None = None) -> Ran:
+    """`urdfctl` with some words, in this process; only robots are read in another."""
+    try:
+        result = CliRunner().invoke(app, list(words), input=text, catch_exceptions=False)
+    except UserError as error:
+        return Ran(2, "", f"urdfctl: {error}\n")
+    return Ran(result.exit_code, result.stdout, result.stderr)

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 import yaml
 from folder import Folder
-from generating import JOINTS, ROBOT, made, roles_of, told
+from generating import JOINTS, ROBOT, command, made, roles_of, told
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -124,30 +124,30 @@ def test_each_joint_has_its_gains(count: int) -> None:
 
 def test_the_robots_joints_are_those_that_move_and_mimic_no_other(folder: Folder) -> None:
     folder.write({"robot.urdf": ARM})
-    done = folder.run("gen-controllers", "--type", "effort", "--distro", "jazzy")
+    done = command("gen-controllers", "--type", "effort", "--distro", "jazzy")
     assert read(done.stdout)["effort_controller"]["ros__parameters"]["joints"] == ["shoulder", "elbow"]
     assert done.stdout.startswith("# made by urdfctl gen-controllers --type effort --distro jazzy\n")
 
 
 def test_joints_are_chosen_by_regular_expressions(folder: Folder) -> None:
     folder.write({"robot.urdf": ARM})
-    done = folder.run("gen-controllers", "robot.urdf", "--type", "effort", "--distro", "noetic", "--exclude", "s.*")
+    done = command("gen-controllers", "robot.urdf", "--type", "effort", "--distro", "noetic", "--exclude", "s.*")
     assert [one.get("joint") for one in read(done.stdout).values()] == [None, "elbow"]
-    wrong = folder.run("gen-controllers", "robot.urdf", "--type", "effort", "--joints", "elbo")
+    wrong = command("gen-controllers", "robot.urdf", "--type", "effort", "--joints", "elbo")
     assert (wrong.returncode, wrong.stdout) == (2, "")
     assert "no joint matches 'elbo'; did you mean 'elbow'?" in wrong.stderr
 
 
 def test_a_joint_that_the_robot_does_not_have_is_told(folder: Folder) -> None:
     folder.write({"robot.urdf": ARM})
-    done = folder.run("gen-controllers", "robot.urdf", "--joint", "elbwo", "--type", "effort", "--distro", "jazzy")
+    done = command("gen-controllers", "robot.urdf", "--joint", "elbwo", "--type", "effort", "--distro", "jazzy")
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr == "urdfctl: the robot has no joint 'elbwo'; did you mean 'elbow'?\n"
 
 
 def test_gains_begin_with_the_inertia_that_a_joint_moves(folder: Folder) -> None:
     folder.write({"robot.urdf": ARM})
-    done = folder.run("gen-controllers", "--type", "position", "--interface", "effort", "--distro", "noetic")
+    done = command("gen-controllers", "--type", "position", "--interface", "effort", "--distro", "noetic")
     gains = read(done.stdout)["shoulder_position_controller"]["pid"]
     assert gains == {"p": 41.1, "i": 0.0, "d": 6.53}  # 0.01 + 1 kg at 0.5 m = 0.26 kg m2, at 2 Hz
     assert "starting values, to be tuned, by the 0.26 kg m2 that it moves" in done.stdout
@@ -157,7 +157,7 @@ def test_gains_begin_with_the_inertia_that_a_joint_moves(folder: Folder) -> None
 
 def test_a_drive_is_measured(folder: Folder) -> None:
     folder.write({"robot.urdf": ROVER})
-    done = folder.run("gen-controllers", "--type", "diff_drive", "--distro", "jazzy")
+    done = command("gen-controllers", "--type", "diff_drive", "--distro", "jazzy")
     drive = read(done.stdout)["diff_drive_controller"]["ros__parameters"]
     assert (drive["left_wheel_names"], drive["right_wheel_names"]) == (["left_joint"], ["right_joint"])
     assert (drive["wheel_separation"], drive["wheel_radius"]) == (0.5, 0.1)
@@ -238,7 +238,7 @@ def test_a_list_goes_over_what_the_robot_says() -> None:
 
 
 def test_a_list_comes_from_standard_input(folder: Folder) -> None:
-    done = folder.run("gen-controllers", "-", "--type", "velocity", "--distro", "jazzy", text="a\nb\n")
+    done = command("gen-controllers", "-", "--type", "velocity", "--distro", "jazzy", text="a\nb\n")
     assert read(done.stdout)["velocity_controller"]["ros__parameters"] == {
         "joints": ["a", "b"],
         "interface_name": "velocity",
@@ -247,25 +247,25 @@ def test_a_list_comes_from_standard_input(folder: Folder) -> None:
 
 def test_a_file_is_written_checked_and_not_overwritten(folder: Folder) -> None:
     words = ("gen-controllers", "--joint", "a", "--type", "effort", "--distro", "jazzy", "-o", "c.yaml")
-    assert folder.run(*words, "--check").stdout == "c.yaml is stale\n"
-    assert folder.run(*words).returncode == 0
-    assert folder.run(*words, "--check").returncode == 0
+    assert command(*words, "--check").stdout == "c.yaml is stale\n"
+    assert command(*words).returncode == 0
+    assert command(*words, "--check").returncode == 0
     before = (folder.path / "c.yaml").read_bytes()
     (folder.path / "c.yaml").write_bytes(before + b"mine: 1\n")
-    assert folder.run(*words, "--check").returncode == 1
-    assert "-mine: 1" in folder.run(*words, "--diff").stdout
-    refused = folder.run(*words)
+    assert command(*words, "--check").returncode == 1
+    assert "-mine: 1" in command(*words, "--diff").stdout
+    refused = command(*words)
     assert (refused.returncode, refused.stderr) == (
         2,
         "urdfctl: 'c.yaml' exists; --force overwrites it, --diff shows what would change\n",
     )
-    assert folder.run(*words, "--force").returncode == 0
+    assert command(*words, "--force").returncode == 0
     assert (folder.path / "c.yaml").read_bytes() == before
 
 
 def test_a_robot_that_cannot_be_read_is_told_with_its_place(folder: Folder) -> None:
     folder.write({"robot.urdf": '<robot name="x"><link></robot>'})
-    done = folder.run("gen-controllers", "robot.urdf", "--type", "effort")
+    done = command("gen-controllers", "robot.urdf", "--type", "effort")
     assert (done.returncode, done.stdout) == (1, "")
     assert "robot.urdf:1:" in done.stderr
 
@@ -275,9 +275,9 @@ def test_a_template_of_the_users_comes_before_the_own(folder: Folder) -> None:
         {"mine/controllers/ros2.yaml.j2": "# {{ command }}\nx: 1\n", "bad/controllers/ros2.yaml.j2": "{{ no }}"}
     )
     words = ("gen-controllers", "--joint", "a", "--type", "effort", "--distro", "jazzy", "--templates")
-    assert folder.run(*words, "mine").stdout.endswith("x: 1\n")
-    assert folder.run(*words, "bad").stderr == "urdfctl: template 'controllers/ros2.yaml.j2': 'no' is undefined\n"
-    assert "controllers/ros2.yaml.j2\n" in folder.run("gen-controllers", "--list-templates").stdout
+    assert command(*words, "mine").stdout.endswith("x: 1\n")
+    assert command(*words, "bad").stderr == "urdfctl: template 'controllers/ros2.yaml.j2': 'no' is undefined\n"
+    assert "controllers/ros2.yaml.j2\n" in command("gen-controllers", "--list-templates").stdout
 
 
 def test_the_recipes_speak_of_what_there_is() -> None:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from folder import Folder
-from generating import JOINTS, ROBOT, made, roles_of, told
+from generating import JOINTS, ROBOT, command, made, roles_of, told
 
 from urdfctl.catalog.catalog import CATALOG
 from urdfctl.catalog.distros import ALL, ROS1
@@ -89,7 +89,7 @@ def test_a_macro_is_called_for_each_joint(folder: Folder) -> None:
     [file] = made("gen-transmissions", Options("noetic", macro=True), (JointFacts('a"b'), JointFacts("$(x)")))
     assert file.text.count("<xacro:joint_transmission") == 2
     folder.write({"t.xacro": file.text})
-    expanded = folder.run("expand", "t.xacro").stdout
+    expanded = command("expand", "t.xacro").stdout
     assert expanded.count("hardware_interface/EffortJointInterface") == 2
     assert '<joint name="$(x)">' in expanded
 
@@ -139,7 +139,7 @@ def test_a_block_is_inserted_and_every_other_byte_stays(folder: Folder) -> None:
         "--into",
         "robot.xacro",
     )
-    assert folder.run(*words).returncode == 0
+    assert command(*words).returncode == 0
     after = (folder.path / "robot.xacro").read_bytes()
     start = after.index(b"\r\n  <!-- made by urdfctl gen-gazebo")
     end = after.index(b"</robot>")
@@ -161,15 +161,15 @@ def test_everything_is_written_and_can_be_checked_again(folder: Folder) -> None:
         "-o",
         "out",
     )
-    assert folder.run(*words).returncode == 0
-    assert folder.run(*words, "--check").returncode == 0
-    assert folder.run("lint", "out", "--distro", "jazzy").returncode == 0
+    assert command(*words).returncode == 0
+    assert command(*words, "--check").returncode == 0
+    assert command("lint", "out", "--distro", "jazzy").returncode == 0
     texts = [path.read_text() for path in (folder.path / "out").rglob("*") if path.is_file()]
     assert len(texts) == 6
     assert all("made by urdfctl gen-all everything.urdf" in text for text in texts)
     made_by = (folder.path / "out/urdf/control.xacro").read_text().splitlines()[1]
     again = made_by.removeprefix("<!-- made by urdfctl ").removesuffix(" -->").split()
-    assert folder.run(*again, "-o", "out", "--check").returncode == 0
+    assert command(*again, "-o", "out", "--check").returncode == 0
 
 
 def test_every_host_of_the_catalogue_is_written() -> None:
