@@ -17,6 +17,8 @@ from urdfctl.generate.recipes import recipes
 
 SIMULATORS = ("gz", "gazebo-classic", "mujoco", "none")
 REFUSED = ("has no", "takes no", "is deprecated", "needs", "simulation has not", "no controllers in")
+EXPECTED = ("UC467", "UC705", "UC706")
+"""What is told of a package for one kind of controller: the other joints idle, and later distros lack things."""
 
 
 def axis(joint: JointFacts) -> str:
@@ -57,7 +59,7 @@ def test_a_package_of_every_kind_of_controller_lints_clean(distro: str, simulato
         except UserError as error:
             assert any(words in str(error) for words in REFUSED), error  # noqa: PT017
             continue
-        found[name] = [one for one in told(tmp_path, files, distro, simulator) if one[:5] not in ("UC705", "UC706")]
+        found[name] = [one for one in told(tmp_path, files, distro, simulator) if one[:5] not in EXPECTED]
     assert {name: findings for name, findings in found.items() if findings} == {}
 
 

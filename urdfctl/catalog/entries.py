@@ -150,6 +150,7 @@ class ControllerType(NamedTuple):
     ignored: tuple[str, ...] = ()
     needs_robot_description: bool = False
     joints_must_be_in_urdf: bool = False
+    publishes_joint_states: bool = False
 
     @property
     def undeclared(self) -> tuple[str, ...]:

@@ -87,6 +87,7 @@ def controller_type(entry: Plain, distro: str) -> ControllerType | None:
         tuple(own.get("ignored_parameters", ())),
         own.get("needs_robot_description", False),
         own.get("joints_must_be_in_urdf", False),
+        own.get("publishes_joint_states", False),
     )
 
 

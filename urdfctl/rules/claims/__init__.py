@@ -10,9 +10,15 @@ from urdfctl.rules.claims.command_interface_not_exported import command_interfac
 from urdfctl.rules.claims.controllers_chained_in_a_circle import controllers_chained_in_a_circle
 from urdfctl.rules.claims.controllers_in_conflict import controllers_in_conflict
 from urdfctl.rules.claims.gains_missing import gains_missing
+from urdfctl.rules.claims.gazebo_gains_given import gazebo_gains_given
 from urdfctl.rules.claims.hardware_interface_not_in_gazebo import hardware_interface_not_in_gazebo
+from urdfctl.rules.claims.hardware_not_active import hardware_not_active
 from urdfctl.rules.claims.interface_claimed_twice import interface_claimed_twice
 from urdfctl.rules.claims.joint_in_another_interface import joint_in_another_interface
+from urdfctl.rules.claims.joint_limits_incomplete import joint_limits_incomplete
+from urdfctl.rules.claims.joint_not_commanded import joint_not_commanded
+from urdfctl.rules.claims.joint_states_not_published import joint_states_not_published
+from urdfctl.rules.claims.joint_states_published_twice import joint_states_published_twice
 from urdfctl.rules.claims.joint_without_transmission import joint_without_transmission
 from urdfctl.rules.claims.state_interface_not_exported import state_interface_not_exported
 
@@ -25,8 +31,14 @@ RULES: tuple[Rule, ...] = (
     controllers_chained_in_a_circle,
     controllers_in_conflict,
     interface_claimed_twice,
+    hardware_not_active,
     joint_in_another_interface,
     joint_without_transmission,
     hardware_interface_not_in_gazebo,
     gains_missing,
+    joint_states_not_published,
+    joint_states_published_twice,
+    joint_not_commanded,
+    joint_limits_incomplete,
+    gazebo_gains_given,
 )

@@ -11,6 +11,7 @@ from urdfctl.rules.controllers.joints import robot_of
 from urdfctl.rules.controllers.readers import Reader, in_each_distro
 
 _BASE = """
+    states: {type: joint_state_controller/JointStateController, publish_rate: 50}
     base:
       type: diff_drive_controller/DiffDriveController
       left_wheel: shoulder

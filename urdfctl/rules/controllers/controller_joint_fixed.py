@@ -19,6 +19,7 @@ _ROBOT = """
     </transmission>
 """
 _CONTROLLERS = """
+    states: {type: joint_state_controller/JointStateController, publish_rate: 50}
     arm:
       type: position_controllers/JointGroupPositionController
       joints: [%s]

@@ -32,6 +32,7 @@ _ROS2 = 2
             controller_manager:
               ros__parameters:
                 update_rate: 100
+                states: {type: joint_state_broadcaster/JointStateBroadcaster}
                 arm: {type: position_controllers/JointGroupPositionController}
             arm:
               ros__parameters:

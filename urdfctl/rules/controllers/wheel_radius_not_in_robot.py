@@ -33,6 +33,7 @@ _ROBOT = """
     </transmission>
 """
 _CONTROLLERS = """
+    states: {type: joint_state_controller/JointStateController, publish_rate: 50}
     base:
       type: diff_drive_controller/DiffDriveController
       left_wheel: %s

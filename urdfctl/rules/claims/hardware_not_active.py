@@ -1,0 +1,123 @@
+"""UC458."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import since
+from urdfctl.control.hardware import Kind
+from urdfctl.control.session import Configured, Session
+from urdfctl.model.parameters import Value
+from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rules.claims.common import home, of_each_candidate
+
+_STATES = "hardware_components_initial_state"
+_ALLOWED = "defaults.allow_controller_activation_with_inactive_hardware"
+_ROBOT = """
+    <ros2_control name="arm_hardware" type="system">
+      <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+      <joint name="shoulder"><command_interface name="position"/><state_interface name="position"/></joint>
+      <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+    </ros2_control>
+"""
+_CONTROLLERS = """
+    controller_manager:
+      ros__parameters:
+        update_rate: 100
+        hardware_components_initial_state:
+          %s: [%s]
+        states: {type: joint_state_broadcaster/JointStateBroadcaster}
+        arm: {type: forward_command_controller/ForwardCommandController}
+    states:
+      ros__parameters:
+        frame_id: base
+    arm:
+      ros__parameters:
+        joints: [shoulder, elbow]
+        interface_name: position
+"""
+
+
+@rule(
+    "UC458",
+    severity=Severity.ERROR,
+    distros=since("humble"),
+    authority="ros2_control controller_manager/src/controller_manager.cpp, init_resource_manager and, from jazzy 4.38.0 "
+    "on, 'Could not switch controllers since prepare command mode switch was rejected.'",
+    whole_robot=True,
+    in_library=False,
+    options=["--distro=jazzy", "--start=states,arm"],
+    bad={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % ("unconfigured", "«arm_hardware»")},
+    good={
+        "robot.urdf": _ROBOT,
+        "controllers.yaml": """
+            controller_manager:
+              ros__parameters:
+                update_rate: 100
+                states: {type: joint_state_broadcaster/JointStateBroadcaster}
+                arm: {type: forward_command_controller/ForwardCommandController}
+            arm:
+              ros__parameters:
+                joints: [shoulder, elbow]
+                interface_name: position
+        """,
+    },
+)
+def hardware_not_active(project: Project) -> Iterator[Finding]:
+    """A controller is started whose hardware the manager is told to leave inactive or unconfigured.
+
+    Unconfigured hardware has no interfaces to be claimed. Of inactive hardware the interfaces are there, but from jazzy
+    on its controllers are refused all the same, unless the manager is told to allow them. Someone has to activate the
+    hardware first, with the hardware_spawner for one.
+    """
+    if _is_activated(project):
+        return
+    told: set[int] = set()
+    for finding in of_each_candidate(project, _asleep):
+        if id(finding.at) not in told:
+            told.add(id(finding.at))
+            yield finding
+
+
+def _is_activated(project: Project) -> bool:
+    nodes = project.launch.nodes if project.launch else ()
+    return any(node.runs("controller_manager", "hardware_spawner") for node in nodes)
+
+
+def _asleep(session: Session, one: Configured) -> Iterator[Finding]:
+    manager = one.controller.manager
+    if session.started is None or manager is None:
+        return
+    allowed = manager.parameters.value(_ALLOWED)
+    states = ["unconfigured"]
+    if session.distro in since("jazzy") and not (allowed and (allowed.value is True or not allowed.is_known)):
+        states.append("inactive")
+    for state in states:
+        names = manager.parameters.value(f"{_STATES}.{state}")
+        for hardware in sorted(_claimed(session, one)):
+            place = _named(names, hardware)
+            if place is not None:
+                yield _finding(one, place, hardware, state)
+
+
+def _finding(one: Configured, named: Value, hardware: str, state: str) -> Finding:
+    declared = home(one.controller)
+    notes = (Note(f"controller '{one.name}' is declared here", declared),) if declared else ()
+    message = (
+        f"controller '{one.name}' is started, and its hardware '{hardware}' is left {state}: it cannot be activated"
+    )
+    return Finding(named.at, message, notes)
+
+
+def _claimed(session: Session, one: Configured) -> set[str]:
+    """The hardware components of which a controller claims anything."""
+    found: set[str] = set()
+    for kind in Kind:
+        for claim in one.claimed(kind):
+            offers = session.hardware.of(kind, claim.component)
+            found.update(offer.by for offer in offers if offer.interface == claim.interface and offer.by)
+    return found
+
+
+def _named(names: Value | None, hardware: str) -> Value | None:
+    return next((item for item in names.items if item.text == hardware), None) if names else None
