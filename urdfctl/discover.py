@@ -43,6 +43,18 @@ class Found:
         known = set(files)
         return [path for path in map(os.path.abspath, self.others) if path not in known]
 
+    def paths(self) -> list[str]:
+        """All files that may be looked at."""
+        named = [*self.robots, *self.controllers, *self.launches]
+        return [*named, *self.candidates, *self.others, *self.launch_candidates, *self.controllers_candidates]
+
+    def among(self, paths: Collection[str]) -> Found:
+        """The part of it that is among some absolute paths."""
+        part = Found()
+        for kind, found in vars(self).items():
+            setattr(part, kind, [path for path in found if os.path.abspath(path) in paths])
+        return part
+
     def descriptions(self) -> list[tuple[str, bool]]:
         """Each description once, and whether it was named by the user."""
         named = {os.path.abspath(path): True for path in self.robots}
@@ -92,19 +104,19 @@ def nearest_path(path: str) -> str:
 def _search(folder: str, found: Found, excluded: Callable[[str], bool]) -> None:
     """What may be worth linting below a folder. What is excluded still tells what others are included by."""
     files = sorted(_files(folder))
-    robots = {path: text for path in files if path.endswith(_DESCRIPTIONS) and re.search(_ROBOT, text := _text(path))}
+    robots = {path: text for path in files if path.endswith(_DESCRIPTIONS) and re.search(_ROBOT, text := text_of(path))}
     found.others += (path for path in robots if not excluded(path))
     found.candidates += (path for path in roots(robots) if not excluded(path))
-    launches = {path: text for path in files if _may_launch(path) and is_launch_file(path, text := _text(path))}
+    launches = {path: text for path in files if _may_launch(path) and is_launch_file(path, text := text_of(path))}
     found.launch_candidates += (path for path in launch_roots(launches) if not excluded(path))
     yamls = (path for path in files if is_yaml(path) and not excluded(path))
-    found.controllers_candidates += (path for path in yamls if is_controllers_file(_text(path)))
+    found.controllers_candidates += (path for path in yamls if is_controllers_file(text_of(path)))
 
 
 def roots(texts: Mapping[str, bytes]) -> list[str]:
     """The descriptions that no other one includes, in order. Whether one is a robot shows when it is read."""
     included = {(tail, package) for path, text in texts.items() for tail, package in _included(path, text)}
-    return [path for path in texts if not any(_is(path, tail, package) for tail, package in included)]
+    return [path for path in texts if not any(fits(path, tail, package) for tail, package in included)]
 
 
 def _files(folder: str) -> Iterator[str]:
@@ -123,7 +135,8 @@ def _may_launch(path: str) -> bool:
     return path.endswith((*_LAUNCHES, ".py"))
 
 
-def _text(path: str) -> bytes:
+def text_of(path: str) -> bytes:
+    """The text of a file, as far as it tells what the file is."""
     try:
         if os.path.getsize(path) > _MAX_BYTES:
             return b"<robot "  # reading it tells what is wrong with it
@@ -145,7 +158,8 @@ def _included(path: str, text: bytes) -> Iterator[tuple[str, str]]:
             yield relative, ""
 
 
-def _is(path: str, included: str, package: str) -> bool:
+def fits(path: str, included: str, package: str) -> bool:
+    """Whether a path is the one that an include means, or ends as it does in the package that it names."""
     if not included.startswith("*"):
         return os.path.normpath(path) == included
     if not included.strip("*/") or not fnmatchcase(os.path.abspath(path).replace(os.sep, "/"), included):

@@ -82,6 +82,9 @@ def lint(
     ] = None,
     statistics: Annotated[bool, typer.Option("--statistics", help="Count the findings of each rule, in text.")] = False,
     exit_zero: Annotated[bool, typer.Option("--exit-zero", help="Exit with 0 whatever is found.")] = False,
+    shard: Annotated[
+        str | None, typer.Option(help="Only a share of the files: 2/5 is the second of five.", metavar="K/N")
+    ] = None,
     jobs: Annotated[int, typer.Option(help="How many robots at once; 0: as many as there are processors.")] = 0,
     config: ConfigFile = None,
     fix: Annotated[bool, typer.Option("--fix", help="Write what is surely meant into the files.")] = False,

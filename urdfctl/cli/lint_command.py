@@ -4,20 +4,18 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
-from urdfctl.cli.progress import watched
+from urdfctl.cli.looking import LookedAt, look_at
 from urdfctl.cli.wanted import Fixing, Wanted, found_in
 from urdfctl.cli.words import codes, configured, settings_from, split_arguments
 from urdfctl.cli.writing import print_text, write_file
 from urdfctl.config import Config
 from urdfctl.diagnostic import Severity
-from urdfctl.discover import Found, find
+from urdfctl.discover import find
 from urdfctl.errors import UserError
-from urdfctl.lint import Linted, Selection, worst
+from urdfctl.lint import Selection, worst
 from urdfctl.lint import checked as checked_selection
-from urdfctl.load import Target, lint_all
 from urdfctl.report import FORMATS, render
 from urdfctl.report.common import Report
 from urdfctl.settings import Settings
@@ -25,6 +23,7 @@ from urdfctl.suggest import did_you_mean
 
 if TYPE_CHECKING:
     from urdfctl.cli.known_findings import Baseline
+    from urdfctl.shards import Shard
 
 
 def lint_words(  # noqa: PLR0913, PLR0917 (one for each option)
@@ -47,6 +46,7 @@ def lint_words(  # noqa: PLR0913, PLR0917 (one for each option)
     write_baseline: str | None = None,
     statistics: bool = False,  # noqa: FBT001, FBT002
     exit_zero: bool = False,  # noqa: FBT001, FBT002
+    shard: str | None = None,
     jobs: int = 0,
     config: str | None = None,
     fix: bool = False,  # noqa: FBT001, FBT002
@@ -69,6 +69,7 @@ def lint_words(  # noqa: PLR0913, PLR0917 (one for each option)
         _baseline(baseline, write_baseline),
         statistics,
         Fixing(unsafe_fixes, diff) if fix or unsafe_fixes or diff else None,
+        _shard(shard, write_baseline),
     )
     return run_lint(wanted, settings)
 
@@ -79,7 +80,7 @@ def run_lint(wanted: Wanted, settings: Settings) -> int:
     found = find(paths, wanted.config.excludes)
     if not (found.descriptions() or found.controllers or found.launches or found.controllers_candidates):
         sys.stderr.write(f"urdfctl: no robot found in {', '.join(paths) or 'this folder'}\n")
-    looked_at = _linted(found, tuple(arguments.items()), settings, wanted)
+    looked_at = look_at(found, tuple(arguments.items()), settings, wanted)
     if wanted.fixing is None:
         return _status(_report(looked_at, wanted), looked_at, wanted)
     from urdfctl.cli.fix_command import fix, tell_of
@@ -89,7 +90,7 @@ def run_lint(wanted: Wanted, settings: Settings) -> int:
         _report(looked_at, wanted)
         tell_of(done.files, before.linted, done.left, wanted, wanted.fixing)
         return 3 if looked_at.crashed else int(done.files > 0 and not wanted.exit_zero)
-    looked_at = _linted(found, tuple(arguments.items()), settings, wanted) if done.files else before
+    looked_at = look_at(found, tuple(arguments.items()), settings, wanted) if done.files else before
     report = _report(looked_at, wanted)
     tell_of(done.files, before.linted, looked_at.linted, wanted, wanted.fixing)
     return _status(report, looked_at, wanted)
@@ -100,24 +101,6 @@ def _status(report: Report, looked_at: LookedAt, wanted: Wanted) -> int:
         return 3
     gravest = worst(report.findings)
     return int(gravest is not None and gravest.weight >= wanted.fail_on.weight and not wanted.exit_zero)
-
-
-class LookedAt(NamedTuple):
-    """The robots, and all that was looked at: in folders also the macro libraries, fragments and controllers' files
-    that no robot uses."""
-
-    robots: list[Linted]
-    all: list[tuple[Target, Linted]]
-
-    @property
-    def linted(self) -> list[Linted]:
-        """What came of each."""
-        return [one for _, one in self.all]
-
-    @property
-    def crashed(self) -> bool:
-        """Whether urdfctl itself was at fault anywhere."""
-        return any(one.outcome.crashed for one in self.linted)
 
 
 def _report(looked_at: LookedAt, wanted: Wanted) -> Report:
@@ -133,63 +116,6 @@ def _report(looked_at: LookedAt, wanted: Wanted) -> Report:
         if file is not None or not (wanted.fixing and wanted.fixing.as_diff):
             _tell(report, name, file)
     return report
-
-
-def _linted(found: Found, arguments: tuple[tuple[str, str], ...], settings: Settings, wanted: Wanted) -> LookedAt:
-    """What the words mean, linted."""
-
-    def linted(targets: list[Target]) -> Iterator[tuple[Target, Linted]]:
-        found = lint_all(targets, settings, wanted.selection, wanted.jobs or None)
-        return zip(targets, watched(found, len(targets)), strict=True)
-
-    targets, kept = _targets(found, arguments)
-    all_kept = [pair for pair, keep in zip(linted(targets), kept, strict=True) if keep(pair[1])]
-    read = {file for _, one in all_kept for file in one.files}
-    all_kept += linted([Target(path) for path in found.controllers if os.path.abspath(path) not in read])
-    read |= {os.path.abspath(path) for path in found.controllers}
-    alone = [Target(path) for path in found.controllers_candidates if os.path.abspath(path) not in read]
-    rest = [Target(path, fragment=True) for path in found.unread(read)]
-    robotless = {os.path.abspath(path) for path in found.launch_candidates}
-    robots = [one for _, one in all_kept if one.path not in robotless]
-    return LookedAt(robots, [*all_kept, *linted([*rest, *alone])])
-
-
-def _targets(
-    found: Found, arguments: tuple[tuple[str, str], ...]
-) -> tuple[list[Target], list[Callable[[Linted], bool]]]:
-    """What is to be linted, and of each what tells whether it is worth to be told of. What is named beside a single
-    robot belongs to it."""
-    descriptions = found.descriptions()
-    targets: list[Target] = []
-    kept: list[Callable[[Linted], bool]] = []
-    single = len(descriptions) == 1
-    controllers = tuple(found.controllers) if single else ()
-    for path, named in descriptions:
-        for launch in (found.launches if single else ()) or (None,):
-            targets.append(Target(path, arguments, controllers=controllers, launch=launch))
-            kept.append(_always if named else _is_robot)
-    if not single:
-        targets += [Target(path, arguments) for path in found.launches]
-        kept += [_always] * len(found.launches)
-    targets += [Target(path) for path in found.launch_candidates]
-    kept += [_has_controllers] * len(found.launch_candidates)
-    return targets, kept
-
-
-def _always(_: Linted) -> bool:
-    return True
-
-
-def _has_controllers(linted: Linted) -> bool:
-    return bool(linted.controllers)
-
-
-def _is_robot(linted: Linted) -> bool:
-    """Whether a file found in a folder is a robot: two links or more, whole or at least named; or nothing that could be
-    read at all."""
-    if linted.links is None:
-        return True
-    return linted.links > 1 and (linted.complete or linted.robot is not None)
 
 
 def _selection(config: Config, select: tuple[str, ...], ignore: tuple[str, ...], extend: tuple[str, ...]) -> Selection:
@@ -211,6 +137,16 @@ def _baseline(path: str | None, to_write: str | None) -> Baseline | None:
     from urdfctl.cli.known_findings import opened
 
     return opened(path, to_write)
+
+
+def _shard(text: str | None, to_write: str | None) -> Shard | None:
+    if text is None:
+        return None
+    if to_write is not None:
+        raise UserError("--write-baseline needs the whole run; --shard is a part of one")
+    from urdfctl.shards import shard
+
+    return shard(text)
 
 
 def _severity(name: str) -> Severity:

@@ -19,6 +19,7 @@ ONE: dict[str, Callable[[str], Any]] = {
     "--fail-on": str,
     "--baseline": str,
     "--write-baseline": str,
+    "--shard": str,
     "--jobs": int,
     "--config": str,
 }

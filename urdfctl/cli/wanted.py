@@ -11,6 +11,7 @@ from urdfctl.lint import Linted, Selection, joined
 
 if TYPE_CHECKING:
     from urdfctl.cli.known_findings import Baseline
+    from urdfctl.shards import Shard
 
 
 class Fixing(NamedTuple):
@@ -33,6 +34,7 @@ class Wanted(NamedTuple):
     baseline: Baseline | None = None
     statistics: bool = False
     fixing: Fixing | None = None
+    shard: Shard | None = None
 
 
 def found_in(linted: Iterable[Linted], wanted: Wanted) -> list[Diagnostic]:
