@@ -338,8 +338,30 @@ SLOW = """\
 
 @pytest.mark.skipif(shutil.which("ps") is None, reason="needs ps, to see the workers")
 def test_an_interrupt_ends_it_quietly_and_its_workers_too(folder: Folder) -> None:
+    process = slow(folder, signal.SIG_DFL)
+    until(lambda: len(members(process.pid)) == 2)
+    os.killpg(process.pid, signal.SIGINT)
+    out, err = process.communicate(timeout=10)
+    assert (process.returncode, out, err) == (130, "", "")
+    until(lambda: not members(process.pid))
+
+
+@pytest.mark.skipif(shutil.which("ps") is None, reason="needs ps, to see the workers")
+def test_where_interrupts_are_ignored_as_in_the_background_of_a_shell_the_workers_ignore_them_too(
+    folder: Folder,
+) -> None:
+    process = slow(folder, signal.SIG_IGN)
+    until(lambda: len(members(process.pid)) == 2)
+    os.killpg(process.pid, signal.SIGINT)
+    out, _ = process.communicate(timeout=60)
+    assert process.returncode != 3
+    assert "gave no result" not in out
+
+
+def slow(folder: Folder, interrupted: signal.Handlers) -> subprocess.Popen[str]:
+    """A run that takes long, in a group of its own."""
     folder.write({"slow.xacro": SLOW})
-    process = subprocess.Popen(
+    return subprocess.Popen(
         [sys.executable, "-m", "urdfctl", "lint", "slow.xacro"],
         cwd=folder.path,
         env=environment({}),
@@ -347,12 +369,8 @@ def test_an_interrupt_ends_it_quietly_and_its_workers_too(folder: Folder) -> Non
         stderr=subprocess.PIPE,
         text=True,
         start_new_session=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, interrupted),  # noqa: PLW1509 (there are none here)
     )
-    until(lambda: len(members(process.pid)) == 2)
-    os.killpg(process.pid, signal.SIGINT)
-    out, err = process.communicate(timeout=10)
-    assert (process.returncode, out, err) == (130, "", "")
-    until(lambda: not members(process.pid))
 
 
 def members(group: int) -> list[str]:

@@ -159,7 +159,8 @@ def _restrict(limits: Limits) -> None:
             resource.setrlimit(kind, (most, hard))
         except (ValueError, OSError, OverflowError):  # macOS refuses RLIMIT_AS
             continue
-    signal.signal(signal.SIGINT, signal.SIG_DFL)  # the parent tells what is to be told
+    if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:  # as in a shell's background, where none is to be heard
+        signal.signal(signal.SIGINT, signal.SIG_DFL)  # the parent tells what is to be told
     signal.signal(signal.SIGALRM, _too_late(limits.seconds))
     signal.setitimer(signal.ITIMER_REAL, limits.seconds)
 
