@@ -15,7 +15,7 @@ from urdfctl.catalog.catalog import CATALOG
 from urdfctl.catalog.distros import ALL
 from urdfctl.errors import UserError
 from urdfctl.generate.choice import chosen
-from urdfctl.generate.facts import JointFacts, RobotFacts
+from urdfctl.generate.facts import JointFacts, PartFacts, RobotFacts
 from urdfctl.generate.joint_list import joints_listed
 from urdfctl.generate.options import Options, Roles
 from urdfctl.generate.recipes import recipes
@@ -117,7 +117,7 @@ def test_any_names_come_back_in_their_order(names: list[str]) -> None:
 @pytest.mark.parametrize("count", [1, 2, 50, 200])
 def test_each_joint_has_its_gains(count: int) -> None:
     joints = tuple(JointFacts(f"joint_{number}", effort=5.0) for number in range(count))
-    options = Options("jazzy", types=("trajectory",), interface="effort")
+    options = Options("jazzy", types=("trajectory",), interfaces=("effort",))
     [file] = made("gen-controllers", options, joints, RobotFacts())
     assert len(read(file.text)["joint_trajectory_controller"]["ros__parameters"]["gains"]) == count
 
@@ -298,3 +298,87 @@ def test_the_recipes_speak_of_what_there_is() -> None:
     for name, recipe in plain["parameters"].items():
         known = {p for distro in ALL if (one := CATALOG.controller(name, distro)) for p in one.parameters}
         assert any(parameter in known for parameter in recipe if parameter != "also") or "also" in recipe, name
+
+
+def test_a_full_name_takes_the_interfaces_that_the_robot_has() -> None:
+    robot = ROBOT._replace(interfaces={"arm": ("velocity",)})
+    for name in ("forward_command_controller/ForwardCommandController", "joint_trajectory_controller/"):
+        full = name + "JointTrajectoryController" if name.endswith("/") else name
+        [file] = made("gen-controllers", Options("jazzy", types=(full,)), JOINTS[-1:], robot)
+        of_arm = read(file.text)[full.partition("/")[0]]["ros__parameters"]
+        assert of_arm.get("interface_name", *of_arm.get("command_interfaces", ())) == "velocity"
+
+
+def test_a_chain_ends_at_the_hardware_and_starts_there() -> None:
+    options = Options("jazzy", types=("trajectory", "pid"), chain=True, states=("position", "velocity"))
+    [file] = made("gen-controllers", options, JOINTS[-1:])
+    plain = read(file.text)
+    assert list(plain) == ["controller_manager", "pid_controller", "joint_trajectory_controller"]
+    above = plain["joint_trajectory_controller"]["ros__parameters"]
+    assert (above["joints"], above["command_joints"]) == (["arm"], ["pid_controller/arm"])
+    assert above["command_interfaces"] == ["position", "velocity"]
+
+
+def test_a_chain_of_a_drive_asks_for_speeds() -> None:
+    options = Options("jazzy", types=("diff_drive", "pid"), chain=True, interfaces=("effort",))
+    [file] = made("gen-controllers", options)
+    plain = read(file.text)
+    assert plain["pid_controller"]["ros__parameters"]["reference_and_state_interfaces"] == ["velocity"]
+    drive = plain["diff_drive_controller"]["ros__parameters"]
+    assert drive["left_wheel_names"] == ["pid_controller/front_left", "pid_controller/rear_left"]
+    assert drive["position_feedback"] is False
+
+
+@pytest.mark.parametrize(
+    ("distro", "types", "message"),
+    [
+        ("foxy", ("trajectory", "effort"), "foxy chains no controllers: ROS 2 does from humble on"),
+        (
+            "jazzy",
+            ("trajectory", "effort"),
+            "'joint_trajectory_controller' commands 'effort_controller/arm/position', and",
+        ),
+        ("jazzy", ("trajectory", "gripper"), "'gripper' makes several controllers of these joints"),
+        ("jazzy", ("multi_interface", "nothing"), "unknown type 'nothing'"),
+    ],
+)
+def test_what_cannot_stand_in_a_chain_is_told(distro: str, types: tuple[str, ...], message: str) -> None:
+    with pytest.raises(UserError, match=message):
+        made("gen-controllers", Options(distro, types=types, chain=True), JOINTS[-1:])
+
+
+def test_one_interface_too_many_is_told() -> None:
+    with pytest.raises(UserError, match="'effort' commands one interface of a joint, not effort, velocity"):
+        made("gen-controllers", Options("jazzy", types=("effort",), interfaces=("effort", "velocity")))
+    with pytest.raises(UserError, match="no 'trajectory' controller commands 'torque' in jazzy; it may be: position"):
+        made("gen-controllers", Options("jazzy", types=("trajectory",), interfaces=("torque",)))
+
+
+def test_a_sensor_is_chosen_by_what_it_measures() -> None:
+    parts = (PartFacts("sensor", "eye", (), ("range",)), PartFacts("sensor", "foot", (), ("force.x",)))
+    robot = ROBOT._replace(parts=parts)
+    [file] = made("gen-controllers", Options("jazzy", types=("range_broadcaster",)), JOINTS, robot)
+    assert read(file.text)["range_sensor_broadcaster"]["ros__parameters"]["sensor_name"] == "eye"
+    [file] = made("gen-controllers", Options("jazzy", types=("imu_broadcaster",)), JOINTS, robot)
+    assert "sensor_name: imu_sensor  # the <sensor> of the ros2_control tag; TODO: its name" in file.text
+
+
+def test_no_more_states_are_read_than_the_robot_offers() -> None:
+    robot = ROBOT._replace(parts=(PartFacts("joint", "arm", ("position",), ("position",)),))
+    [file] = made("gen-controllers", Options("jazzy", types=("trajectory",)), JOINTS[-1:], robot)
+    assert "state_interfaces: [position]" in file.text
+    options = Options("jazzy", types=("trajectory",), interfaces=("effort",), states=("velocity",))
+    with pytest.raises(UserError, match="'joint_trajectory_controller/JointTrajectoryController': 'state_interfaces'"):
+        made("gen-controllers", options, JOINTS[-1:], robot)
+
+
+def test_the_gpios_of_a_robot_are_commanded() -> None:
+    robot = ROBOT._replace(parts=(PartFacts("gpio", "flange", ("light",), ("light", "key")),))
+    [file] = made("gen-controllers", Options("jazzy", types=("gpio",)), JOINTS, robot)
+    assert read(file.text)["gpio_controller"]["ros__parameters"] == {
+        "gpios": ["flange"],
+        "command_interfaces": {"flange": {"interfaces": ["light"]}},
+        "state_interfaces": {"flange": {"interfaces": ["light", "key"]}},
+    }
+    [file] = made("gen-controllers", Options("jazzy", types=("gpio",)))
+    assert "interfaces: [output]  # what may be commanded; TODO: its interfaces" in file.text

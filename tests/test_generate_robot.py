@@ -97,7 +97,7 @@ def test_a_macro_is_called_for_each_joint(folder: Folder) -> None:
 
 
 def test_limits_stand_in_the_ros2_control_tag() -> None:
-    [file] = made("gen-ros2-control", Options("jazzy", interface="position", states=("position",)), JOINTS[-1:])
+    [file] = made("gen-ros2-control", Options("jazzy", interfaces=("position",), states=("position",)), JOINTS[-1:])
     assert '<param name="min">-1.0</param>' in file.text
     assert "<plugin>mock_components/GenericSystem</plugin>" in file.text
     assert file.text.count("<state_interface") == 1

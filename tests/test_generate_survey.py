@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from urdfctl.generate.facts import JointFacts, RobotFacts
+from urdfctl.generate.facts import JointFacts, PartFacts, RobotFacts
 from urdfctl.measure import perform
 from urdfctl.settings import Settings
 
@@ -109,7 +109,8 @@ def test_the_control_that_a_robot_has_is_told(tmp_path: Path) -> None:
       <gazebo><plugin name="p" filename="libgz_ros2_control-system.so"/></gazebo>"""
     found = facts(tmp_path, part)
     assert found.interfaces == {"turn": ("effort",), "raise": ("position",)}
-    assert (found.sensors, found.components) == (("imu",), ("hw",))
+    assert found.of_kind("sensor") == (PartFacts("sensor", "imu", (), ("orientation.x",)),)
+    assert found.components == ("hw",)
     assert found.hosts == ("libgz_ros2_control-system.so",)
 
 

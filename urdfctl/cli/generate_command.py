@@ -123,8 +123,8 @@ def _options(command: str, given: Mapping[str, Any], settings: Settings, robot: 
         distro,
         simulator,
         tuple(_split(given.get("types"))),
-        given.get("interface") or given.get("command"),
-        tuple(_split([states])) if states else None,
+        tuple(_split([given.get("interface") or given.get("command") or ""])),
+        tuple(name for name in _split([states]) if name != "none") if states else None,
         given.get("hardware"),
         bool(given.get("group")),
         (given.get("namespace") or "").strip("/"),
@@ -140,6 +140,7 @@ def _options(command: str, given: Mapping[str, Any], settings: Settings, robot: 
         _included(given, robot),
         bool(given.get("macro")),
         given.get("form") or defaults.form,
+        bool(given.get("chain")),
         _said_again(command, given, distro, simulator),
     )
 

@@ -57,9 +57,10 @@ _OPTIONS: dict[str, tuple[Any, Any]] = {
     "joints": _list("--joints", "Only joints that this regular expression matches as a whole."),
     "exclude": _list("--exclude", "Not the joints that this one matches."),
     "joint": _list("--joint", "Just these joints, in this order: NAME,NAME."),
-    "interface": _text("--interface", "What the joints are commanded by: position, velocity or effort."),
+    "interface": _text("--interface", "What the joints are commanded by: position, velocity or effort; or NAME,NAME."),
     "command": _text("--command", "The command interface: position, velocity or effort."),
-    "state": _text("--state", "The state interfaces: position,velocity."),
+    "state": _text("--state", "The states that are read: position,velocity; none: nothing is measured."),
+    "chain": _flag("--chain", "Each --type commands the next one, and the last the hardware."),
     "hardware": _text("--hardware", "gz, gazebo-classic, mock, mujoco, topic-based, or a plugin's full name."),
     "group": _flag("--group", "One group controller for all joints, where the distro has it."),
     "namespace": _text("--namespace", "The namespace of the robot."),
@@ -99,8 +100,8 @@ _WRITING = (
     "package_path", "env", "trust", "timeout", "memory", "config",
 )  # fmt: skip
 _CONTROLLERS = (
-    "types", "interface", "group", "namespace", "name", "left", "right", "traction", "steering", "sensor", "frame",
-    "broadcaster", "rate",
+    "types", "chain", "interface", "state", "group", "namespace", "name", "left", "right", "traction", "steering",
+    "sensor", "frame", "broadcaster", "rate",
 )  # fmt: skip
 COMMANDS: dict[str, tuple[str, str, tuple[str, ...]]] = {
     "gen-controllers": (
@@ -116,7 +117,7 @@ COMMANDS: dict[str, tuple[str, str, tuple[str, ...]]] = {
     "gen-ros2-control": (
         "Write the <ros2_control> tag of ROS 2, as a xacro file to include.",
         "urdfctl gen-ros2-control robot.xacro --command position --state position,velocity --hardware mock",
-        (*_JOINTS, "command", "state", "hardware", *(o for o in _CONTROLLERS if o != "interface"), *_WRITING, "into"),
+        (*_JOINTS, "command", "hardware", *(o for o in _CONTROLLERS if o != "interface"), *_WRITING, "into"),
     ),
     "gen-gazebo": (
         "Write the plugin that runs the controllers in a simulator, as a xacro file to include.",
@@ -131,7 +132,7 @@ COMMANDS: dict[str, tuple[str, str, tuple[str, ...]]] = {
     "gen-all": (
         "Write a package with all of it: robot, controllers, launch file and dependencies.",
         "urdfctl gen-all robot.xacro --type effort --distro jazzy --simulator gz -o my_robot_control",
-        (*_JOINTS, "state", "hardware", *_CONTROLLERS, "package", "controllers", "form", "macro", *_WRITING),
+        (*_JOINTS, "hardware", *_CONTROLLERS, "package", "controllers", "form", "macro", *_WRITING),
     ),
 }
 

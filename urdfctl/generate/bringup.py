@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.distros import since
 from urdfctl.errors import UserError
-from urdfctl.generate.controllers import Controller
 from urdfctl.generate.hardware import hardware, host
 from urdfctl.generate.options import File, Options
+from urdfctl.generate.parameters import Controller
 from urdfctl.generate.templates import Templates
 
 FORMS = {"python": "launch.py", "xml": "launch.xml", "yaml": "launch.yaml"}

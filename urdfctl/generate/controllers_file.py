@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from urdfctl.generate.controllers import Controller
 from urdfctl.generate.options import File, Options
+from urdfctl.generate.parameters import Controller
 from urdfctl.generate.scalars import one_line
 from urdfctl.generate.settings import lines_of
 from urdfctl.generate.templates import Templates

@@ -10,10 +10,10 @@ from urdfctl.catalog.distros import since
 from urdfctl.catalog.hardware import HardwareType
 from urdfctl.control.claims import claims
 from urdfctl.errors import UserError
-from urdfctl.generate.controllers import Controller
 from urdfctl.generate.facts import JointFacts
 from urdfctl.generate.hardware import hardware, host
 from urdfctl.generate.options import Options
+from urdfctl.generate.parameters import Controller
 from urdfctl.generate.scalars import yaml_float
 from urdfctl.generate.templates import Templates
 

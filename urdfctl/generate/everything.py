@@ -9,11 +9,12 @@ from typing import NamedTuple
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.errors import UserError
 from urdfctl.generate.bringup import dependencies, launch_file, package_files
-from urdfctl.generate.controllers import Controller, controllers
+from urdfctl.generate.controllers import controllers
 from urdfctl.generate.controllers_file import controllers_file
 from urdfctl.generate.descriptions import component, simulator_plugin, transmissions, wanted_interfaces
 from urdfctl.generate.facts import JointFacts, RobotFacts
 from urdfctl.generate.options import File, Options
+from urdfctl.generate.parameters import Controller
 from urdfctl.generate.parse_again import checked
 from urdfctl.generate.templates import Templates
 

@@ -36,12 +36,21 @@ class JointFacts(NamedTuple):
         return self.type == "prismatic"
 
 
+class PartFacts(NamedTuple):
+    """A joint, sensor or gpio (`kind`) of a `<ros2_control>` tag, with the interfaces that it offers."""
+
+    kind: str
+    name: str
+    commands: tuple[str, ...] = ()
+    states: tuple[str, ...] = ()
+
+
 class RobotFacts(NamedTuple):
     """A robot as the generators see it.
 
     `file` is where it was read from, `package` and `package_path` the package that holds it, and where in it. `root`
     is its root link. `interfaces` are the command interfaces that its joints have already (by transmissions or by
-    `<ros2_control>`), `sensors` its sensors' names; `hosts` are the file names of its simulator plugins.
+    `<ros2_control>`), `parts` what these tags offer; `hosts` are the file names of its simulator plugins.
     """
 
     name: str | None = None
@@ -52,22 +61,29 @@ class RobotFacts(NamedTuple):
     joints: tuple[JointFacts, ...] = ()
     fixed: tuple[str, ...] = ()
     interfaces: Mapping[str, tuple[str, ...]] = {}
-    sensors: tuple[str, ...] = ()
+    parts: tuple[PartFacts, ...] = ()
     components: tuple[str, ...] = ()
     hosts: tuple[str, ...] = ()
     distro: str | None = None
     ros: int | None = None
     simulator: str | None = None
 
+    def of_kind(self, kind: str) -> tuple[PartFacts, ...]:
+        """The joints, sensors or gpios that its `<ros2_control>` tags offer."""
+        return tuple(part for part in self.parts if part.kind == kind)
+
     def to_json(self) -> dict[str, Any]:
         """As plain data."""
-        return {**self._asdict(), "joints": [joint._asdict() for joint in self.joints]}
+        return {**self._asdict(), "joints": [joint._asdict() for joint in self.joints], "parts": [*self.parts]}
 
     @classmethod
     def from_json(cls, plain: Mapping[str, Any]) -> RobotFacts:
         """From plain data."""
         values: dict[str, Any] = {n: tuple(value) if isinstance(value, list) else value for n, value in plain.items()}
         values["joints"] = tuple(_joint(joint) for joint in plain["joints"])
+        values["parts"] = tuple(
+            PartFacts(kind, name, tuple(commands), tuple(states)) for kind, name, commands, states in plain["parts"]
+        )
         values["interfaces"] = {joint: tuple(names) for joint, names in plain["interfaces"].items()}
         return cls(**values)
 

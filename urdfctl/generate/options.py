@@ -26,7 +26,8 @@ class Roles(NamedTuple):
 class Options(NamedTuple):
     """What the user asks for. `command` is how to say it again; `rate` is the controller manager's, in Hz.
 
-    `types` are short names or full names of controllers' types; `states` and `hardware` None where the rest decides.
+    `types` are short names or full names of controllers' types; `interfaces` are what they command, `states` what they
+    read: () for nothing, None (like `hardware`) where the rest decides. `chain`: each type commands the next.
     `controllers_file`, `description` and `package` tell where the files will be found when they run; `robot_file` is
     how a xacro file beside them includes the robot.
     """
@@ -34,7 +35,7 @@ class Options(NamedTuple):
     distro: str
     simulator: str = "none"
     types: tuple[str, ...] = ()
-    interface: str | None = None
+    interfaces: tuple[str, ...] = ()
     states: tuple[str, ...] | None = None
     hardware: str | None = None
     group: bool = False
@@ -51,7 +52,13 @@ class Options(NamedTuple):
     robot_file: str = "robot.urdf"
     macro: bool = False
     form: str = "python"
+    chain: bool = False
     command: str = "urdfctl"
+
+    @property
+    def interface(self) -> str | None:
+        """The first interface that is asked for."""
+        return self.interfaces[0] if self.interfaces else None
 
     @property
     def ros(self) -> int:

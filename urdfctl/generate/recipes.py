@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -16,17 +16,22 @@ from urdfctl.suggest import did_you_mean
 
 _FILE = os.path.join(os.path.dirname(__file__), "recipes.yaml")
 BROADCASTER = "joint_state_broadcaster"
+_MARKS = ("each", "several")
 
 
 class Kind(NamedTuple):
     """A short name of `--type`: what its controller is called, the interface it commands if nothing says otherwise, and
-    the roles that its joints have. `each`: one controller for each joint."""
+    the roles that its joints have. `each`: one controller for each joint; `several`: it commands several interfaces.
+    `fit` are the interfaces that it may command.
+    """
 
     name: str
     label: str
     interface: str | None = None
     roles: tuple[tuple[str, int], ...] = ()
     each: bool = False
+    several: bool = False
+    fit: tuple[str, ...] = ()
 
 
 @cache
@@ -44,28 +49,32 @@ def kind_of(name: str, catalog: Catalog, options: Options) -> Kind:
     plain = recipes()["kinds"].get(name)
     if plain is None:
         return _kind_of_type(name, catalog, options)
-    ros = f"ros{options.ros}"
     listed = _listed(plain, options)
-    label = plain.get(f"{ros}_name", plain["name"])
-    return Kind(name, label, plain.get("interface"), tuple(plain.get("roles", {}).items()), bool(listed.get("each")))
+    label = plain.get(f"ros{options.ros}_name", plain["name"])
+    return _kind(name, plain, listed, label, [key for key in listed if key not in _MARKS])
 
 
-def interfaces_of(kind: Kind, options: Options) -> tuple[str, ...]:
-    """The command interfaces that controllers of a kind are there for."""
-    plain = recipes()["kinds"].get(kind.name)
-    return tuple(key for key in _listed(plain, options) if key != "each") if plain else ()
+def _kind(name: str, plain: Mapping[str, Any], listed: Mapping[str, Any], label: str, fit: Sequence[str]) -> Kind:
+    roles, default = tuple(plain.get("roles", {}).items()), plain.get("interface")
+    interface = default if default in fit or "any" in fit else next(iter(fit), None)
+    return Kind(
+        name, label, default and interface, roles, bool(listed.get("each")), bool(listed.get("several")), (*fit,)
+    )
 
 
-def type_of(kind: Kind, interface: str, catalog: Catalog, options: Options) -> ControllerType:
-    """The type of controller that a kind means. UserError where the distro has none for the interface."""
+def type_of(kind: Kind, interfaces: Sequence[str], catalog: Catalog, options: Options) -> ControllerType:
+    """The type of controller that a kind means. UserError where the distro has none for the interfaces."""
     plain = recipes()["kinds"].get(kind.name)
     if plain is None:
         return _known(kind.name, catalog, options.distro)
     listed = _listed(plain, options)
-    names = listed.get(interface, listed.get("any"))
-    if names is None:
-        choices = ", ".join(key for key in listed if key != "each")
-        raise UserError(f"no '{kind.name}' controller commands '{interface}' in {options.distro}; it may be: {choices}")
+    names = listed.get("any") or [name for one in interfaces for name in listed.get(one, ())]
+    unknown = [one for one in interfaces if "any" not in listed and one not in listed]
+    if unknown:
+        choices = ", ".join(key for key in listed if key not in _MARKS)
+        raise UserError(
+            f"no '{kind.name}' controller commands '{unknown[0]}' in {options.distro}; it may be: {choices}"
+        )
     found = [catalog.controller(name, options.distro) for name in names]
     here = [one for one in found if one]
     if not here:
@@ -102,13 +111,17 @@ def _kind_of_type(name: str, catalog: Catalog, options: Options) -> Kind:
             f"unknown type '{name}'{did_you_mean(name, kinds)}; known are {', '.join(kinds)}, or a full name"
         )
     _known(name, catalog, options.distro)
-    for plain in kinds.values():
-        listed = plain.get(f"ros{options.ros}", {})
-        for interface, names in listed.items():
-            if interface != "each" and name in names:
-                given = options.interface if options.interface in listed else interface
-                return Kind(name, plain["name"], given, tuple(plain.get("roles", {}).items()), bool(listed.get("each")))
-    return Kind(name, _snake(name.rpartition("/")[2]))
+    found = [
+        (plain, listed, [key for key, names in listed.items() if key not in _MARKS and name in names])
+        for plain in kinds.values()
+        for listed in (plain.get(f"ros{options.ros}", {}), plain.get(f"ros{options.ros}_group", {}))
+    ]
+    of_name = [one for one in found if one[2]]
+    if not of_name:
+        return Kind(name, _snake(name.rpartition("/")[2]))
+    plain, listed, _ = of_name[0]
+    label = plain["name"] if len(of_name) == 1 else name.partition("/")[0]
+    return _kind(name, plain, listed, label, [key for _, _, fit in of_name for key in fit])
 
 
 def _known(name: str, catalog: Catalog, distro: str) -> ControllerType:

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.generate.facts import JointFacts, RobotFacts
+from urdfctl.generate.facts import JointFacts, PartFacts, RobotFacts
 from urdfctl.generate.frames import Measured, measured, root_of
 from urdfctl.model.parts import Number
 from urdfctl.model.robot import Joint, Robot
-from urdfctl.model.ros2_control import Part
 
 _MOVING = ("revolute", "continuous", "prismatic")
 
@@ -24,14 +23,20 @@ def facts_of(robot: Robot) -> RobotFacts:
         joints=tuple(moving),
         fixed=tuple(name for name, joint in named.items() if joint.type not in _MOVING),
         interfaces=_interfaces(robot),
-        sensors=tuple(part.name for part in _sensors(robot) if part.name),
+        parts=tuple(_parts(robot)),
         components=tuple(control.name or "" for control in robot.ros2_controls),
         hosts=tuple(plugin.filename for plugin in robot.plugins if plugin.filename),
     )
 
 
-def _sensors(robot: Robot) -> Iterator[Part]:
-    return (part for control in robot.ros2_controls for part in control.of_kind("sensor"))
+def _parts(robot: Robot) -> Iterator[PartFacts]:
+    for control in robot.ros2_controls:
+        for kind in ("joint", "sensor", "gpio"):
+            for part in control.of_kind(kind):
+                commands, states = (
+                    tuple(one.name for one in side if one.name) for side in (part.commands, part.states)
+                )
+                yield PartFacts(kind, part.name or "", commands, states)
 
 
 def _joint(name: str, joint: Joint, found: Measured | None) -> JointFacts:

@@ -27,19 +27,34 @@ class Answer(NamedTuple):
 
 
 class Task(NamedTuple):
-    """A controller that is to be made: its joints, by roles where it is a drive, and the interface it commands;
-    `passive` are those that a drive only rolls on."""
+    """A controller that is to be made: its joints, by roles where it is a drive, what it commands and what it reads.
+
+    `passive` are joints that a drive only rolls on; `below` is what stands before the names of what it commands: the
+    name of another controller and a slash.
+    """
 
     kind: str
-    interface: str
+    interfaces: tuple[str, ...]
     joints: tuple[JointFacts, ...]
-    left: tuple[JointFacts, ...]
-    right: tuple[JointFacts, ...]
-    traction: tuple[JointFacts, ...]
-    steering: tuple[JointFacts, ...]
     robot: RobotFacts
     options: Options
+    states: tuple[str, ...]
+    left: tuple[JointFacts, ...] = ()
+    right: tuple[JointFacts, ...] = ()
+    traction: tuple[JointFacts, ...] = ()
+    steering: tuple[JointFacts, ...] = ()
     passive: tuple[JointFacts, ...] = ()
+    below: str = ""
+
+    @property
+    def interface(self) -> str:
+        """The first interface that it commands."""
+        return self.interfaces[0]
+
+    @property
+    def is_drive(self) -> bool:
+        """Whether its joints are wheels."""
+        return bool(self.left or self.traction)
 
 
 def answer(name: str, task: Task, joint: JointFacts | None) -> Answer | Left:
@@ -59,7 +74,7 @@ def gains(task: Task, joint: JointFacts) -> Gains:
 
 def reference(task: Task) -> str:
     """What the controller is asked for: positions, or speeds."""
-    if task.kind in ("velocity", "diff_drive") or (task.kind == "pid" and task.interface == "velocity"):
+    if task.kind in ("velocity", "diff_drive") or (task.kind == "pid" and "position" not in task.states):
         return "velocity"
     return "position"
 
@@ -109,13 +124,13 @@ def _max_speed(sign: float) -> Callable[[Task], Answer | Left]:
     return found
 
 
-def _names(joints: Sequence[JointFacts]) -> Answer:
-    return Answer([joint.name for joint in joints])
+def _names(joints: Sequence[JointFacts], below: str = "") -> Answer:
+    return Answer([f"{below}{joint.name}" for joint in joints])
 
 
 def _sensor(task: Task) -> Answer:
-    if task.options.sensor or task.robot.sensors:
-        return Answer(task.options.sensor or task.robot.sensors[0])
+    if task.options.sensor:
+        return Answer(task.options.sensor)
     return Answer(_SENSORS.get(task.kind, "sensor"), f"{TODO}: its name")
 
 
@@ -128,6 +143,52 @@ _SENSORS = {
     "gps_broadcaster": "gps_sensor",
     "magnetometer_broadcaster": "magnetometer",
 }
+
+
+def _one(joint: JointFacts, task: Task) -> Answer:
+    return Answer(f"{task.below}{joint.name}")
+
+
+def _offers(task: Task, interface: str) -> bool:
+    """Whether the sensor that is read offers a state."""
+    return any(part.name == task.options.sensor and interface in part.states for part in task.robot.parts)
+
+
+def _full_states(task: Task) -> Answer:
+    """The states of all joints; names that are whole stay as they are."""
+    return Answer([name for state in task.states for name in ([state] if "/" in state else _below_joints(task, state))])
+
+
+def _below_joints(task: Task, state: str) -> list[str]:
+    return [f"{joint.name}/{state}" for joint in task.joints]
+
+
+def _of_gpio(commands: bool) -> Callable[[Task, JointFacts], Answer | Left]:  # noqa: FBT001
+    """The interfaces of a gpio: those that the user names in whole, else all that the robot offers."""
+
+    def found(task: Task, gpio: JointFacts) -> Answer | Left:
+        asked = [*task.options.interfaces, *(task.options.states or ())]
+        if any("/" in name for name in asked):
+            mine = task.options.interfaces if commands else task.options.states or ()
+            names = [name.rpartition("/")[2] for name in mine if name.startswith(f"{gpio.name}/")]
+            return Answer(names) if names else LEFT_OUT
+        part = next((one for one in task.robot.of_kind("gpio") if one.name == gpio.name), None)
+        if part is None:
+            return Answer(["output"], f"{TODO}: its interfaces") if commands else LEFT_OUT
+        names = [*(part.commands if commands else part.states)]
+        return Answer(names) if names else LEFT_OUT
+
+    return found
+
+
+def _extra(interface: str) -> Callable[[Task, JointFacts], Answer | Left]:
+    """A command interface of a joint besides its main one, where the robot has it."""
+
+    def found(task: Task, joint: JointFacts) -> Answer | Left:
+        there = interface in task.robot.interfaces.get(joint.name, ())
+        return Answer(f"{joint.name}/{interface}") if there else LEFT_OUT
+
+    return found
 
 
 def _frame(task: Task) -> Answer:
@@ -161,6 +222,10 @@ _OF_JOINT: Mapping[str, Callable[[Task, JointFacts], Answer | Left]] = {
     "d": _gain("d"),
     "ff": _feed_forward,
     "max_effort": _max_effort,
+    "gpio_commands": _of_gpio(commands=True),
+    "gpio_states": _of_gpio(commands=False),
+    "effort_limit": _extra("set_gripper_max_effort"),
+    "velocity_limit": _extra("set_gripper_max_velocity"),
     "max_command": _clamp(1.0),
     "min_command": _clamp(-1.0),
 }
@@ -197,19 +262,27 @@ def _between(pair: Sequence[JointFacts]) -> Measure:
 _OTHERS: Mapping[str, Callable[[Task], Answer | Left]] = {
     "joints": lambda task: _names(task.joints),
     "interface": lambda task: Answer(task.interface),
-    "reference": lambda task: Answer(reference(task)),
+    "interfaces": lambda task: Answer([*task.interfaces]),
+    "states": lambda task: Answer([*task.states]),
+    "commanded": lambda task: _names(task.joints, task.below),
+    "below": lambda task: _names(task.joints, task.below) if task.below else LEFT_OUT,
+    "open_loop": lambda task: LEFT_OUT if task.states else Answer(value=True),
+    "angles_first": lambda task: Answer("position" in task.states),
+    "speeds_first": lambda task: Answer("position" in task.states and "velocity" not in task.states),
+    "full_states": _full_states,
+    "with_covariance": lambda task: Answer(value=True) if _offers(task, "latitude_covariance") else LEFT_OUT,
     "measured": lambda task: Answer([f"{joint.name}/{task.interface}" for joint in task.joints[:1]]),
     "filtered": lambda task: Answer([f"{joint.name}/filtered_{task.interface}" for joint in task.joints[:1]]),
-    "left": lambda task: _names(task.left),
-    "right": lambda task: _names(task.right),
-    "traction": lambda task: _names(task.traction),
-    "steering": lambda task: _names(task.steering),
-    "one_traction": lambda task: Answer(task.traction[0].name),
-    "one_steering": lambda task: Answer(task.steering[0].name),
-    "front_left": lambda task: Answer(task.left[0].name),
-    "rear_left": lambda task: Answer(task.left[-1].name),
-    "front_right": lambda task: Answer(task.right[0].name),
-    "rear_right": lambda task: Answer(task.right[-1].name),
+    "left": lambda task: _names(task.left, task.below),
+    "right": lambda task: _names(task.right, task.below),
+    "traction": lambda task: _names(task.traction, task.below),
+    "steering": lambda task: _names(task.steering, task.below),
+    "one_traction": lambda task: _one(task.traction[0], task),
+    "one_steering": lambda task: _one(task.steering[0], task),
+    "front_left": lambda task: _one(task.left[0], task),
+    "rear_left": lambda task: _one(task.left[-1], task),
+    "front_right": lambda task: _one(task.right[0], task),
+    "rear_right": lambda task: _one(task.right[-1], task),
     "front_traction": lambda task: _half(task.traction, first=True),
     "rear_traction": lambda task: _half(task.traction, first=False),
     "front_steering": lambda task: _half(task.steering, first=True),
