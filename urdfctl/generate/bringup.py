@@ -37,14 +37,24 @@ def launch_file(made: Sequence[Controller], options: Options, templates: Templat
         model=model,
         controllers=names,
         spawned=_spawned(names, options),
-        spawner="spawner.py" if options.distro == "foxy" else "spawner",
+        spawner=spawner(options.distro),
         manager_option="--controller-manager",
         manager=f"/{space}/controller_manager" if space else "/controller_manager",
-        param_file=options.distro in since("jazzy"),
+        param_file=takes_param_file(options.distro),
         description=_description(options.distro),
         gz=_gz(options.distro),
     )
     return File(f"launch/{name}", text)
+
+
+def spawner(distro: str) -> str:
+    """What the controller manager's spawner is called in ROS 2."""
+    return "spawner.py" if distro == "foxy" else "spawner"
+
+
+def takes_param_file(distro: str) -> bool:
+    """Whether the spawner gives a controllers' file to the controllers that it starts."""
+    return distro in since("jazzy")
 
 
 def _spawned(names: list[str], options: Options) -> list[list[str]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from urdfctl.generate.bringup import spawner, takes_param_file
 from urdfctl.generate.options import File, Options
 from urdfctl.generate.parameters import Controller
 from urdfctl.generate.scalars import one_line
@@ -28,9 +29,24 @@ def controllers_file(made: Sequence[Controller], options: Options, templates: Te
         indent="  " if space else "",
         manager=f"/{space}/controller_manager" if space else "controller_manager",
         controllers=shown,
+        start=_start(made, options),
         todos=any(TODO in line for one in shown for line in one["lines"]),
     )
     return File(options.controllers_file, text)
+
+
+def _start(made: Sequence[Controller], options: Options) -> str:
+    """How to start the controllers by hand."""
+    names = [one.name for one in made]
+    shown = " ".join(names if len(names) <= _FEW else [*names[:_FEW], "..."])
+    space = options.namespace.strip("/")
+    if options.ros == 1:
+        named = f" __ns:=/{space}" if space else ""
+        return f"rosparam load {options.controllers_file} && rosrun controller_manager spawner {shown}{named}"
+    words = [f"ros2 run controller_manager {spawner(options.distro)} {shown}"]
+    words += [f"-c /{space}/controller_manager"] if space else []
+    words += [f"--param-file {options.controllers_file}"] if takes_param_file(options.distro) else []
+    return one_line(" ".join(words))
 
 
 def _shown(one: Controller, space: str) -> dict[str, Any]:
@@ -44,6 +60,7 @@ def _shown(one: Controller, space: str) -> dict[str, Any]:
     }
 
 
+_FEW = 6
 _ABOUT = {
     "effort": "efforts, in N or Nm",
     "velocity": "speeds, in rad/s or m/s",

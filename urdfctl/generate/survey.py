@@ -10,6 +10,10 @@ from urdfctl.model.parts import Number
 from urdfctl.model.robot import Joint, Robot
 
 _MOVING = ("revolute", "continuous", "prismatic")
+_UNEVEN = 0.1
+"""How far above the lowest wheel, in radii, another one still touches the ground."""
+_LEVEL = 0.3
+"""The most of a wheel's axis that may stand upright: sin 17 deg."""
 
 
 def facts_of(robot: Robot) -> RobotFacts:
@@ -17,16 +21,38 @@ def facts_of(robot: Robot) -> RobotFacts:
     found = measured(robot)
     named = {joint.name: joint for joint in robot.joints if joint.name}
     moving = [_joint(name, joint, found.get(name)) for name, joint in named.items() if joint.type in _MOVING]
+    mass = sum(link.inertials[0].mass.value or 0.0 for link in robot.links if link.inertials and link.inertials[0].mass)
     return RobotFacts(
         robot.name,
         root=root_of(robot),
-        joints=tuple(moving),
+        joints=tuple(_with_load(moving, mass)),
         fixed=tuple(name for name, joint in named.items() if joint.type not in _MOVING),
         interfaces=_interfaces(robot),
         parts=tuple(_parts(robot)),
         components=tuple(control.name or "" for control in robot.ros2_controls),
         hosts=tuple(plugin.filename for plugin in robot.plugins if plugin.filename),
     )
+
+
+def _with_load(joints: list[JointFacts], mass: float) -> Iterator[JointFacts]:
+    """The joints; wheels that stand on the ground move their share of the robot besides themselves."""
+    rolling = [joint for joint in joints if joint.type == "continuous" and joint.radius and joint.at and _lies(joint)]
+    ground = min((_bottom(wheel) for wheel in rolling), default=0.0)
+    wheels = [wheel for wheel in rolling if _bottom(wheel) - ground < _UNEVEN * (wheel.radius or 0.0)]
+    for joint in joints:
+        if joint in wheels and len(wheels) > 1 and mass:
+            share = mass / len(wheels) * (joint.radius or 0.0) ** 2
+            yield joint._replace(inertia=(joint.inertia or 0.0) + share)
+        else:
+            yield joint
+
+
+def _lies(joint: JointFacts) -> bool:
+    return joint.axis is not None and abs(joint.axis[2]) < _LEVEL
+
+
+def _bottom(wheel: JointFacts) -> float:
+    return (wheel.at or (0.0, 0.0, 0.0))[2] - (wheel.radius or 0.0)
 
 
 def _parts(robot: Robot) -> Iterator[PartFacts]:

@@ -1,0 +1,64 @@
+# made by urdfctl gen-launch urdf/radu.urdf.xacro --type velocity --distro humble --simulator gazebo-classic
+# Start it: ros2 launch radu control.launch.py
+"""Brings the robot up in gazebo-classic, and starts its controllers."""
+
+from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription, RegisterEventHandler
+from launch.event_handlers import OnProcessExit
+from launch.launch_description_sources import PythonLaunchDescriptionSource
+from launch.substitutions import Command, PathJoinSubstitution
+from launch_ros.actions import Node
+from launch_ros.parameter_descriptions import ParameterValue
+from launch_ros.substitutions import FindPackageShare
+
+
+def generate_launch_description():
+    """What is started, and in which order."""
+    robot_file = PathJoinSubstitution([FindPackageShare("radu"), "urdf/radu.urdf.xacro"])
+    robot_description = {"robot_description": ParameterValue(Command(["xacro ", robot_file]), value_type=str)}
+
+    # publishes the robot's description, and where its links are
+    state_publisher = Node(
+        package="robot_state_publisher",
+        executable="robot_state_publisher",
+        parameters=[robot_description, {"use_sim_time": True}],
+    )
+
+    world = PathJoinSubstitution([FindPackageShare("gazebo_ros"), "launch", "gazebo.launch.py"])
+    simulator = IncludeLaunchDescription(PythonLaunchDescriptionSource(world))
+    robot = Node(
+        package="gazebo_ros",
+        executable="spawn_entity.py",
+        arguments=["-topic", "robot_description", "-entity", "radu"],
+    )
+
+    # the joints' states first, then what moves the joints
+    spawner_1 = Node(
+        package="controller_manager",
+        executable="spawner",
+        arguments=[
+            "joint_state_broadcaster",
+            "--controller-manager",
+            "/controller_manager",
+        ],
+    )
+    spawner_2 = Node(
+        package="controller_manager",
+        executable="spawner",
+        arguments=[
+            "velocity_controller",
+            "--controller-manager",
+            "/controller_manager",
+        ],
+    )
+
+    return LaunchDescription(
+        [
+            simulator,
+            state_publisher,
+            robot,
+            # each spawner waits for what is before it
+            RegisterEventHandler(OnProcessExit(target_action=robot, on_exit=[spawner_1])),
+            RegisterEventHandler(OnProcessExit(target_action=spawner_1, on_exit=[spawner_2])),
+        ]
+    )
