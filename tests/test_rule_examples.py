@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from urdfctl.diagnostic import Diagnostic
+from urdfctl.fix.edits import Splice, edited
 from urdfctl.lint import Selection, joined
 from urdfctl.load import Loader, Target
 from urdfctl.rule import Rule
@@ -42,6 +43,20 @@ def test_the_bad_example_is_found_where_it_is_marked(rule: Rule, tmp_path: Path)
     found = [d for d in findings(tmp_path, rule, files) if d.code == rule.code]
     assert marks, "the bad example marks no place with « and »"
     assert {(Path(d.at.file).relative_to(tmp_path).as_posix(), d.at.start, d.at.end) for d in found} == set(marks)
+
+
+@pytest.mark.parametrize("rule", WITH_EXAMPLES, ids=lambda rule: rule.code)
+def test_the_repairs_of_the_bad_example_mend_it(rule: Rule, tmp_path: Path) -> None:
+    files, _ = unmarked(rule.bad)
+    found = [one for one in findings(tmp_path, rule, files) if one.code == rule.code and one.fix and one.fix.edits]
+    edits = {Splice(edit.file, edit.start, edit.end, edit.text) for one in found if one.fix for edit in one.fix.edits}
+    mended = {
+        name: edited(text.encode(), [edit for edit in edits if edit.file == str(tmp_path / name)]).decode()
+        for name, text in files.items()
+    }
+    left = [one for one in findings(tmp_path, rule, mended) if one.code == rule.code and one.fix and one.fix.edits]
+    assert left == [], "the finding stays"
+    assert bool(edits) == (mended != files)
 
 
 @pytest.mark.parametrize("rule", WITH_EXAMPLES, ids=lambda rule: rule.code)

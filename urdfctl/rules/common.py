@@ -107,15 +107,24 @@ class Names:
 
 def replaced(at: Place, old: str, new: str, *, safe: bool = False, title: str | None = None) -> Fix:
     """The repair that writes `new` for `old`; for a person to make where the source does not say `old` literally."""
-    edits = (Edit(at.span, new),) if at.span.text == old else ()
+    edits = (Edit(at.span, new),) if at.span.text.replace("\r\n", "\n") == old else ()
     return Fix(title or f"write '{new}'", edits, safe and bool(edits))
 
 
 def renamed(tag: Tag, name: str) -> tuple[Edit, ...]:
     """The edits that give an element another name."""
-    at, length = tag.at, len(tag.name.encode())
-    starts = [at.start + len("<"), *([at.closing + len("</")] if at.closing is not None else [])]
-    return tuple(Edit(SourceSpan(at.source, start, start + length), name) for start in starts)
+    length = len(tag.name.encode())
+    return tuple(
+        Edit(SourceSpan(tag.at.source, start + len(mark), start + len(mark) + length), name)
+        for start, mark in marks(tag.at)
+    )
+
+
+def marks(at: Place) -> list[tuple[int, str]]:
+    """Where the start tag of an element begins, and its end tag if it has one, and what they begin with."""
+    tag = at.source.start_tag(at.start)
+    ends = [(at.closing, "</")] if at.closing is not None and tag is not None and not tag.self_closed else []
+    return [(at.start, "<"), *ends]
 
 
 def in_words(names: Iterable[str], most: int = 5) -> str:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.reading.common import findings_of
+from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
 from urdfctl.source.problem import ProblemKind
+from urdfctl.source.span import Place, SourceSpan
 
 
 @rule(
@@ -36,4 +37,14 @@ def braces_without_dollar(project: Project) -> Iterator[Finding]:
     xacro leaves `{name}` as it is: the name of a link or joint then holds the braces, and nothing that refers
     to it finds it.
     """
-    yield from findings_of(project, ProblemKind.BRACES)
+    for problem in project.of_kind(ProblemKind.BRACES):
+        yield Finding(
+            problem.at, problem.message, fix=Fix(problem.hint, tuple(_with_dollar(problem.at, problem.subject)))
+        )
+
+
+def _with_dollar(at: Place, name: str) -> Iterator[Edit]:
+    text = at.span.text
+    for match in re.finditer(rf"(?<!\$){{\s*{re.escape(name)}\s*}}", text):
+        before = at.start + len(text[: match.start()].encode())
+        yield Edit(SourceSpan(at.source, before, before), "$")

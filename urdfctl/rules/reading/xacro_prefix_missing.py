@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.reading.common import findings_of
+from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
+from urdfctl.rules.common import marks
 from urdfctl.source.problem import ProblemKind
+from urdfctl.source.span import Place, SourceSpan
 
 
 @rule(
@@ -37,4 +38,10 @@ def xacro_prefix_missing(project: Project) -> Iterator[Finding]:
     From noetic on xacro expands nothing without the prefix, and says nothing: the tag stays in the robot,
     where every reader passes over it. The inertia or the wheel that it stands for is missing.
     """
-    yield from findings_of(project, ProblemKind.PREFIX_MISSING)
+    for problem in project.of_kind(ProblemKind.PREFIX_MISSING):
+        yield Finding(problem.at, problem.message, fix=Fix(problem.hint, _prefixed(problem.at)))
+
+
+def _prefixed(at: Place) -> tuple[Edit, ...]:
+    """The edits that give an element the prefix: of all that it becomes, its old tags are no part."""
+    return tuple(Edit(SourceSpan(at.source, start, start + len(mark)), f"{mark}xacro:") for start, mark in marks(at))

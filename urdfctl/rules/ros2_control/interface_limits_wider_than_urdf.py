@@ -8,7 +8,7 @@ from urdfctl.catalog.distros import ROS2
 from urdfctl.model.parts import Number
 from urdfctl.model.robot import Limit
 from urdfctl.model.ros2_control import Interface, Parameter
-from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rule import Edit, Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import label, robot_in
 from urdfctl.rules.ros2_control.common import called, is_number, parts
 
@@ -70,7 +70,20 @@ def interface_limits_wider_than_urdf(project: Project) -> Iterator[Finding]:
                 there = " and ".join(dict.fromkeys(f"'{number.attribute}' of {number.text}" for _, number in beyond))
                 of = f"{called(interface)} of {label('joint', part.name)}"
                 note = Note("the URDF's limit is here", beyond[0][1].at)
-                yield Finding(beyond[0][0].at, f"{of} has {given}, beyond the URDF's {there}", (note,))
+                yield Finding(beyond[0][0].at, f"{of} has {given}, beyond the URDF's {there}", (note,), _fix(beyond))
+
+
+def _fix(beyond: list[tuple[Parameter, Number]]) -> Fix:
+    """The URDF's own limits, in the places of all that go beyond."""
+    right = [
+        f"-{number.text}" if parameter.name == "min" and number.attribute != "lower" else number.text
+        for parameter, number in beyond
+    ]
+    title = " and ".join(f"'{parameter.name}' {text}" for (parameter, _), text in zip(beyond, right, strict=True))
+    spans = [(parameter.tag.at.content.span, parameter.value) for parameter, _ in beyond]
+    is_literal = all(span.text == value for span, value in spans)
+    edits = tuple(Edit(span, text) for (span, _), text in zip(spans, right, strict=True))
+    return Fix(f"write {title}, as the URDF does", edits if is_literal else ())
 
 
 def _beyond(interface: Interface, limit: Limit) -> Iterator[tuple[Parameter, Number]]:

@@ -7,8 +7,14 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import since
 from urdfctl.model.transmission import Transmission, TransmissionEnd
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
-from urdfctl.rules.common import is_whole
-from urdfctl.rules.transmissions.common import is_of_another_package, misspelt, on_hardware, read_transmissions
+from urdfctl.rules.common import is_whole, renamed
+from urdfctl.rules.transmissions.common import (
+    inserted,
+    is_of_another_package,
+    misspelt,
+    on_hardware,
+    read_transmissions,
+)
 
 
 @rule(
@@ -54,9 +60,19 @@ def actuator_without_mechanical_reduction(project: Project) -> Iterator[Finding]
         for actuator in transmission.actuators:
             if actuator.name and not actuator.reductions and is_whole(project, transmission.at):
                 message = f"actuator '{actuator.name}' of {transmission.label} has no <mechanicalReduction>"
-                fix = Fix("add <mechanicalReduction>1</mechanicalReduction> to the actuator, or the ratio of its gear")
                 notes = tuple(_elsewhere(transmission, actuator))
-                yield Finding(actuator.at, message, notes, fix, on_hardware(project))
+                yield Finding(actuator.at, message, notes, _fix(actuator, elsewhere=bool(notes)), on_hardware(project))
+
+
+def _fix(actuator: TransmissionEnd, *, elsewhere: bool) -> Fix:
+    """What is written with a slip is surely meant; what stands elsewhere is for a person to move."""
+    written = misspelt(actuator.others, "mechanicalReduction")
+    if written:
+        edits = renamed(written, "mechanicalReduction")
+        return Fix(f"write <mechanicalReduction> for <{written.name}>", edits, safe=True)
+    element = "<mechanicalReduction>1</mechanicalReduction>"
+    edits = () if elsewhere else inserted(actuator.at, element)
+    return Fix(f"add {element} to the actuator, or the ratio of its gear", edits)
 
 
 def _elsewhere(transmission: Transmission, actuator: TransmissionEnd) -> Iterator[Note]:

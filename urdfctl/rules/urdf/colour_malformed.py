@@ -8,6 +8,7 @@ from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import is_known, replaced, robot_in
 from urdfctl.rules.urdf.materials import materials_of
 from urdfctl.rules.urdf.numbers import Field, fault_of, refusing
+from urdfctl.source.span import Place
 
 RGBA = 4
 BYTE = 255
@@ -44,7 +45,14 @@ def colour_malformed(project: Project) -> Iterator[Finding]:
         if set(refusing(field)) & set(project.distros):
             yield Finding(at, f"'rgba' of {material.label} is '{field.shown}': it {fault_of(field)}")
         elif any(not 0 <= value <= 1 for value in field.values):
-            fix: Fix | None = None
-            if all(value in range(BYTE + 1) for value in field.values):
-                fix = replaced(at, text, " ".join(f"{value / BYTE:.3g}" for value in field.values))
-            yield Finding(at, f"'rgba' of {material.label} is '{text}'; each number is from 0 to 1", fix=fix)
+            message = f"'rgba' of {material.label} is '{text}'; each number is from 0 to 1"
+            yield Finding(at, message, fix=_fix(at, text, field.values))
+
+
+def _fix(at: Place, text: str, values: list[float]) -> Fix | None:
+    """The same colour, where it is given in bytes; opacity may be from 0 to 1 all the same."""
+    *colour, opacity = values
+    if not all(value in range(BYTE + 1) for value in colour) or not 0 <= opacity <= BYTE:
+        return None
+    right = [value / BYTE for value in colour] + [opacity / BYTE if opacity > 1 else opacity]
+    return replaced(at, text, " ".join(f"{value:.3g}" for value in right))

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.model.parts import Tag
-from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import label, robot_in
+from urdfctl.source.span import SourceSpan
 
 
 @rule(
@@ -55,7 +56,15 @@ def material_without_name(project: Project) -> Iterator[Finding]:
             material = _first_material(visual)
             if material is not None and "name" not in material.attributes:
                 message = f"<material> of {label('link', link.name)} has no 'name', and its <visual> is dropped"
-                yield Finding(material.at, message)
+                yield Finding(material.at, message, fix=_fix(material))
+
+
+def _fix(material: Tag) -> Fix | None:
+    """An empty name, where the material needs none: it says itself what it looks like."""
+    if not any(material.named("color")) and not any(material.named("texture")):
+        return None
+    at = material.at.source, material.at.start + len("<material")
+    return Fix('write <material name="">: it is used here only', (Edit(SourceSpan(*at, at[1]), ' name=""'),), safe=True)
 
 
 def _first_material(visual: Tag) -> Tag | None:

@@ -1,0 +1,199 @@
+"""What the repairs that rules suggest make of a part of a robot."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from urdfctl.fix.edits import edited
+from urdfctl.fix.trial import splices_of
+from urdfctl.lint import Selection
+from urdfctl.load import Loader, Target
+from urdfctl.rules.examples import unmarked
+from urdfctl.settings import Settings
+
+XACRO = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">\n{}\n</robot>\n'
+WHEEL = '<xacro:macro name="wheel" params="side"><link name="${side}_wheel"/></xacro:macro>\n'
+
+
+def mended(code: str, part: str, folder: Path, name: str = "robot.urdf") -> tuple[str, bool]:
+    """What the edits of a rule's findings make of a text, and whether all are surely meant."""
+    path = folder / name
+    path.write_bytes(part.encode())
+    loader = Loader(Settings(distro=None, workspace=str(folder)), Selection())
+    found = [one for one in loader.lint(Target(str(path))).outcome.diagnostics if one.code == code]
+    assert found
+    splices = {splice for one in found for splice in splices_of(one)}
+    sure = all(one.fix is not None and one.fix.safe for one in found)
+    return edited(part.encode(), splices).decode(), sure
+
+
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        ('<wheel side="left"/>', '<xacro:wheel side="left"/>'),
+        ('<wheel side="left"></wheel>', '<xacro:wheel side="left"></xacro:wheel>'),
+        ('<property name="a" value="1"/>', '<xacro:property name="a" value="1"/>'),
+    ],
+)
+def test_tags_of_xacro_get_their_prefix(before: str, after: str, tmp_path: Path) -> None:
+    text, sure = mended("UC018", XACRO.format(WHEEL + before), tmp_path, "robot.xacro")
+    assert text == XACRO.format(WHEEL + after)
+    assert not sure
+
+
+def test_braces_get_their_dollar(tmp_path: Path) -> None:
+    before = '<xacro:property name="side" value="left"/>\n<link name="größe_{side}_{ side }_${side}"/>'
+    text, sure = mended("UC020", XACRO.format(before), tmp_path, "robot.xacro")
+    assert '<link name="größe_${side}_${ side }_${side}"/>' in text
+    assert not sure
+
+
+LOOK = "<link name='tip'><visual><geometry><sphere radius='1'/></geometry>{}</visual></link>"
+
+
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        ('<material><color rgba="1 0 0 1"/></material>', '<material name=""><color rgba="1 0 0 1"/></material>'),
+        (
+            "<material ><texture filename='a.png'/></material>",
+            "<material name=\"\" ><texture filename='a.png'/></material>",
+        ),
+    ],
+)
+def test_a_material_that_says_what_it_looks_like_gets_an_empty_name(before: str, after: str, tmp_path: Path) -> None:
+    text, sure = mended("UC144", whole(LOOK.format(before)), tmp_path)
+    assert text == whole(LOOK.format(after))
+    assert sure
+
+
+def test_a_material_that_says_nothing_is_for_a_person_to_name(tmp_path: Path) -> None:
+    text, sure = mended("UC144", whole(LOOK.format("<material/>")), tmp_path)
+    assert text == whole(LOOK.format("<material/>"))
+    assert not sure
+
+
+def whole(part: str) -> str:
+    """A part in the small arm of the rules' examples."""
+    return next(iter(unmarked({"robot.urdf": part})[0].values()))
+
+
+@pytest.mark.parametrize(
+    ("code", "before", "after", "sure"),
+    [
+        (
+            "UC139",
+            "<link name='tip'><inertial><mass value='1\r\n'/></inertial></link>",
+            "<link name='tip'><inertial><mass value='1'/></inertial></link>",
+            True,
+        ),
+        (
+            "UC154",
+            "<link name='tip'><colision><geometry><sphere radius='1'/></geometry></colision ></link>",
+            "<link name='tip'><collision><geometry><sphere radius='1'/></geometry></collision ></link>",
+            False,
+        ),
+        (
+            "UC154",
+            "<link name='tip'><visuel/></link>",
+            "<link name='tip'><visual/></link>",
+            False,
+        ),
+        (
+            "UC147",
+            '<material name="grey"><color rgba="192 192 192 0.6"/></material>',
+            '<material name="grey"><color rgba="0.753 0.753 0.753 0.6"/></material>',
+            False,
+        ),
+        (
+            "UC147",
+            '<material name="grey"><color rgba="255 0 51 255"/></material>',
+            '<material name="grey"><color rgba="1 0 0.2 1"/></material>',
+            False,
+        ),
+        (
+            "UC147",
+            '<material name="grey"><color rgba="2.5 0 0 1"/></material>',
+            '<material name="grey"><color rgba="2.5 0 0 1"/></material>',
+            False,
+        ),
+    ],
+)
+def test_numbers_and_names_become_what_was_meant(
+    code: str, before: str, after: str, sure: bool, tmp_path: Path
+) -> None:
+    assert mended(code, whole(before), tmp_path) == (whole(after), sure)
+
+
+TRANSMISSION = """\
+<transmission name="elbow_trans">
+  <type>transmission_interface/SimpleTransmission</type>
+  <joint name="elbow"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>
+  ACTUATOR
+</transmission>
+"""
+REDUCTION = "<mechanicalReduction>1</mechanicalReduction>"
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "sure"),
+    [
+        ('<actuator name="m"/>', f'<actuator name="m">{REDUCTION}</actuator>', False),
+        ('<actuator name="m">\n</actuator>', f'<actuator name="m">{REDUCTION}\n</actuator>', False),
+        (
+            '<actuator name="m"><mechanicalreduction>50</mechanicalreduction></actuator>',
+            '<actuator name="m"><mechanicalReduction>50</mechanicalReduction></actuator>',
+            True,
+        ),
+        (
+            f'<actuator name="m"/>{REDUCTION}',
+            f'<actuator name="m"/>{REDUCTION}',
+            False,
+        ),
+    ],
+)
+def test_an_actuator_gets_its_reduction_but_for_one_that_stands_elsewhere(
+    before: str, after: str, sure: bool, tmp_path: Path
+) -> None:
+    part = whole(TRANSMISSION.replace("ACTUATOR", before))
+    assert mended("UC212", part, tmp_path) == (whole(TRANSMISSION.replace("ACTUATOR", after)), sure)
+
+
+INTERFACE = """\
+<ros2_control name="arm" type="system">
+  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+  <joint name="elbow">
+    <command_interface name="KIND">
+      <param name="min">MIN</param>
+      <param name="max">MAX</param>
+    </command_interface>
+  </joint>
+</ros2_control>
+"""
+
+
+@pytest.mark.parametrize(
+    ("kind", "before", "after"),
+    [
+        ("position", ("-9", "0.5"), ("-1", "0.5")),
+        ("velocity", ("-9", "9"), ("-2", "2")),
+        ("effort", ("0", "99"), ("0", "10")),
+    ],
+)
+def test_limits_become_those_of_the_urdf(
+    kind: str, before: tuple[str, str], after: tuple[str, str], tmp_path: Path
+) -> None:
+    text, sure = mended("UC334", whole(interface(kind, before)), tmp_path)
+    assert text == whole(interface(kind, after))
+    assert not sure
+
+
+def test_a_limit_that_a_comment_stands_in_is_for_a_person_to_change(tmp_path: Path) -> None:
+    part = whole(interface("position", ("-9<!-- wide -->", "1")))
+    assert mended("UC334", part, tmp_path) == (part, False)
+
+
+def interface(kind: str, limits: tuple[str, str]) -> str:
+    return INTERFACE.replace("KIND", kind).replace("MIN", limits[0]).replace("MAX", limits[1])
