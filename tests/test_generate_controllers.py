@@ -382,3 +382,12 @@ def test_the_gpios_of_a_robot_are_commanded() -> None:
     }
     [file] = made("gen-controllers", Options("jazzy", types=("gpio",)))
     assert "interfaces: [output]  # what may be commanded; TODO: its interfaces" in file.text
+
+
+def test_a_joint_whose_limits_hold_it_fast_is_left_out_and_told(folder: Folder) -> None:
+    folder.write({"robot.urdf": ARM.replace('lower="-1" upper="1" effort="40"', 'lower="0" upper="0" effort="40"')})
+    ran = command("gen-controllers", "robot.urdf", "--type", "effort", "--distro", "jazzy")
+    assert read(ran.stdout)["effort_controller"]["ros__parameters"]["joints"] == ["elbow"]
+    assert ran.stderr == "urdfctl: left out, for their limits hold them fast: shoulder (--joint)\n"
+    ran = command("gen-controllers", "robot.urdf", "--type", "effort", "--distro", "jazzy", "--joint", "shoulder")
+    assert read(ran.stdout)["effort_controller"]["ros__parameters"]["joints"] == ["shoulder"]

@@ -15,7 +15,7 @@ from urdfctl.cli.words import configured, settings_from, split_arguments
 from urdfctl.cli.writing import print_text
 from urdfctl.discover import find
 from urdfctl.errors import UserError
-from urdfctl.generate.choice import chosen
+from urdfctl.generate.choice import chosen, stuck
 from urdfctl.generate.everything import Order, files
 from urdfctl.generate.facts import NO_ROBOT, JointFacts, RobotFacts
 from urdfctl.generate.joint_list import joints_listed
@@ -60,6 +60,9 @@ def run_generate(command: str, given: Mapping[str, Any]) -> int:
     joints = chosen(robot, listed, given.get("joints") or (), given.get("exclude") or ())
     if not joints and command != "gen-gazebo":
         raise UserError(_no_joints(robot))
+    passed_over = stuck(robot, joints) if robot and not (listed or given.get("joints")) else ()
+    if passed_over:
+        sys.stderr.write(f"urdfctl: left out, for their limits hold them fast: {', '.join(passed_over)} (--joint)\n")
     order = Order(joints, options, catalog_with(settings.additions), robot or NO_ROBOT, Templates(given["templates"]))
     writing = Writing(given["output"], given["force"], given["diff"], given["check"], given.get("into"))
     return deliver(files(command, order), writing, many=command == "gen-all")

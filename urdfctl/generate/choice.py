@@ -16,7 +16,7 @@ def chosen(
     patterns: Iterable[str] = (),
     excluded: Iterable[str] = (),
 ) -> tuple[JointFacts, ...]:
-    """Joints by name, in the order of the names; else all of the robot that move and mimic no other.
+    """Joints by name, in the order of the names; else all of the robot that can move and mimic no other.
 
     The `patterns` keep those that they match as a whole, the `excluded` take out. UserError where a name is none of
     the robot's joints, a pattern is none, or nothing is left.
@@ -25,12 +25,19 @@ def chosen(
     if listed:
         joints = [_of_robot(joint, robot) if robot else joint for joint in listed]
     else:
-        joints = [joint for joint in (robot.joints if robot else ()) if not joint.mimics]
+        free = [joint for joint in (robot.joints if robot else ()) if not joint.mimics]
+        joints = [joint for joint in free if joint.can_move] or free
     wanted, unwanted = [_regex(text) for text in patterns], [_regex(text) for text in excluded]
     _check(wanted, joints)
     kept = [joint for joint in joints if not wanted or any(one.fullmatch(joint.name) for one in wanted)]
     kept = [joint for joint in kept if not any(one.fullmatch(joint.name) for one in unwanted)]
     return tuple({joint.name: joint for joint in kept}.values())
+
+
+def stuck(robot: RobotFacts, joints: Iterable[JointFacts]) -> tuple[str, ...]:
+    """The names of the joints that were passed over, for their limits hold them fast."""
+    taken = {joint.name for joint in joints}
+    return tuple(joint.name for joint in robot.joints if not (joint.mimics or joint.can_move or joint.name in taken))
 
 
 def joint_named(robot: RobotFacts | None, name: str) -> JointFacts:

@@ -114,7 +114,8 @@ def _all(order: Order) -> list[File]:
     if options.ros == 2 and not robot.components:  # noqa: PLR2004
         blocks.append(component(order.joints, options, order.catalog, order.templates, made))
     hosted = options.simulator in ("gz", "gazebo-classic")
-    if hosted and not any(order.catalog.simulator_plugin(name, options.distro) for name in robot.hosts):
+    known = (order.catalog.simulator_plugin(name, options.distro) for name in robot.hosts)
+    if hosted and not any(plugin and plugin.hosts_control for plugin in known):
         blocks.append(simulator_plugin(options, order.catalog, order.templates))
     includes = [order.options.robot_file, f"$(find {options.package})/urdf/control.xacro"]
     depends = dependencies(made, options, order.catalog, robot.package)

@@ -31,6 +31,11 @@ class JointFacts(NamedTuple):
     reduction: float = 1.0
 
     @property
+    def can_move(self) -> bool:
+        """Whether its limits leave it a range and a speed."""
+        return self.velocity != 0 and (self.lower is None or self.lower != self.upper)
+
+    @property
     def slides(self) -> bool:
         """Whether it moves along its axis, in metres."""
         return self.type == "prismatic"
