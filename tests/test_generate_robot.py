@@ -12,13 +12,14 @@ from urdfctl.catalog.catalog import CATALOG
 from urdfctl.catalog.distros import ALL, ROS1
 from urdfctl.errors import UserError
 from urdfctl.generate.facts import JointFacts
-from urdfctl.generate.options import Options
+from urdfctl.generate.options import Options, Roles
 from urdfctl.generate.recipes import recipes
 
 SIMULATORS = ("gz", "gazebo-classic", "mujoco", "none")
 REFUSED = ("has no", "takes no", "is deprecated", "needs", "simulation has not", "no controllers in")
-EXPECTED = ("UC467", "UC705", "UC706")
-"""What is told of a package for one kind of controller: the other joints idle, and later distros lack things."""
+EXPECTED = ("UC705", "UC706")
+"""What is told of a package for an old distro: later ones lack things."""
+FORMS = ("python", "xml", "yaml")
 
 
 def axis(joint: JointFacts) -> str:
@@ -51,11 +52,26 @@ def package(options: Options) -> dict[str, str]:
 @pytest.mark.parametrize("simulator", SIMULATORS)
 @pytest.mark.parametrize("distro", ALL)
 def test_a_package_of_every_kind_of_controller_lints_clean(distro: str, simulator: str, tmp_path: Path) -> None:
+    """Every kind in every distro and simulator; of the types' full names each simulator has its share."""
     found: dict[str, list[str]] = {}
-    for name in [kind for kind, plain in recipes()["kinds"].items() if f"ros{1 if distro in ROS1 else 2}" in plain]:
-        options = Options(distro, simulator, (name,), roles=roles_of(name), package="all", robot_file="everything.urdf")
+    kinds = [kind for kind, plain in recipes()["kinds"].items() if f"ros{1 if distro in ROS1 else 2}" in plain]
+    turn = SIMULATORS.index(simulator) + ALL.index(distro)
+    for index, name in enumerate([*kinds, *CATALOG.known_types(distro)[turn % 4 :: 4]], turn):
+        options = Options(
+            distro,
+            simulator,
+            (name,),
+            roles=roles_of(name),
+            package="all",
+            robot_file="everything.urdf",
+            form=FORMS[index % 3],
+            namespace="" if index % 2 else "r1",
+            macro=index % 5 > 2,
+            group=index % 7 > 3,
+        )
         try:
             files = package(options)
+            assert package(options) == files
         except UserError as error:
             assert any(words in str(error) for words in REFUSED), error  # noqa: PT017
             continue
@@ -101,6 +117,35 @@ def test_limits_stand_in_the_ros2_control_tag() -> None:
     assert '<param name="min">-1.0</param>' in file.text
     assert "<plugin>mock_components/GenericSystem</plugin>" in file.text
     assert file.text.count("<state_interface") == 1
+
+
+def test_only_joints_that_are_commanded_have_transmissions_and_by_the_interface_that_is_looked_for() -> None:
+    roles = Roles(left=("front_left",), right=("front_right",))
+    [file] = made("gen-transmissions", Options("noetic", types=("diff_drive",), roles=roles))
+    assert file.text.count("<transmission ") == 2
+    assert file.text.count("hardware_interface/VelocityJointInterface") == 2
+    [file] = made("gen-transmissions", Options("noetic", types=("pos_vel_controllers/JointTrajectoryController",)))
+    assert "hardware_interface/PosVelJointInterface" in file.text
+    strange = Options("noetic", types=("position_controllers/ScaledJointTrajectoryController",))
+    with pytest.raises(UserError, match="no transmission gives ScaledPositionJointInterface; one gives Effort"):
+        made("gen-transmissions", strange)
+
+
+def test_transmissions_that_the_robot_has_are_not_written_again() -> None:
+    robot = ROBOT._replace(interfaces={"arm": ("effort",)})
+    files = made("gen-all", Options("noetic", types=("position",), package="all"), JOINTS[-2:], robot)
+    control = next(file.text for file in files if file.name == "urdf/control.xacro")
+    assert '<joint name="steer_rear_right">' in control
+    assert '<joint name="arm">' not in control
+
+
+def test_a_controller_of_joints_that_are_not_there_is_refused() -> None:
+    options = Options("noetic", types=("franka_gazebo/FrankaGripperSim",))
+    with pytest.raises(UserError, match="needs the joint 'front_left_finger_joint1', which the robot does not have"):
+        made("gen-all", options)
+    many = Options("noetic", types=("franka_example_controllers/DualArmCartesianImpedanceExampleController",))
+    with pytest.raises(UserError, match="needs more joints than 9"):
+        made("gen-all", many)
 
 
 @pytest.mark.parametrize(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -18,6 +19,7 @@ from urdfctl.generate.scalars import yaml_float
 from urdfctl.generate.templates import Templates
 
 _STATES = ("position", "velocity")
+OF_TRANSMISSIONS = tuple(f"{kind}JointInterface" for kind in ("Effort", "Velocity", "Position", "PosVel", "PosVelAcc"))
 
 
 class Command(NamedTuple):
@@ -37,15 +39,21 @@ class Part(NamedTuple):
 
 
 def transmissions(joints: Sequence[JointFacts], options: Options, templates: Templates, given: dict[str, str]) -> str:
-    """A transmission for each joint; `given` are the interfaces that controllers want of them."""
+    """A transmission for each joint that controllers command, by the interface that `given` says; for each where there
+    are none. UserError where none of their interfaces is one of transmissions."""
     if options.ros != 1:
         raise UserError(f"{options.distro} reads no transmissions of this form: see gen-ros2-control")
     prefix = "hardware_interface/" if options.distro in since("kinetic") else ""
     shown = []
     for joint in joints:
-        plain = joint.interface or given.get(joint.name) or options.interface or "effort"
-        interface = f"{prefix}{plain.capitalize()}JointInterface"
-        shown.append({"name": joint.name, "interface": interface, "reduction": yaml_float(float(joint.reduction))})
+        asked = joint.interface or (None if given else options.interface or "effort")
+        name = f"{asked.capitalize()}JointInterface" if asked else given.get(joint.name)
+        if name in OF_TRANSMISSIONS:
+            reduction = yaml_float(float(joint.reduction))
+            shown.append({"name": joint.name, "interface": f"{prefix}{name}", "reduction": reduction})
+    if not shown:
+        names = ", ".join(sorted({*given.values()})) or "what is asked for"
+        raise UserError(f"no transmission gives {names}; one gives {', '.join(OF_TRANSMISSIONS)}")
     form = "macro" if options.macro else "plain"
     return templates.render(f"transmissions/{form}.xacro", joints=shown, interface=shown[0]["interface"])
 
@@ -96,13 +104,12 @@ def simulator_plugin(options: Options, catalog: Catalog, templates: Templates) -
 
 
 def wanted_interfaces(made: Sequence[Controller]) -> dict[str, str]:
-    """What the controllers of ROS 1 want each joint to be commanded by."""
+    """The interfaces in which controllers of ROS 1 look for each joint that they command."""
     found: dict[str, str] = {}
     for one in made:
         claimed = claims(one.type, one.name, one.values)
         for claim in claimed.command if claimed else ():
-            plain = claim.interface.rpartition("/")[2].removesuffix("JointInterface").lower()
-            found.setdefault(claim.component, plain)
+            found.setdefault(claim.component, re.split("/|::", claim.interface)[-1])
     return found
 
 

@@ -11,7 +11,13 @@ from urdfctl.errors import UserError
 from urdfctl.generate.bringup import dependencies, launch_file, package_files
 from urdfctl.generate.controllers import controllers
 from urdfctl.generate.controllers_file import controllers_file
-from urdfctl.generate.descriptions import component, simulator_plugin, transmissions, wanted_interfaces
+from urdfctl.generate.descriptions import (
+    OF_TRANSMISSIONS,
+    component,
+    simulator_plugin,
+    transmissions,
+    wanted_interfaces,
+)
 from urdfctl.generate.facts import JointFacts, RobotFacts
 from urdfctl.generate.options import File, Options
 from urdfctl.generate.parameters import Controller
@@ -89,10 +95,20 @@ def _typed(order: Order) -> tuple[Controller, ...]:
     if not order.options.types:
         raise UserError("what kind of controllers? Say --type, such as --type effort, trajectory or diff_drive")
     made = order.controllers()
-    if order.options.ros == 1 and order.options.simulated:
-        for one in made:
+    if order.options.ros == 1:
+        _check_joints(made, order.robot)
+        for one in made if order.options.simulated else ():
             _check_simulated(one, order)
     return made
+
+
+def _check_joints(made: Sequence[Controller], robot: RobotFacts) -> None:
+    """UserError where a controller of ROS 1 commands a joint that the robot does not have."""
+    known = {joint.name for joint in robot.joints}
+    for one in made if known else ():
+        strange = [name for name in wanted_interfaces([one]) if name not in known]
+        if strange:
+            raise UserError(f"'{one.type.type}' needs the joint '{strange[0]}', which the robot does not have")
 
 
 def _check_simulated(one: Controller, order: Order) -> None:
@@ -109,8 +125,10 @@ def _all(order: Order) -> list[File]:
     options = order.options._replace(description="urdf/robot.urdf.xacro")
     order = order._replace(options=options)
     blocks = []
-    if options.ros == 1 and not all(joint.name in robot.interfaces for joint in order.joints):
-        blocks.append(transmissions(order.joints, options, order.templates, wanted_interfaces(made)))
+    wanted = wanted_interfaces(made) if options.ros == 1 else {}
+    without = [joint for joint in order.joints if joint.name not in robot.interfaces]
+    if options.ros == 1 and without and (not wanted or {*wanted.values()} & {*OF_TRANSMISSIONS}):
+        blocks.append(transmissions(without, options, order.templates, wanted))
     if options.ros == 2 and not robot.components:  # noqa: PLR2004
         blocks.append(component(order.joints, options, order.catalog, order.templates, made))
     hosted = options.simulator in ("gz", "gazebo-classic")

@@ -11,6 +11,7 @@ from urdfctl.catalog.validators import problem
 from urdfctl.catalog.values import elements
 from urdfctl.control.minimal import minimal_parameters
 from urdfctl.control.parameter_rules import breaches
+from urdfctl.errors import UserError
 from urdfctl.generate.settings import Setting
 from urdfctl.generate.values import TODO, Task
 
@@ -37,6 +38,15 @@ def least_settings(controller: ControllerType, task: Task) -> Iterator[Setting]:
         for joint in elements(wide.get(placeholder)) or [one.name for one in task.joints]:
             path = tuple(str(joint) if part.startswith("<") else part for part in pattern.split("."))
             yield Setting(pattern, path, value, _todo())
+
+
+def checked(setting: Setting, task: Task) -> Setting:
+    """A setting that names the robot's joints. UserError where these are too few for it."""
+    named = setting.value if isinstance(setting.value, list) else [setting.value]
+    joints = {joint.name for joint in task.joints}
+    if joints and any(isinstance(one, str) and _EXAMPLE.fullmatch(one) and one not in joints for one in named):
+        raise UserError(f"'{task.kind}' needs more joints than {len(joints)}")
+    return setting
 
 
 def _joint_parameters(controller: ControllerType) -> set[str]:

@@ -14,7 +14,7 @@ from urdfctl.control.parameter_rules import breaches
 from urdfctl.control.values import Values
 from urdfctl.errors import UserError
 from urdfctl.generate.facts import JointFacts
-from urdfctl.generate.least import least_settings
+from urdfctl.generate.least import checked, least_settings
 from urdfctl.generate.recipes import recipe_of
 from urdfctl.generate.settings import Setting
 from urdfctl.generate.values import Left, Task, answer, gains
@@ -67,7 +67,7 @@ def _check(made: Controller) -> None:
 def _settings(controller: ControllerType, task: Task) -> Iterator[Setting]:
     recipe = recipe_of(controller)
     if recipe is None:
-        yield from least_settings(controller, task)
+        yield from (checked(setting, task) for setting in least_settings(controller, task))
         return
     given: set[str] = set()
     for name, (value, comment) in recipe.items():
@@ -79,7 +79,7 @@ def _settings(controller: ControllerType, task: Task) -> Iterator[Setting]:
             yield _fitted(setting, parameter.type)
     for setting in least_settings(controller, task):
         if setting.name not in given:
-            yield setting
+            yield checked(setting, task)
 
 
 def _of_parameter(name: str, value: Any, comment: str, task: Task) -> Iterator[Setting]:

@@ -159,6 +159,11 @@ def _full_states(task: Task) -> Answer:
     return Answer([name for state in task.states for name in ([state] if "/" in state else _below_joints(task, state))])
 
 
+def _batteries(task: Task) -> Answer:
+    found = [part.name for part in task.robot.parts if "battery_voltage" in part.states]
+    return Answer(found) if found else Answer(["battery"], f"{TODO}: its name")
+
+
 def _below_joints(task: Task, state: str) -> list[str]:
     return [f"{joint.name}/{state}" for joint in task.joints]
 
@@ -270,6 +275,7 @@ _OTHERS: Mapping[str, Callable[[Task], Answer | Left]] = {
     "angles_first": lambda task: Answer("position" in task.states),
     "speeds_first": lambda task: Answer("position" in task.states and "velocity" not in task.states),
     "full_states": _full_states,
+    "batteries": _batteries,
     "with_covariance": lambda task: Answer(value=True) if _offers(task, "latitude_covariance") else LEFT_OUT,
     "measured": lambda task: Answer([f"{joint.name}/{task.interface}" for joint in task.joints[:1]]),
     "filtered": lambda task: Answer([f"{joint.name}/filtered_{task.interface}" for joint in task.joints[:1]]),
