@@ -80,7 +80,7 @@ def test_a_rule_is_known_by_its_code_and_its_name_in_any_case(folder: Folder, wh
 def test_every_rule_can_be_explained_and_its_example_shows_it(folder: Folder, rule: Rule) -> None:
     told = command("explain", rule.code).stdout
     assert told.startswith(rule.code)
-    if "Wrong:" in told:
+    if "Wrong:" in told and not rule.of_smoke:
         assert f" {rule.code} " in told.partition("What urdfctl says of it:")[2].partition("Right:")[0]
 
 

@@ -129,7 +129,8 @@ def lint(
 
 def _silent(project: Project, selection: Selection) -> set[str]:
     """The codes of the rules that were not asked, or that could not see the whole robot."""
-    spoke = [rule for rule in all_rules() if selection.admits(rule.code) and _applies(rule, project)]
+    asked = [rule for rule in all_rules() if not rule.of_smoke and selection.admits(rule.code)]
+    spoke = [rule for rule in asked if _applies(rule, project)]
     return {rule.code for rule in all_rules()} - {rule.code for rule in spoke if project.complete}
 
 

@@ -22,6 +22,23 @@ def mesh_finder(packages: Packages, robot_file: str) -> Callable[[str], MeshFile
     return find
 
 
+def mesh_path(address: str, packages: Packages, robot_file: str) -> str | None:
+    """The file that a mesh address means; None where it cannot be told, or is not there."""
+    if address.startswith("package://"):
+        package, _, rest = address.removeprefix("package://").partition("/")
+        try:
+            path = os.path.join(packages.find(package), rest)
+        except PackageNotFound:
+            return None
+    else:
+        path = address.removeprefix("file://")
+        if "://" in path or not path:
+            return None
+        path = os.path.join(os.path.dirname(robot_file), path)
+    path = packages.source_of(path)
+    return path if os.path.isfile(path) else None
+
+
 def _found(address: str, packages: Packages, robot_file: str) -> MeshFile | None:
     if address.startswith("package://"):
         return _in_package(address.removeprefix("package://"), packages)

@@ -40,6 +40,11 @@ class Rule(NamedTuple):
         return self.check.__name__.replace("_", "-")
 
     @property
+    def of_smoke(self) -> bool:
+        """Whether it is the smoke test that tells it, and not reading."""
+        return self.code.startswith("UC9")
+
+    @property
     def summary(self) -> str:
         """The docstring's first paragraph."""
         return self._paragraphs[0]

@@ -28,7 +28,7 @@ app = typer.Typer(
     rich_markup_mode=None,
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
-    help="Lint, expand and explain the control configuration of robots in URDF and xacro, without ROS.",
+    help="Lint, smoke-test, expand and explain the control configuration of robots in URDF and xacro, without ROS.",
 )
 
 
@@ -46,7 +46,7 @@ def main(
         bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version and leave.")
     ] = False,
 ) -> None:
-    """Lint, expand and explain the control configuration of robots in URDF and xacro, without ROS."""
+    """Lint, smoke-test, expand and explain the control configuration of robots in URDF and xacro, without ROS."""
 
 
 @app.command()
@@ -103,6 +103,41 @@ def lint(
 
     given = {name: value for name, value in locals().items() if name != "lint_words"}
     raise typer.Exit(lint_words(**given))
+
+
+@app.command()
+def smoke(
+    paths: Arguments = None,
+    controllers: Annotated[
+        list[str] | None, typer.Option(help="A controllers' file that belongs to each robot. Repeatable.")
+    ] = None,
+    only: Annotated[list[str] | None, typer.Option(help="Only the controllers of these names: NAME,NAME.")] = None,
+    engine: Annotated[str, typer.Option(help="none: nothing is moved.")] = "none",
+    distro: Distro = None,
+    simulator: Simulator = None,
+    start: Start = None,
+    workspace: Workspace = None,
+    package_path: PackagePath = None,
+    env: Environment = None,
+    trust: Trust = False,
+    timeout: Timeout = 30.0,
+    memory: Memory = 2048,
+    formats: Annotated[
+        list[str] | None,
+        typer.Option("--format", help="text, json, junit, sarif or github; =FILE writes it there. Repeatable."),
+    ] = None,
+    jobs: Annotated[int, typer.Option(help="How many robots at once; 0: as many as there are processors.")] = 0,
+    shard: Annotated[str | None, typer.Option(help="Only one of several shares of the robots: 2/5.")] = None,
+    config: ConfigFile = None,
+) -> None:
+    """Take each controller of a robot through its life as the controller manager would, without ROS.
+
+    Example: urdfctl smoke urdf/robot.xacro --controllers config/controllers.yaml
+    """
+    from urdfctl.cli.smoke_words import smoke_words
+
+    given = {name: value for name, value in locals().items() if name != "smoke_words"}
+    raise typer.Exit(smoke_words(**given))
 
 
 @app.command()

@@ -39,7 +39,7 @@ def look_at(found: Found, arguments: tuple[tuple[str, str], ...], settings: Sett
         found = lint_all(targets, settings, wanted.selection, wanted.jobs or None)
         return zip(targets, watched(found, len(targets)), strict=True)
 
-    targets, kept = _targets(found, arguments)
+    targets, kept = targets_of(found, arguments)
     if wanted.shard is not None:
         from urdfctl.shards import share
 
@@ -58,7 +58,7 @@ def look_at(found: Found, arguments: tuple[tuple[str, str], ...], settings: Sett
     return LookedAt(robots, [*all_kept, *linted([*rest, *alone])])
 
 
-def _targets(
+def targets_of(
     found: Found, arguments: tuple[tuple[str, str], ...]
 ) -> tuple[list[Target], list[Callable[[Linted], bool]]]:
     """What is to be linted, and of each what tells whether it is worth to be told of. What is named beside a single

@@ -25,7 +25,8 @@ def rule_explanation(rule: Rule) -> str:
         textwrap.fill(f"Authority: {rule.authority}", 100),
     ]
     if rule.bad:
-        parts += ["Wrong:", *_files(rule.bad), "What urdfctl says of it:", _output(rule)]
+        parts += ["Wrong:", *_files(rule.bad)]
+        parts += [] if rule.of_smoke else ["What urdfctl says of it:", _output(rule)]
         parts += ["Right:", *_files(rule.good)]
     parts.append(f"To silence it at one place: <!-- urdfctl: ignore[{rule.code}] the reason -->")
     return "\n\n".join(part for part in parts if part) + "\n"

@@ -42,6 +42,10 @@ class Reason(Enum):
     CIRCLE = "controllers claim each other's interfaces"
 
 
+AT_LOAD = frozenset({"combinations", "one_group_set", "any_set", "length", "needs"})
+"""The kinds of rules on parameters that controllers of ROS 2 check when they declare the parameters, on load."""
+
+
 class Stop(NamedTuple):
     """What stops a controller at a stage. Of the `other` controller it needs something, or it has it already. An
     `absence` that is only likely may be none."""
@@ -95,7 +99,8 @@ def _stops(session: Session, controller: Configured) -> Iterator[Stop]:
     for breach in breaches(controller.type, controller.values):
         if breach.rule.severity == "error":
             words = f"'{breach.parameter}' {breach.message}"
-            yield Stop(Stage.LOAD if ros1 else Stage.CONFIGURE, Reason.PARAMETERS, words=words)
+            stage = Stage.LOAD if ros1 or breach.rule.kind in AT_LOAD else Stage.CONFIGURE
+            yield Stop(stage, Reason.PARAMETERS, words=words)
     for _, claim in claimed_twice(controller, session.distro):
         yield Stop(Stage.ACTIVATE if ros1 else Stage.CONFIGURE, Reason.CLAIMED_TWICE, claim)
     for one in controller.missing:

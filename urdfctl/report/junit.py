@@ -5,7 +5,7 @@ What makes the run fail is a failure there, what does not is skipped, and a robo
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from xml.sax.saxutils import escape, quoteattr
 
 from urdfctl.diagnostic import Diagnostic
@@ -19,39 +19,49 @@ _NOT_XML = {0xFFFE: "\ufffd", 0xFFFF: "\ufffd"}
 
 def render(report: Report) -> str:
     """One document, whatever texts it holds."""
-    return "\n".join(_lines(report)) + "\n"
+    return suites_document(report)
 
 
-def _lines(report: Report) -> Iterator[str]:
+def suites_document(report: Report, others: Iterable[str] = (), more: tuple[int, int, int] = (0, 0, 0)) -> str:
+    """One document with further suites before those of the findings: their lines, and how many tests, failures and
+    skipped ones they hold."""
+    return "\n".join(_lines(report, others, more)) + "\n"
+
+
+def _lines(report: Report, others: Iterable[str], more: tuple[int, int, int]) -> Iterator[str]:
     suites: dict[str, list[Diagnostic]] = {shown(target.path): [] for target in report.targets}
     for diagnostic in map(relative, report.findings):
         suites.setdefault(diagnostic.at.file, []).append(diagnostic)
     yield '<?xml version="1.0" encoding="UTF-8"?>'
-    yield f"<testsuites{_attributes(name='urdfctl', **_counts(suites.values(), report))}>"
+    counts = _counts(suites.values(), report)
+    for kind, number in zip(("tests", "failures", "skipped"), more, strict=True):
+        counts[kind] += number
+    yield f"<testsuites{attributes_of(name='urdfctl', **counts)}>"
+    yield from others
     for file, findings in suites.items():
         yield from _suite(file, findings, report)
     yield "</testsuites>"
 
 
 def _suite(file: str, findings: Sequence[Diagnostic], report: Report) -> Iterator[str]:
-    yield f"  <testsuite{_attributes(name=file, **_counts([findings], report))}>"
+    yield f"  <testsuite{attributes_of(name=file, **_counts([findings], report))}>"
     for diagnostic in findings:
         at = diagnostic.at
         name = f"{diagnostic.code} {diagnostic.name} at {at.line}:{at.column}"
-        yield f"    <testcase{_attributes(name=name, classname=file, file=file, line=at.line)}>"
+        yield f"    <testcase{attributes_of(name=name, classname=file, file=file, line=at.line)}>"
         yield f"      {_result(diagnostic, report)}"
         yield "    </testcase>"
     if not findings:
-        yield f"    <testcase{_attributes(name='no findings', classname=file, file=file)}/>"
+        yield f"    <testcase{attributes_of(name='no findings', classname=file, file=file)}/>"
     yield "  </testsuite>"
 
 
 def _result(diagnostic: Diagnostic, report: Report) -> str:
     kind = _kind(diagnostic, report)
     if kind == "skipped":
-        return f"<skipped{_attributes(message=f'{diagnostic.severity.value}: {diagnostic.message}')}/>"
+        return f"<skipped{attributes_of(message=f'{diagnostic.severity.value}: {diagnostic.message}')}/>"
     body = "\n".join(_text(line) for line in [place(diagnostic), *paragraph(diagnostic)])
-    attributes = _attributes(message=diagnostic.message, type=diagnostic.severity.value)
+    attributes = attributes_of(message=diagnostic.message, type=diagnostic.severity.value)
     return f"<{kind}{attributes}>{escape(body)}</{kind}>"
 
 
@@ -71,7 +81,8 @@ def _counts(suites: Collection[Sequence[Diagnostic]], report: Report) -> dict[st
     }
 
 
-def _attributes(**values: str | int) -> str:
+def attributes_of(**values: str | int) -> str:
+    """The attributes of an element, as it is written."""
     return "".join(f" {name}={quoteattr(_text(str(value)))}" for name, value in values.items())
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from urdfctl.diagnostic import Diagnostic, Severity
@@ -29,11 +29,16 @@ def render(report: Report) -> str:
 
 def print_coloured(report: Report) -> None:
     """Print the report on a terminal."""
+    print_pieces(pieces(report))
+
+
+def print_pieces(parts: Iterable[Piece]) -> None:
+    """Print parts of a text with their styles on a terminal."""
     from rich.console import Console
     from rich.text import Text
 
     text = Text()
-    for piece in pieces(report):
+    for piece in parts:
         text.append(piece.text.encode("utf-8", "surrogateescape").decode("utf-8", "replace"), piece.style)
     Console(highlight=False, soft_wrap=True).print(text, end="")
 

@@ -71,6 +71,12 @@ def _migration() -> Rules:
     return RULES
 
 
+def _smoke() -> Rules:
+    from urdfctl.rules.smoke import RULES
+
+    return RULES
+
+
 def _has_transmissions(project: Project) -> bool:
     robot = project.robot
     if robot is None or not set(ROS1) & set(project.distros):
@@ -104,6 +110,7 @@ FAMILIES = (
     Family("UC4", _claims, lambda project: project.controllers is not None),
     Family("UC5", _simulation, _loads_plugins),
     Family("UC7", _migration, _may_move_on),
+    Family("UC9", _smoke, lambda _: False),
 )
 
 

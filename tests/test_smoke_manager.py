@@ -1,0 +1,184 @@
+"""How far the controller manager lets each controller get, and in which words it refuses one."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from smoking import smoked, target_of, verdicts
+
+from urdfctl.load import Target
+from urdfctl.rules.smoke.common import HARDWARE
+
+FORWARD = "forward_command_controller/ForwardCommandController"
+
+
+def files(yaml: str, hardware: str = HARDWARE) -> dict[str, str]:
+    return {"robot.urdf": hardware, "controllers.yaml": yaml}
+
+
+def manager(**types: str) -> str:
+    declared = "".join(f"    {name}: {{type: {kind}}}\n" for name, kind in types.items())
+    return f"controller_manager:\n  ros__parameters:\n{declared}"
+
+
+def section(name: str, parameters: str) -> str:
+    return f"{name}:\n  ros__parameters: {{{parameters}}}\n"
+
+
+ELBOW = "joints: [elbow], interface_name: position"
+NOISE = "noise/NoSuchController"
+
+
+def said(folder: Path, yaml: str, hardware: str = HARDWARE, only: tuple[str, ...] = (), **options: object) -> list[str]:
+    """The controllers' verdicts, then the findings with the manager's words."""
+    options = {"distro": "jazzy", **options}
+    made = smoked(target_of(folder, files(yaml, hardware)), only, **options)
+    found = made.linted.outcome.diagnostics
+    notes = [note.message for one in found for note in one.notes if note.message.startswith("the controller manager")]
+    return [f"{name}: {verdict}" for name, verdict in verdicts(made).items()] + notes
+
+
+def test_a_controller_that_nothing_stops_is_not_called_passed(tmp_path: Path) -> None:
+    assert said(tmp_path, manager(arm=FORWARD) + section("arm", ELBOW)) == ["arm: skipped activate"]
+
+
+def test_controllers_started_together_come_in_their_order_and_the_later_one_is_refused(tmp_path: Path) -> None:
+    yaml = manager(one=FORWARD, two=FORWARD) + section("one", ELBOW) + section("two", ELBOW)
+    assert said(tmp_path, yaml, started=("two", "one")) == [
+        "two: skipped activate",
+        "one: failed activate",
+        (
+            "the controller manager says: Unable to activate controller 'one' since the command interface "
+            "'elbow/position' is currently claimed by another controller."
+        ),
+    ]
+
+
+def test_controllers_of_which_nobody_says_that_they_are_started_take_turns(tmp_path: Path) -> None:
+    yaml = manager(one=FORWARD, two=FORWARD) + section("one", ELBOW) + section("two", ELBOW)
+    assert said(tmp_path, yaml) == ["one: skipped activate", "two: skipped activate"]
+
+
+@pytest.mark.parametrize(
+    ("kind", "parameters", "verdict", "words"),
+    [
+        (NOISE, ELBOW, "failed load", "Loader for controller 'arm' (type 'noise/NoSuchController') not found."),
+        ("''", ELBOW, "failed load", "The 'type' param was not defined for 'arm'."),
+        (
+            FORWARD,
+            "joints: [], interface_name: position",
+            "failed configure",
+            "After configuring, controller 'arm' is in state 'unconfigured' , expected inactive.",
+        ),
+        (
+            FORWARD,
+            "joints: [elbow, elbow], interface_name: position",
+            "failed configure",
+            (
+                "The command interfaces of the controller 'arm' are not unique. Please make sure that the command "
+                "interfaces are unique"
+            ),
+        ),
+        (
+            FORWARD,
+            "joints: [elbow], interface_name: effort",
+            "failed activate",
+            "Unable to activate controller 'arm' since the command interface 'elbow/effort' is not available.",
+        ),
+        (
+            "joint_trajectory_controller/JointTrajectoryController",
+            "joints: [elbow], command_interfaces: [position], state_interfaces: [velocity]",
+            "failed load",
+            "Could not initialize the controller named 'arm'",
+        ),
+    ],
+    ids=["type unknown", "type missing", "joints empty", "joint twice", "not offered", "combination"],
+)
+def test_a_refusal_of_ros2_is_told_with_the_managers_words(
+    tmp_path: Path, kind: str, parameters: str, verdict: str, words: str
+) -> None:
+    yaml = manager(arm=kind) + section("arm", parameters)
+    assert said(tmp_path, yaml) == [f"arm: {verdict}", f"the controller manager says: {words}"]
+
+
+TRANSMISSION = """
+    <transmission name="elbow_trans">
+      <type>transmission_interface/SimpleTransmission</type>
+      <joint name="elbow"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>
+      <actuator name="elbow_motor"><mechanicalReduction>1</mechanicalReduction></actuator>
+    </transmission>
+"""
+PID = "pid: {p: 1.0, i: 0.0, d: 1.0}"
+
+
+@pytest.mark.parametrize(
+    ("yaml", "verdict", "words"),
+    [
+        ("arm: {type: noise/None, joint: elbow}", "failed load",
+         "Could not load controller 'arm' because controller type 'noise/None' does not exist."),
+        (f"arm: {{type: effort_controllers/JointPositionController, joint: shoulder, {PID}}}", "failed load",
+         "Could not find resource 'shoulder' in 'hardware_interface::EffortJointInterface'."),
+        ("arm: {type: effort_controllers/JointPositionController, joint: elbow}", "failed load",
+         "Initializing controller 'arm' failed"),
+        ("arm: {type: effort_controllers/JointTrajectoryController, joints: [elbow]}", "failed activate",
+         "Could not start controller with name 'arm'"),
+    ],
+    ids=["type unknown", "no transmission", "no gains", "no gains to start with"],
+)  # fmt: skip
+def test_a_refusal_of_ros1_is_told_with_the_managers_words(tmp_path: Path, yaml: str, verdict: str, words: str) -> None:
+    told = said(tmp_path, yaml, TRANSMISSION, distro="noetic", simulator="gazebo-classic")
+    assert told == [f"arm: {verdict}", f"the controller manager says: {words}"]
+
+
+def test_two_controllers_of_one_joint_are_a_conflict_in_ros1(tmp_path: Path) -> None:
+    kind = f"{{type: effort_controllers/JointPositionController, joint: elbow, {PID}}}"
+    told = said(
+        tmp_path, f"one: {kind}\ntwo: {kind}", TRANSMISSION, distro="noetic", started=("one", "two"), simulator="gz"
+    )
+    assert told == [
+        "one: skipped activate",
+        "two: failed activate",
+        "the controller manager says: Could not switch controllers, due to resource conflict",
+    ]
+
+
+def test_a_controller_of_ros1_without_type_is_not_loaded(tmp_path: Path) -> None:
+    told = said(tmp_path, f"arm: {{joint: elbow, {PID}}}", TRANSMISSION, distro="noetic", started=("arm",))
+    assert told[-1] == (
+        "the controller manager says: Could not load controller 'arm' because the type was not specified."
+    )
+
+
+def test_a_robot_that_is_refused_stops_all_of_them(tmp_path: Path) -> None:
+    told = said(tmp_path, manager(arm=FORWARD) + section("arm", ELBOW), HARDWARE + '<link name="other"/>')
+    assert told == ["arm: failed load"]
+
+
+def test_only_some_controllers_may_be_asked_for(tmp_path: Path) -> None:
+    yaml = manager(one=FORWARD, two=NOISE) + section("one", ELBOW)
+    assert said(tmp_path, yaml, only=("one",)) == ["one: skipped activate"]
+
+
+def test_a_comment_silences_a_finding(tmp_path: Path) -> None:
+    yaml = manager(arm=NOISE + "}  # {urdfctl: ignore[UC903] of another package").replace("package}", "package")
+    made = smoked(target_of(tmp_path, files(yaml)), distro="jazzy")
+    assert verdicts(made) == {"arm": "failed load"}
+    assert made.linted.outcome.diagnostics == []
+
+
+def test_where_the_distro_is_not_told_it_is_the_newest_that_knows_most_types(tmp_path: Path) -> None:
+    yaml = manager(hand="effort_controllers/GripperActionController") + section("hand", "joint: elbow")
+    made = smoked(target_of(tmp_path, files(yaml)))
+    assert made.linted.distro == "jazzy"
+
+
+def test_a_robot_without_controllers_has_none(tmp_path: Path) -> None:
+    made = smoked(target_of(tmp_path, {"robot.urdf": HARDWARE}), distro="jazzy")
+    assert (made.controllers, made.linted.outcome.diagnostics) == ((), [])
+
+
+def test_controllers_without_a_robot_are_judged_as_far_as_they_go(tmp_path: Path) -> None:
+    path = tmp_path / "controllers.yaml"
+    path.write_text(manager(arm=NOISE), encoding="utf-8")
+    assert verdicts(smoked(Target(str(path)), distro="jazzy")) == {"arm": "failed load"}

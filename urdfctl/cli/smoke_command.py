@@ -1,0 +1,101 @@
+"""`urdfctl smoke`."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from urdfctl.cli.looking import targets_of
+from urdfctl.cli.progress import watched
+from urdfctl.cli.words import split_arguments
+from urdfctl.cli.writing import print_text, write_file
+from urdfctl.config import Config
+from urdfctl.discover import find
+from urdfctl.errors import UserError
+from urdfctl.lint import Selection, joined, worst
+from urdfctl.load import Target
+from urdfctl.settings import Settings
+from urdfctl.shards import Shard, share
+from urdfctl.smoke.job import Wanted, smoke_all
+from urdfctl.smoke.reports import SMOKE_FORMATS, SmokeReport, report_of, text_pieces, written
+from urdfctl.smoke.results import Smoked
+from urdfctl.suggest import did_you_mean
+
+ENGINES = ("none",)
+
+
+class Asked(NamedTuple):
+    """What a smoke command was asked for; `outputs` are formats with the file they go to, None for standard output;
+    of the robots it is all, or one share."""
+
+    words: tuple[str, ...]
+    wanted: Wanted
+    controllers: tuple[str, ...] = ()
+    outputs: tuple[tuple[str, str | None], ...] = (("text", None),)
+    jobs: int = 0
+    shard: Shard | None = None
+    config: Config = Config()
+
+
+def run_smoke(asked: Asked, settings: Settings) -> int:
+    """Test what the words mean, report it, and give the exit status."""
+    paths, arguments = split_arguments(asked.words)
+    found = find(paths, asked.config.excludes)
+    targets, kept = targets_of(found, tuple(arguments.items()))
+    targets = [_with_controllers(target, asked.controllers) for target in targets]
+    if asked.shard is not None:
+        mine = share(found, asked.shard)
+        chosen = [pair for pair in zip(targets, kept, strict=True) if os.path.abspath(pair[0].path) in mine]
+        targets, kept = [target for target, _ in chosen], [keep for _, keep in chosen]
+    results = watched(smoke_all(targets, settings, asked.wanted, asked.jobs or None), len(targets))
+    smoked = list(_told([one for one, keep in zip(results, kept, strict=True) if keep(one.linted)]))
+    if not smoked:
+        sys.stderr.write(f"urdfctl: no robot found in {', '.join(paths) or 'this folder'}\n")
+    outcomes = [one.linted.outcome for one in smoked]
+    findings = [one for one in joined(outcomes, Selection()) if not asked.config.ignores(one.at.file, one.code)]
+    report = report_of(smoked, findings)
+    for name, file in asked.outputs:
+        _tell(report, name, file)
+    if any(outcome.crashed for outcome in outcomes):
+        return 3
+    gravest = worst(findings)
+    return int(gravest is not None and gravest.weight >= report.found.fail_on.weight)
+
+
+def _with_controllers(target: Target, controllers: Sequence[str]) -> Target:
+    return target._replace(controllers=(*target.controllers, *controllers))
+
+
+def _told(smoked: list[Smoked]) -> Iterator[Smoked]:
+    """Each robot with its controllers once, and without controllers only where no launch file gives it any."""
+    driven = {one.linted.path for one in smoked if one.controllers}
+    seen = set()
+    for one in smoked:
+        key = one.linted.path, one.linted.controllers, tuple(result.name for result in one.controllers)
+        if key not in seen and (one.controllers or one.linted.path not in driven):
+            seen.add(key)
+            yield one
+
+
+def output_of(text: str) -> tuple[str, str | None]:
+    """A format and the file it goes to. UserError where there is no such format."""
+    name, mark, file = text.partition("=")
+    if name not in SMOKE_FORMATS:
+        near = did_you_mean(name, SMOKE_FORMATS)
+        raise UserError(f"unknown format '{name}'{near}; known are {', '.join(SMOKE_FORMATS)}")
+    if mark and not file:
+        raise UserError(f"--format {name}= names no file")
+    return name, file or None
+
+
+def _tell(report: SmokeReport, name: str, file: str | None) -> None:
+    if file is not None:
+        write_file(file, written(report, name), force=True)
+    elif name == "text" and sys.stdout.isatty() and not os.environ.get("NO_COLOR"):
+        from urdfctl.report.text import print_pieces
+
+        print_pieces(text_pieces(report))
+    else:
+        print_text(written(report, name))

@@ -1,0 +1,49 @@
+"""What the options of `urdfctl smoke` mean together."""
+
+from __future__ import annotations
+
+from urdfctl.cli.smoke_command import ENGINES, Asked, output_of, run_smoke
+from urdfctl.cli.words import configured, settings_from
+from urdfctl.errors import UserError
+from urdfctl.shards import shard as parsed_shard
+from urdfctl.smoke.job import Wanted
+from urdfctl.suggest import did_you_mean
+
+
+def smoke_words(  # noqa: PLR0913, PLR0917 (one for each option)
+    paths: list[str] | None,
+    controllers: list[str] | None,
+    only: list[str] | None,
+    engine: str,
+    distro: str | None,
+    simulator: str | None,
+    start: str | None,
+    workspace: str | None,
+    package_path: list[str] | None,
+    env: list[str] | None,
+    trust: bool,  # noqa: FBT001
+    timeout: float,
+    memory: int,
+    formats: list[str] | None,
+    jobs: int,
+    shard: str | None,
+    config: str | None,
+) -> int:
+    """Smoke-test with the options of the command line, report it, and give the exit status."""
+    if jobs < 0:
+        raise UserError(f"--jobs is a number of robots, or 0 for as many as there are processors; not {jobs}")
+    if engine not in ENGINES:
+        raise UserError(f"unknown engine '{engine}'{did_you_mean(engine, ENGINES)}; known are {', '.join(ENGINES)}")
+    chosen = configured(paths, config, workspace)
+    settings = settings_from(chosen, distro, simulator, start, workspace, package_path, env, trust, timeout, memory)
+    names = tuple(name.strip() for text in only or () for name in text.split(",") if name.strip())
+    asked = Asked(
+        tuple(paths or ()),
+        Wanted(names),
+        tuple(controllers or ()),
+        tuple(output_of(text) for text in formats or ("text",)),
+        jobs,
+        parsed_shard(shard) if shard else None,
+        chosen,
+    )
+    return run_smoke(asked, settings)

@@ -1,0 +1,36 @@
+"""UC9: what the smoke test finds, by what the robot and its controllers do."""
+
+from __future__ import annotations
+
+from urdfctl.rule import Rule
+from urdfctl.rules.smoke.controller_not_activated import controller_not_activated
+from urdfctl.rules.smoke.controller_not_configured import controller_not_configured
+from urdfctl.rules.smoke.controller_not_loaded import controller_not_loaded
+from urdfctl.rules.smoke.effort_too_weak_for_gravity import effort_too_weak_for_gravity
+from urdfctl.rules.smoke.hardware_not_started import hardware_not_started
+from urdfctl.rules.smoke.inertia_unusable import inertia_unusable
+from urdfctl.rules.smoke.joint_held_still import joint_held_still
+from urdfctl.rules.smoke.loop_too_stiff_without_rotor import loop_too_stiff_without_rotor
+from urdfctl.rules.smoke.loop_underdamped import loop_underdamped
+from urdfctl.rules.smoke.loop_unstable import loop_unstable
+from urdfctl.rules.smoke.robot_not_spawned import robot_not_spawned
+from urdfctl.rules.smoke.wheel_measures_differ import wheel_measures_differ
+from urdfctl.rules.smoke.wheel_sides_swapped import wheel_sides_swapped
+from urdfctl.rules.smoke.wheel_turns_backwards import wheel_turns_backwards
+
+RULES: tuple[Rule, ...] = (
+    robot_not_spawned,
+    hardware_not_started,
+    controller_not_loaded,
+    controller_not_configured,
+    controller_not_activated,
+    inertia_unusable,
+    wheel_sides_swapped,
+    wheel_turns_backwards,
+    wheel_measures_differ,
+    joint_held_still,
+    effort_too_weak_for_gravity,
+    loop_unstable,
+    loop_underdamped,
+    loop_too_stiff_without_rotor,
+)

@@ -1,0 +1,152 @@
+"""The life of each controller as a controller manager would see it, without anything moving: load, configure, activate.
+
+What stops a controller comes from two sources: `urdfctl.control.life` for types, claims, chains and conflicts in the
+order in which controllers are started; lint's errors for what is wrong in the files.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from urdfctl.catalog.distros import generation
+from urdfctl.control.hardware import Absence
+from urdfctl.control.life import lives
+from urdfctl.control.session import Configured, Session, session_of
+from urdfctl.diagnostic import Diagnostic, Severity
+from urdfctl.model.project import Project
+from urdfctl.smoke.results import STEPS, ControllerResult, Step, Trouble, Verdict
+from urdfctl.smoke.stages import BY_LIFE, OF_FILES, OF_HARDWARE, OF_ROBOT, concerns, step_of
+from urdfctl.smoke.words import told, words_of, words_of_step
+
+CODES = {Step.LOAD: "UC903", Step.CONFIGURE: "UC904", Step.ACTIVATE: "UC905"}
+_PAST = {Step.LOAD: "loaded", Step.CONFIGURE: "configured", Step.ACTIVATE: "activated"}
+
+
+class Refusal(NamedTuple):
+    """What stops a controller: the step, why in our words, and what the manager prints."""
+
+    step: Step
+    why: str
+    words: str
+    told_by: str = ""
+
+
+class Way(NamedTuple):
+    """A controller and what stops it, None where it gets to be active."""
+
+    configured: Configured
+    refusal: Refusal | None
+
+    @property
+    def result(self) -> ControllerResult:
+        """The verdict, as long as nothing was moved."""
+        written = self.configured.controller.type
+        kind = written.text if written else None
+        name = self.configured.name
+        if self.refusal:
+            return ControllerResult(name, kind, Verdict.FAILED, self.refusal.step, self.refusal.why)
+        return ControllerResult(name, kind, Verdict.SKIPPED, Step.ACTIVATE, "structural only: nothing was moved")
+
+
+class Cycle(NamedTuple):
+    """What one distro's manager makes of a robot: not `spawned` where the robot itself is refused."""
+
+    distro: str
+    session: Session
+    ways: tuple[Way, ...]
+    troubles: tuple[Trouble, ...]
+    spawned: bool = True
+
+    @property
+    def ros(self) -> int:
+        """1 or 2."""
+        return generation(self.distro)
+
+
+def life_cycle(project: Project, found: Sequence[Diagnostic]) -> Cycle:
+    """The ways of all controllers of a project, of which lint found something."""
+    distro = chosen_distro(project)
+    session = session_of(project, distro)
+    errors = [one for one in found if one.severity is Severity.ERROR]
+    of_robot = [one for one in errors if one.code.startswith(OF_ROBOT) and one.code not in OF_FILES]
+    of_hardware = [one for one in errors if one.code.startswith(OF_HARDWARE)]
+    troubles: list[Trouble] = []
+    blocked: Refusal | None = None
+    if of_robot:
+        blocked = Refusal(Step.LOAD, "the robot's description is refused", "")
+        troubles.append(_refused("UC901", "the robot cannot be spawned", of_robot))
+    elif of_hardware:
+        blocked = Refusal(Step.ACTIVATE, "the robot's hardware is refused", "")
+        troubles.append(_refused("UC902", "the hardware cannot be started", of_hardware))
+    ways = tuple(_ways(session, errors, blocked))
+    troubles += [_trouble(way.configured, way.refusal) for way in ways if way.refusal and way.refusal is not blocked]
+    return Cycle(distro, session, ways, tuple(troubles), blocked is None)
+
+
+def chosen_distro(project: Project) -> str:
+    """The distro of a project; where it may be for several, the newest that knows the most of its controllers."""
+    if project.distro:
+        return project.distro
+    declared = project.controllers.controllers if project.controllers else ()
+    types = [str(one.type.value) for one in declared if one.type]
+
+    def known(distro: str) -> int:
+        return sum(project.catalog.controller(kind, distro) is not None for kind in types)
+
+    return max(reversed(project.distros), key=known)
+
+
+def _ways(session: Session, errors: Sequence[Diagnostic], blocked: Refusal | None) -> Iterator[Way]:
+    """First the controllers that are started, in their order; then each of the others, as if it were alone."""
+    ros = generation(session.distro)
+    started = session.started or ()
+    names = {id(one) for one in started}
+    alone = session._replace(started=None, controllers=tuple(c for c in session.controllers if id(c) not in names))
+    of_life: dict[int, list[Refusal]] = {}
+    for life in (*(lives(session) if started else ()), *lives(alone)):
+        stops = [stop for stop in life.stops if stop.absence is Absence.SURE]
+        of_life[id(life.controller)] = [
+            Refusal(Step(stop.stage.value), told(stop), words_of(life.controller, stop, ros)) for stop in stops
+        ]
+    everyone = (*started, *alone.controllers)
+    of_files = [
+        one for one in errors if one.code in OF_FILES or (one.code.startswith("UC4") and one.code not in BY_LIFE)
+    ]
+    of_all = [error for error in of_files if not any(concerns(error, one.controller) for one in everyone)]
+    for one in everyone:
+        refusals = [*_of_files(one, of_files, of_all, ros), *of_life[id(one)]]
+        first = min(refusals, key=lambda refusal: STEPS.index(refusal.step), default=None)
+        yield Way(one, _in_its_words(first, of_life[id(one)]) if first else blocked)
+
+
+def _in_its_words(first: Refusal, of_life: Sequence[Refusal]) -> Refusal:
+    """A refusal with what the manager prints where it says more than that it did not go well."""
+    return first._replace(words=next((one.words for one in of_life if one.step is first.step), first.words))
+
+
+def _of_files(
+    one: Configured, errors: Sequence[Diagnostic], of_all: Sequence[Diagnostic], ros: int
+) -> Iterator[Refusal]:
+    """What lint found wrong in the files: of a controller, or of the file or the manager, which stops all of them."""
+    for error in errors:
+        common = error.code in OF_FILES or error in of_all
+        if common or concerns(error, one.controller):
+            step = Step.LOAD if common else step_of(error, one, ros)
+            yield Refusal(step, error.message, words_of_step(one, step, ros), error.code)
+
+
+def _trouble(one: Configured, refusal: Refusal) -> Trouble:
+    message = f"controller '{one.name}' is not {_PAST[refusal.step]}: {refusal.why}"
+    notes = [f"the controller manager says: {refusal.words}"] if refusal.words else []
+    if refusal.told_by:
+        notes.append(f"urdfctl lint tells of it as {refusal.told_by}")
+    return Trouble(CODES[refusal.step], f"controller:{one.name}", message, one.name, tuple(notes))
+
+
+def _refused(code: str, what: str, errors: Sequence[Diagnostic]) -> Trouble:
+    first, others = errors[0], len(errors) - 1
+    notes = [f"urdfctl lint tells of it as {first.code}"]
+    if others:
+        notes.append(f"lint finds {others} more error{'s' if others > 1 else ''} of this kind")
+    return Trouble(code, f"lint:{first.code}", f"{what}: {first.message}", None, tuple(notes))
