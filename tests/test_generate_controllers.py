@@ -172,6 +172,16 @@ def test_what_cannot_be_measured_is_a_todo() -> None:
     assert "Look for TODO" in file.text.splitlines()[1]
 
 
+def test_lint_finds_what_waits_to_be_set(folder: Folder) -> None:
+    words = ("gen-controllers", "--type", "diff_drive", "--joint", "l,r", "--left", "l", "--right", "r")
+    assert command(*words, "--distro", "jazzy", "-o", "c.yaml").returncode == 0
+    found = [line for line in command("lint", "c.yaml", "--format", "concise").stdout.splitlines() if "UC449" in line]
+    assert [line.partition(" is a stand-in")[0].rpartition(" UC449 ")[2] for line in found] == [
+        "'wheel_separation' of 'diff_drive_controller'",
+        "'wheel_radius' of 'diff_drive_controller'",
+    ]
+
+
 def test_a_drive_whose_wheels_nobody_knows_is_told() -> None:
     with pytest.raises(UserError, match="'diff_drive' needs --left with joints: the robot does not tell"):
         made("gen-controllers", Options("jazzy", types=("diff_drive",)), (JointFacts("a"),), RobotFacts())

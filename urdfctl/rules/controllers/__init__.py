@@ -42,6 +42,7 @@ from urdfctl.rules.controllers.ros_parameters_nested import ros_parameters_neste
 from urdfctl.rules.controllers.ros_parameters_not_a_map import ros_parameters_not_a_map
 from urdfctl.rules.controllers.section_not_read import section_not_read
 from urdfctl.rules.controllers.several_documents import several_documents
+from urdfctl.rules.controllers.stand_in_left import stand_in_left
 from urdfctl.rules.controllers.update_rate_missing import update_rate_missing
 from urdfctl.rules.controllers.value_missing import value_missing
 from urdfctl.rules.controllers.value_not_for_parameter_server import value_not_for_parameter_server
@@ -95,4 +96,5 @@ RULES: tuple[Rule, ...] = (
     base_frame_not_a_link,
     wheels_on_wrong_sides,
     wheel_radius_not_in_robot,
+    stand_in_left,
 )
