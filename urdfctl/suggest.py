@@ -7,15 +7,28 @@ from collections.abc import Iterable
 
 def nearest(name: str, known: Iterable[str]) -> str | None:
     """The known name most like `name`, or None where nothing is like it."""
-    from difflib import get_close_matches
-
     candidates = sorted({candidate for candidate in known if candidate})
     by_folded = {candidate.casefold().replace("-", "_"): candidate for candidate in candidates}
     same = by_folded.get(name.casefold().replace("-", "_"))
     if same is not None and same != name:
         return same
-    found = get_close_matches(name, [c for c in candidates if c != name], n=1, cutoff=0.8)
+    alike = [candidate for candidate in candidates if candidate != name and _may_be_like(name, candidate)]
+    if not alike:
+        return None
+    from difflib import get_close_matches
+
+    found = get_close_matches(name, alike, n=1, cutoff=_ALIKE)
     return found[0] if found else None
+
+
+_ALIKE = 0.8
+"""The least part of two names that is the same where one may be meant by the other."""
+
+
+def _may_be_like(name: str, other: str) -> bool:
+    """Whether so many letters are in both that a closer look, which takes long, may find them alike."""
+    least = _ALIKE * (len(name) + len(other)) / 2
+    return min(len(name), len(other)) >= least and sum(map(other.__contains__, name)) >= least
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:

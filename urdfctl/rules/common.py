@@ -32,6 +32,19 @@ def once_per_robot(function: Callable[[Robot], _Seen]) -> Callable[[Robot], _See
     return remembered
 
 
+def once_per_project(function: Callable[[Project], _Seen]) -> Callable[[Project], _Seen]:
+    """Remember what a function gave for the project it was last asked of: several rules ask the same, one by one."""
+    last: list[tuple[Project, _Seen]] = []
+
+    @wraps(function)
+    def remembered(project: Project) -> _Seen:
+        if not last or last[0][0] is not project:
+            last[:] = [(project, function(project))]
+        return last[0][1]
+
+    return remembered
+
+
 def robot_in(project: Project) -> Robot | None:
     """The robot, where the root element is one."""
     robot = project.robot

@@ -11,8 +11,8 @@ from urdfctl.control.names import is_misnamed
 from urdfctl.control.session import Configured, Missing, Session, sessions
 from urdfctl.model.controllers import Controller
 from urdfctl.rule import Finding, Note, Project, Severity
-from urdfctl.rules.common import whole_robot_in
-from urdfctl.rules.controllers.common import controllers_in, once_per_project
+from urdfctl.rules.common import once_per_project, whole_robot_in
+from urdfctl.rules.controllers.common import controllers_in
 from urdfctl.source.span import Place
 
 Judge = Callable[[Session, Configured], Iterator[Finding]]

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from functools import wraps
-from typing import TypeVar
+from collections.abc import Iterator
 
 from urdfctl.model.controllers import Controllers, Fault, FaultKind, Section
 from urdfctl.rule import Project
 
 NOTHING = Controllers(())
-_Seen = TypeVar("_Seen")
 
 
 def controllers_in(project: Project) -> Controllers:
@@ -43,16 +40,3 @@ def sections(project: Project) -> Iterator[Section]:
     found |= {section.path: section for controller in controllers.controllers for section in controller.sections}
     yield from found.values()
     yield from controllers.others
-
-
-def once_per_project(function: Callable[[Project], _Seen]) -> Callable[[Project], _Seen]:
-    """Remember what a function gave for the project it was last asked of: several rules ask the same, one by one."""
-    last: list[tuple[Project, _Seen]] = []
-
-    @wraps(function)
-    def remembered(project: Project) -> _Seen:
-        if not last or last[0][0] is not project:
-            last[:] = [(project, function(project))]
-        return last[0][1]
-
-    return remembered

@@ -12,7 +12,8 @@ from urdfctl.control.given import given_values
 from urdfctl.model.controllers import Controller, Manager
 from urdfctl.model.parameters import Kind, Parameters
 from urdfctl.rule import Finding, Note, Project, Severity
-from urdfctl.rules.controllers.common import controllers_in, once_per_project
+from urdfctl.rules.common import once_per_project
+from urdfctl.rules.controllers.common import controllers_in
 from urdfctl.source.span import Place
 
 _ROS2 = 2

@@ -10,7 +10,8 @@ from urdfctl.catalog.entries import Replacement
 from urdfctl.model.controllers import Controller
 from urdfctl.model.parameters import Value
 from urdfctl.rule import Project
-from urdfctl.rules.controllers.common import controllers_in, once_per_project
+from urdfctl.rules.common import once_per_project
+from urdfctl.rules.controllers.common import controllers_in
 from urdfctl.rules.controllers.readers import is_of_ros2, type_of
 from urdfctl.suggest import nearest
 

@@ -12,7 +12,7 @@ from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Plugin
 from urdfctl.model.ros2_control import Ros2Control
 from urdfctl.rule import Project
-from urdfctl.rules.common import is_known, is_whole, robot_in
+from urdfctl.rules.common import is_known, is_whole, once_per_project, robot_in
 from urdfctl.rules.simulation.facts import BECAME, DRIVES, LIBRARIES, MOVERS
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
@@ -84,13 +84,13 @@ class Loaded(NamedTuple):
         return next((tag for own, tag in self.settings() if own == name), None)
 
 
-def loaded(project: Project) -> Iterator[Loaded]:
+@once_per_project
+def loaded(project: Project) -> tuple[Loaded, ...]:
     """The plugins of the robot as a whole, but for those that only another simulator loads than the user names."""
     robot = robot_in(project)
-    for plugin in robot.plugins if robot else ():
-        one = _loaded(project, plugin)
-        if one.simulator is None or project.named_simulator in (None, one.simulator):
-            yield one
+    found = (_loaded(project, plugin) for plugin in (robot.plugins if robot else ()))
+    wanted = project.named_simulator
+    return tuple(one for one in found if wanted is None or one.simulator in (None, wanted))
 
 
 def of_sensors(project: Project) -> Iterator[Loaded]:
