@@ -206,18 +206,25 @@ def catalog_with(additions: Additions) -> Catalog:
 
 @cache
 def _simulator_plugin(library: str, distro: str) -> SimulatorPlugin | None:
-    from urdfctl.catalog.hardware import library_of, simulator_plugin
+    from urdfctl.catalog.hardware import simulator_plugin
 
-    for entry in plain(generation(distro), "simulators").values():
-        if any(library_of(name) == library for name in entry["filenames"]):
-            own = in_distro(entry, distro)
-            return simulator_plugin(own, distro) if own else None
-    return None
+    entry = _by_library(generation(distro)).get(library)
+    own = in_distro(entry, distro) if entry else None
+    return simulator_plugin(own, distro) if own else None
+
+
+@cache
+def _by_library(ros: int) -> Mapping[str, Plain]:
+    from urdfctl.catalog.hardware import library_of
+
+    entries = list(plain(ros, "simulators").values())
+    return {library_of(name): entry for entry in reversed(entries) for name in reversed(entry["filenames"])}
 
 
 @cache
 def _distros_of_library(library: str) -> tuple[str, ...]:
-    return tuple(distro for distro in ALL if _simulator_plugin(library, distro))
+    found = ((distro, _by_library(generation(distro)).get(library)) for distro in ALL)
+    return tuple(distro for distro, entry in found if entry and distro in distros_of(entry, generation(distro)))
 
 
 @cache

@@ -56,11 +56,13 @@ class Definitions(NamedTuple):
 
     def influence_on(self, place: Place) -> Influence:
         """What the texts at a place hang on. A property that is defined in several ways is not followed."""
+        if not self.loaded:
+            return Influence()
         files: dict[str, None] = {}
         arguments: dict[str, None] = {}
         pending = [_Scoped(place.span.text, place.call)]
         seen: set[_Scoped] = set()
-        while pending and self.loaded and len(seen) < _MOST_STEPS:
+        while pending and len(seen) < _MOST_STEPS:
             scoped = pending.pop()
             if scoped in seen:
                 continue

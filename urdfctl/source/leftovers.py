@@ -36,7 +36,8 @@ def leftovers(
                 yield _without_prefix(child, child.tagName in macros)
             elif child.tagName not in _ANYTHING_GOES:
                 pending.append(child)
-        yield from _braces(element, properties)
+        if any("{" in value for value in element.attrs.values()):
+            yield from _braces(element, properties)
 
 
 def _without_prefix(element: Element, is_macro: bool) -> Problem:  # noqa: FBT001 (one call)
@@ -48,8 +49,6 @@ def _without_prefix(element: Element, is_macro: bool) -> Problem:  # noqa: FBT00
 
 def _braces(element: Element, properties: Collection[str]) -> Iterator[Problem]:
     for attribute, value in element.attrs.items():
-        if "{" not in value:
-            continue
         for match in re.finditer(_BRACES, value):
             name = match.group(1)
             if name in properties:
