@@ -16,6 +16,7 @@ from urdfctl.suggest import nearest
 
 _MOST_COMPARED = 20
 _CUT_OUT = rb"<xacro:(?!if\b|unless\b|property\b|arg\b)"
+_CONDITION = rb"<xacro:(if|unless)\b"
 _Seen = TypeVar("_Seen")
 
 
@@ -116,6 +117,11 @@ class Names:
             self._left -= 1
             self._meant[name] = nearest(name, self._names)
         return found or self._meant.get(name)
+
+
+def is_conditional(at: Place) -> bool:
+    """Whether conditions decide on what stands in an element, so that other arguments make another one of it."""
+    return at.closing is not None and bool(re.search(_CONDITION, at.source.data[at.start : at.closing]))
 
 
 def replaced(at: Place, old: str, new: str, *, safe: bool = False, title: str | None = None) -> Fix:

@@ -24,7 +24,6 @@ OLD = until("iron")
 """Those whose parser reads the tag alone."""
 
 _NUMBER = r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?"
-_CONDITION = rb"<xacro:(if|unless)\b"
 
 
 def components(project: Project) -> tuple[Ros2Control, ...]:
@@ -79,11 +78,6 @@ def of_part(control: Ros2Control, part: Part) -> str:
 def lacks(project: Project, tag: Tag) -> bool:
     """Whether what is not seen in an element is truly not there: all that stands in it could be worked out."""
     return is_whole(project, tag.at) and not any(child.name == UNKNOWN for child in tag.children)
-
-
-def is_conditional(at: Place) -> bool:
-    """Whether conditions decide on what stands in an element, so that other arguments make another one of it."""
-    return at.closing is not None and bool(re.search(_CONDITION, at.source.data[at.start : at.closing]))
 
 
 def is_boolean(text: str) -> bool:

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.ros2_control.common import component, components, is_conditional, lacks
+from urdfctl.rules.common import is_conditional
+from urdfctl.rules.ros2_control.common import component, components, lacks
 
 
 @rule(

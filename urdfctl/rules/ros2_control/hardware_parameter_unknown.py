@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import is_known, replaced
-from urdfctl.rules.ros2_control.common import components, is_conditional, known_hardware
+from urdfctl.rules.common import is_conditional, is_known, replaced
+from urdfctl.rules.ros2_control.common import components, known_hardware
 from urdfctl.suggest import nearest
 
 

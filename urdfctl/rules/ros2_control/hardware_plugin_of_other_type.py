@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import replaced
-from urdfctl.rules.ros2_control.common import component, components, is_conditional, known_hardware
+from urdfctl.rules.common import is_conditional, replaced
+from urdfctl.rules.ros2_control.common import component, components, known_hardware
 from urdfctl.rules.ros2_control.facts import TYPES
 
 

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ROS2
 from urdfctl.model.ros2_control import Hardware, Ros2Control
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
-from urdfctl.rules.ros2_control.common import component, components, is_conditional, lacks
+from urdfctl.rules.common import is_conditional
+from urdfctl.rules.ros2_control.common import component, components, lacks
 from urdfctl.suggest import nearest
 
 

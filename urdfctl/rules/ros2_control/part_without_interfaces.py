@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.ros2_control.common import followers, is_conditional, known_hardware, lacks, of_part, parts
+from urdfctl.rules.common import is_conditional
+from urdfctl.rules.ros2_control.common import followers, known_hardware, lacks, of_part, parts
 from urdfctl.rules.ros2_control.facts import INTERFACE_ELEMENTS
 from urdfctl.suggest import nearest
 

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from urdfctl.catalog.distros import ROS1, ROS2
 from urdfctl.catalog.hardware import PluginChild, SimulatorPlugin, library_of
-from urdfctl.model.controllers import FileReference
 from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Plugin
 from urdfctl.model.ros2_control import Ros2Control
@@ -17,6 +16,9 @@ from urdfctl.rules.simulation.facts import BECAME, DRIVES, LIBRARIES, MOVERS
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
 from urdfctl.suggest import is_slip
+
+if TYPE_CHECKING:
+    from urdfctl.model.controllers import FileReference
 
 ROS_2 = 2
 IN_GAZEBO = {"gazebo-classic": "Gazebo Classic", "gz": "gz"}

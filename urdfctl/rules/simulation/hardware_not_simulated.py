@@ -6,8 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
-from urdfctl.rules.common import is_known, is_xacro
-from urdfctl.rules.ros2_control.common import is_conditional
+from urdfctl.rules.common import is_conditional, is_known, is_xacro
 from urdfctl.rules.simulation.common import IN_GAZEBO, components, control_plugins
 
 
