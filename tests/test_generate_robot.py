@@ -224,3 +224,33 @@ def test_every_host_of_the_catalogue_is_written() -> None:
         for simulator in {one.simulator for one in CATALOG.simulator_plugins(distro) if one.hosts_control}:
             [file] = made("gen-gazebo", Options(distro, simulator, package="p"))
             assert "<plugin" in file.text
+
+
+def test_what_the_robot_is_given_is_passed_on(folder: Folder, tmp_path: Path) -> None:
+    folder.write(
+        {
+            "package.xml": "<package format='3'><name>p</name></package>",
+            "urdf/r.xacro": """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+              <xacro:arg name="side" default="left"/><link name="a"/><link name="b"/>
+              <joint name="$(arg side)_joint" type="continuous"><parent link="a"/><child link="b"/></joint></robot>""",
+        }
+    )
+    words = ("--type", "velocity", "--distro", "jazzy")
+    assert command("gen-all", "urdf/r.xacro", "side:=right one", *words, "-o", "q").returncode == 0
+    expanded = command("expand", "q/urdf/robot.urdf.xacro", "--package-path", ".").stdout
+    assert expanded.count('<joint name="right one_joint"') == 2
+    launch = command("gen-launch", "urdf/r.xacro", "side:=right", *words).stdout
+    assert 'Command(["xacro ", robot_file, " side:=right"])' in launch
+    for form in ("xml", "yaml"):
+        assert (
+            "urdf/r.xacro side:=right')"
+            in command("gen-launch", "urdf/r.xacro", "side:=right", *words, "--form", form).stdout
+        )
+    refused = command("gen-launch", "urdf/r.xacro", "side:=right one", *words, "--form", "xml")
+    assert "cannot pass 'side:=right one' on; take --form python, or gen-all" in refused.stderr
+
+
+def test_that_a_robot_is_in_no_package_is_told(folder: Folder) -> None:
+    folder.write({"everything.urdf": robot()})
+    ran = command("gen-all", "everything.urdf", "--type", "velocity", "--distro", "jazzy", "-o", "out")
+    assert ran.stderr == "urdfctl: 'everything.urdf' is in no package, so that no installed file finds it\n"

@@ -60,6 +60,8 @@ def run_generate(command: str, given: Mapping[str, Any]) -> int:
     joints = chosen(robot, listed, given.get("joints") or (), given.get("exclude") or ())
     if not joints and command != "gen-gazebo":
         raise UserError(_no_joints(robot))
+    if command == "gen-all" and robot and not robot.package:
+        sys.stderr.write(f"urdfctl: '{robot.file}' is in no package, so that no installed file finds it\n")
     passed_over = stuck(robot, joints) if robot and not (listed or given.get("joints")) else ()
     if passed_over:
         sys.stderr.write(f"urdfctl: left out, for their limits hold them fast: {', '.join(passed_over)} (--joint)\n")
@@ -141,6 +143,7 @@ def _options(command: str, given: Mapping[str, Any], settings: Settings, robot: 
         given.get("controllers") or defaults.controllers_file,
         robot.package_path if robot else None,
         _included(given, robot),
+        tuple(split_arguments(given["words"] or ())[1].items()),
         bool(given.get("macro")),
         given.get("form") or defaults.form,
         bool(given.get("chain")),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Sequence
 
 from urdfctl.catalog.catalog import Catalog
@@ -29,6 +30,7 @@ def launch_file(made: Sequence[Controller], options: Options, templates: Templat
         file=name,
         package=options.package or "my_robot_control",
         robot_file=options.description or "urdf/robot.urdf.xacro",
+        arguments=_arguments(options),
         controllers_file=options.controllers_file,
         simulated=options.simulated,
         simulator=options.simulator,
@@ -45,6 +47,15 @@ def launch_file(made: Sequence[Controller], options: Options, templates: Templat
         gz=_gz(options.distro),
     )
     return File(f"launch/{name}", text)
+
+
+def _arguments(options: Options) -> str:
+    """What xacro is given besides the file, as a shell reads it. UserError where the form cannot hold it."""
+    words = [f"{name}:={value}" for name, value in options.arguments]
+    quoted = [word for word in words if shlex.quote(word) != word]
+    if quoted and options.ros == 2 and options.form != "python":  # noqa: PLR2004
+        raise UserError(f"a launch file in {options.form} cannot pass '{quoted[0]}' on; take --form python, or gen-all")
+    return "".join(f" {shlex.quote(word)}" for word in words)
 
 
 def spawner(distro: str) -> str:

@@ -61,13 +61,13 @@ def _shown(one: Controller, space: str) -> dict[str, Any]:
 
 
 _FEW = 6
+_UNSTAMPED = ("foxy",)
 _ABOUT = {
     "effort": "efforts, in N or Nm",
     "velocity": "speeds, in rad/s or m/s",
     "position": "positions, in rad or m",
     "trajectory": "trajectories, by topic or by the action follow_joint_trajectory",
     "gripper": "opens and closes a gripper, by action",
-    "diff_drive": "drives on two rows of wheels, by cmd_vel",
 }
 
 
@@ -78,6 +78,11 @@ def _about(one: Controller, key: str) -> str:
         return "Publishes the joints' states on joint_states: needed by robot_state_publisher and rviz."
     if one.type.broadcaster:
         return "Publishes what a sensor measures; it moves nothing."
+    if kind == "diff_drive":
+        stamped = ros == 2 and one.task.options.distro not in _UNSTAMPED  # noqa: PLR2004
+        return (
+            f"Drives on two rows of wheels, by {'TwistStamped' if stamped else 'Twist'} on /{key.strip('/')}/cmd_vel."
+        )
     if kind in ("effort", "velocity", "position"):
         topic = f"/{key.strip('/')}/{'commands' if ros == 2 else 'command'}"  # noqa: PLR2004
         unit = _ABOUT[reference(one.task) if kind == "velocity" else kind]

@@ -53,10 +53,15 @@ def _controllers(order: Order) -> list[File]:
 
 
 def _wrapped(order: Order, name: str, *blocks: str, includes: Sequence[str] = (), robot: str | None = None) -> File:
-    """A xacro file of some blocks."""
+    """A xacro file of some blocks, or of what it includes, which is given the robot's arguments."""
     body = [block.rstrip("\n") + "\n" for block in blocks]
     text = order.templates.render(
-        "xacro/file.xacro", command=_one_dash(order.options.command), blocks=body, includes=includes, name=robot
+        "xacro/file.xacro",
+        command=_one_dash(order.options.command),
+        blocks=body,
+        includes=includes,
+        arguments=order.options.arguments if includes else (),
+        name=robot,
     )
     return File(name, text)
 
@@ -142,7 +147,7 @@ def _all(order: Order) -> list[File]:
         controllers_file(made, options, order.templates, order.title),
         _wrapped(order, "urdf/control.xacro", *blocks),
         _wrapped(order, "urdf/robot.urdf.xacro", includes=includes, robot=robot.name or "robot"),
-        _launch_file(order, made),
+        _launch_file(order._replace(options=options._replace(arguments=())), made),
         *package_files(depends, manifest.options, order.templates, order.title),
     ]
 

@@ -29,7 +29,7 @@ class Options(NamedTuple):
     `types` are short names or full names of controllers' types; `interfaces` are what they command, `states` what they
     read: () for nothing, None (like `hardware`) where the rest decides. `chain`: each type commands the next.
     `controllers_file`, `description` and `package` tell where the files will be found when they run; `robot_file` is
-    how a xacro file beside them includes the robot.
+    how a xacro file beside them includes the robot, and `arguments` what it is given.
     """
 
     distro: str
@@ -50,6 +50,7 @@ class Options(NamedTuple):
     controllers_file: str = "config/controllers.yaml"
     description: str | None = None
     robot_file: str = "robot.urdf"
+    arguments: tuple[tuple[str, str], ...] = ()
     macro: bool = False
     form: str = "python"
     chain: bool = False
