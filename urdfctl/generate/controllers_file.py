@@ -61,7 +61,6 @@ def _shown(one: Controller, space: str) -> dict[str, Any]:
 
 
 _FEW = 6
-_UNSTAMPED = ("foxy",)
 _ABOUT = {
     "effort": "efforts, in N or Nm",
     "velocity": "speeds, in rad/s or m/s",
@@ -79,10 +78,8 @@ def _about(one: Controller, key: str) -> str:
     if one.type.broadcaster:
         return "Publishes what a sensor measures; it moves nothing."
     if kind == "diff_drive":
-        stamped = ros == 2 and one.task.options.distro not in _UNSTAMPED  # noqa: PLR2004
-        return (
-            f"Drives on two rows of wheels, by {'TwistStamped' if stamped else 'Twist'} on /{key.strip('/')}/cmd_vel."
-        )
+        message = "TwistStamped" if ros == 2 else "Twist"  # noqa: PLR2004
+        return f"Drives on two rows of wheels, by {message} on /{key.strip('/')}/cmd_vel."
     if kind in ("effort", "velocity", "position"):
         topic = f"/{key.strip('/')}/{'commands' if ros == 2 else 'command'}"  # noqa: PLR2004
         unit = _ABOUT[reference(one.task) if kind == "velocity" else kind]
