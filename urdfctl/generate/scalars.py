@@ -56,8 +56,8 @@ def xml_text(text: object) -> str:
 
 
 def xacro_text(text: object) -> str:
-    """The same for xacro: `${` and `$(` stay what they are."""
-    return re.sub(r"\$(?=\$*[{(])", "$$", xml_text(text))
+    """The same for xacro: `${` and `$(` stay what they are, for xacro takes one dollar of several."""
+    return re.sub(r"\$+(?=[{(])", r"$\g<0>", xml_text(text))
 
 
 def python_text(text: object) -> str:
