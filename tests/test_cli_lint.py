@@ -154,7 +154,7 @@ def test_a_crash_outside_of_workers_is_told_with_a_report_to_paste(folder: Folde
 import sys
 from urdfctl.cli import lint_command
 def broken(*_): raise ZeroDivisionError("of all things")
-lint_command.find = broken
+lint_command.found_by = broken
 from urdfctl.__main__ import main
 sys.argv[1:] = ["lint", "arm.urdf"]
 main()

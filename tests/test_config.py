@@ -319,5 +319,80 @@ def test_expand_finds_packages_where_it_says(folder: Folder) -> None:
 def test_the_documents_examples_mean_something(folder: Folder) -> None:
     text = (CHECKOUT / "docs" / "configuration.md").read_text(encoding="utf-8")
     for number, example in enumerate(re.findall(r"```toml\n(.*?)```", text, re.DOTALL)):
-        folder.write({f"{number}/x/urdfctl.toml": example})
+        named = re.findall(r'"([^"]+/[^"]+\.(?:xacro|yaml|py))"', example)
+        folder.write({f"{number}/x/urdfctl.toml": example, **{f"{number}/x/{path}": "" for path in named}})
         assert config_of(f"{number}/x/urdfctl.toml") is not None
+
+
+SHOWN = """\
+distro = "jazzy"
+exclude = ["old"]
+ignore = ["UC105"]
+[severity]
+UC1 = "info"
+[per-file-ignores]
+"urdf/*_old.xacro" = ["UC201"]
+[[robot]]
+path = "arm.urdf"
+controllers = ["arm.yaml"]
+launch = ["arm.launch"]
+matrix = { kind = ["a", "b"] }
+[[robot]]
+path = "arm.urdf"
+[[hardware]]
+type = "my_driver/Driver"
+command_interfaces = ["position"]
+state_interfaces = []
+"""
+
+
+def test_show_settings_tells_what_is_set_and_by_what(folder: Folder) -> None:
+    folder.write({".git/HEAD": "", "urdfctl.toml": SHOWN, "arm.urdf": ARM, "arm.yaml": "", "arm.launch": ""})
+    variables = {"URDFCTL_IGNORE": "UC2", "URDFCTL_FAIL_ON": "warning"}
+    ran = folder.run("lint", "--show-settings", "--fail-on", "info", "--select", "UC1,UC3", environ=variables)
+    assert ran.stderr == ""
+    assert ran.stdout.replace(str(folder.path), "HERE").splitlines() == [
+        "# configuration: urdfctl.toml",
+        "# workspace: HERE",
+        "# at most 20 s and 2048 MiB for a robot",
+        'distro = "jazzy"                          # urdfctl.toml',
+        "# simulator: not set; the files of each robot tell",
+        "package-paths = []                        # default",
+        'select = ["UC1", "UC3"]                   # --select',
+        'ignore = ["UC2"]                          # $URDFCTL_IGNORE',
+        "extend-select = []                        # default",
+        'exclude = ["old"]                         # urdfctl.toml',
+        'fail-on = "info"                          # --fail-on',
+        "[severity]",
+        '"UC1" = "info"',
+        "[per-file-ignores]",
+        '"urdf/*_old.xacro" = ["UC201"]',
+        "[[robot]]",
+        'path = "arm.urdf"',
+        'controllers = ["arm.yaml"]',
+        'launch = ["arm.launch"]',
+        "# variant 1 of 2: kind:=a",
+        "# variant 2 of 2: kind:=b",
+        "[[robot]]",
+        'path = "arm.urdf"',
+        "# variant 1 of 1: no arguments",
+        "# [[hardware]] my_driver/Driver",
+    ]
+
+
+def test_what_show_settings_tells_is_a_configuration_that_sets_the_same(folder: Folder) -> None:
+    folder.write({".git/HEAD": "", "urdfctl.toml": SHOWN, "arm.urdf": ARM, "arm.yaml": "", "arm.launch": ""})
+    folder.write({"other.toml": folder.run("lint", "arm.urdf", "x:=1", "--show-settings").stdout})
+    given, shown = config_of("urdfctl.toml"), config_of("other.toml")
+    assert given is not None
+    assert shown is not None
+    assert (shown.distro, shown.exclude, shown.ignore) == (given.distro, given.exclude, given.ignore)
+    assert (shown.severities, shown.per_file_ignores) == (given.severities, given.per_file_ignores)
+    assert [robot.files for robot in shown.robots] == [robot.files for robot in given.robots]
+
+
+def test_show_settings_says_where_there_is_no_configuration(folder: Folder) -> None:
+    folder.write({"robots/arm.urdf": ARM})
+    lines = folder.run("lint", "robots", "--show-settings").stdout.splitlines()
+    assert lines[0] == "# configuration: none"
+    assert "# distro: not set; the files of each robot tell" in lines

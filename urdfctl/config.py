@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 from urdfctl.catalog.additions import NO_ADDITIONS, Additions, flaws_of_meaning
 from urdfctl.errors import UserError
+from urdfctl.variants import ConfiguredRobot, robots_of
 from urdfctl.workspace import workspace_of
 
 NAMES = ("urdfctl.toml", "pyproject.toml")
@@ -39,6 +40,7 @@ class Config(NamedTuple):
     severities: tuple[tuple[str, str], ...] = ()
     additions: Additions = NO_ADDITIONS
     per_file_ignores: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    robots: tuple[ConfiguredRobot, ...] = ()
 
     def excludes(self, path: str) -> bool:
         """Whether a file, found in a folder, is not to be looked at."""
@@ -137,6 +139,7 @@ def _config(table: Mapping[str, Any], file: str) -> Config:
         tuple((code.upper(), severity) for code, severity in table.get("severity", {}).items()),
         additions if any(additions) else NO_ADDITIONS,
         tuple((pattern, _codes(ignores, pattern)) for pattern in ignores),
+        robots_of(table, file),
     )
 
 

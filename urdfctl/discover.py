@@ -12,7 +12,7 @@ from urdfctl.errors import UserError
 from urdfctl.launches import is_controllers_file, is_launch_file, launch_roots
 from urdfctl.source.files import is_launch, is_yaml
 from urdfctl.source.packages import package_name
-from urdfctl.suggest import did_you_mean
+from urdfctl.suggest import nearest_path
 
 _DESCRIPTIONS = (".urdf", ".xacro")
 _LAUNCHES = (".launch", ".launch.xml", "_launch.xml", ".launch.py", "_launch.py", ".launch.yaml", ".launch.yml")
@@ -90,15 +90,6 @@ def _enclosing_package() -> str:
             return os.curdir
         folder = above
     return os.path.relpath(folder)
-
-
-def nearest_path(path: str) -> str:
-    """Did-you-mean for a path that does not exist."""
-    folder = os.path.dirname(path) or os.curdir
-    try:
-        return did_you_mean(os.path.basename(path), os.listdir(folder))
-    except OSError:
-        return ""
 
 
 def _search(folder: str, found: Found, excluded: Callable[[str], bool]) -> None:

@@ -189,12 +189,13 @@ def joined(outcomes: Iterable[Outcome], selection: Selection) -> list[Diagnostic
 def _merged(found: Iterable[Iterable[Diagnostic]]) -> Iterator[Diagnostic]:
     """What each of several robots shows, as one."""
     groups: dict[tuple[object, ...], list[Diagnostic]] = {}
-    for diagnostics in found:
+    alone: dict[tuple[object, ...], dict[str, dict[int, Diagnostic]]] = {}
+    for robot, diagnostics in enumerate(found):
         repeats: Counter[tuple[object, ...]] = Counter()
         for diagnostic in diagnostics:
             place = diagnostic.code, diagnostic.at.file, diagnostic.at.start, diagnostic.at.end
             if not diagnostic.in_macro:
-                groups.setdefault((*place, diagnostic.message), []).append(diagnostic)
+                alone.setdefault(place, {}).setdefault(diagnostic.message, {})[robot] = diagnostic
                 continue
             # what one call shows twice at one place are two faults; what each call or robot shows once is one
             way = (*place, diagnostic.at, diagnostic.expanded_from)
@@ -202,6 +203,22 @@ def _merged(found: Iterable[Iterable[Diagnostic]]) -> Iterator[Diagnostic]:
             groups.setdefault((*place, repeats[way]), []).append(diagnostic)
     for group in groups.values():
         yield _one_of(group)
+    for messages in alone.values():
+        for fault in _of_variants(messages.values()):
+            yield _one_of(list(fault.values()))
+
+
+def _of_variants(messages: Iterable[dict[int, Diagnostic]]) -> Iterable[dict[int, Diagnostic]]:
+    """What robots say at one place, each message with the robots that show it: what no robot shows beside another one
+    is the same fault in another variant."""
+    faults: list[dict[int, Diagnostic]] = []
+    for message in messages:
+        same = next((fault for fault in faults if fault.keys().isdisjoint(message)), None)
+        if same is None:
+            faults.append(message)
+        else:
+            same.update(message)
+    return faults
 
 
 def _one_of(group: list[Diagnostic]) -> Diagnostic:

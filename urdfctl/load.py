@@ -109,7 +109,8 @@ class Loader:
         described = launched.launch.description if launched and launched.launch else None
         arguments = dict(target.arguments)
         if described and described.file.path and (is_launch(path) or _same(described.file.path, path)):
-            path, arguments = described.file.path, dict(described.arguments or ())
+            given = {} if is_launch(path) else arguments
+            path, arguments = described.file.path, {**dict(described.arguments or ()), **given}
         if is_yaml(path) or is_launch(path):
             return self._seen_alone(path, target, launched)
         expander = self.expander(path, LibraryExpander if target.fragment else Expander)

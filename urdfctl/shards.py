@@ -41,19 +41,20 @@ def shard(text: str) -> Shard:
     raise UserError(f"--shard is written K/N, K from 1 to N and N up to {_MOST}, such as 2/5; not '{text}'")
 
 
-def share(found: Found, wanted: Shard) -> set[str]:
-    """The absolute paths of one share: the largest groups are dealt first, each to the share that has least."""
-    tied = [*found.robots, *found.candidates, *found.controllers, *found.launches]
-    groups = grouped(found.paths(), tied if len(found.descriptions()) == 1 else [])
+def share(found: Found, wanted: Shard, ties: Iterable[Sequence[str]] = ()) -> set[str]:
+    """The absolute paths of one share: the largest groups are dealt first, each to the share that has least. `ties` are
+    files that belong together."""
+    named = [*found.robots, *found.candidates, *found.controllers, *found.launches]
+    groups = grouped(found.paths(), [*ties, *([named] if len(found.descriptions()) == 1 else [])])
     shares: list[list[str]] = [[] for _ in range(wanted.of)]
     for group in sorted(groups, key=lambda group: (-len(group), group)):
         min(shares, key=len).extend(group)
     return set(shares[wanted.number - 1])
 
 
-def grouped(paths: Iterable[str], tied: Iterable[str] = ()) -> list[list[str]]:
+def grouped(paths: Iterable[str], ties: Iterable[Sequence[str]] = ()) -> list[list[str]]:
     """The files, by absolute path, in groups of those that may read one another, or a file that is not among them;
-    `tied` are in one group whatever they name."""
+    the files of a tie are in one group whatever they name."""
     files = sorted({os.path.abspath(path) for path in paths})
     together = _Together()
     naming = _Naming(files)
@@ -65,9 +66,9 @@ def grouped(paths: Iterable[str], tied: Iterable[str] = ()) -> list[list[str]]:
             if other not in seen and os.path.isfile(other):
                 seen.add(other)
                 waiting.append(other)
-    ties = [os.path.abspath(path) for path in tied]
-    for path in ties:
-        together.join(ties[0], path)
+    for tie in ties:
+        for path in tie:
+            together.join(os.path.abspath(tie[0]), os.path.abspath(path))
     groups: dict[str, list[str]] = {}
     for file in files:
         groups.setdefault(together.of(file), []).append(file)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable
 
 
@@ -35,6 +36,14 @@ def did_you_mean(name: str, known: Iterable[str]) -> str:
     """`"; did you mean 'x'?"`, or nothing, to be put behind a message."""
     found = nearest(name, known)
     return f"; did you mean '{found}'?" if found else ""
+
+
+def nearest_path(path: str) -> str:
+    """Did-you-mean for a path that does not exist."""
+    try:
+        return did_you_mean(os.path.basename(path), os.listdir(os.path.dirname(path) or os.curdir))
+    except OSError:
+        return ""
 
 
 def is_slip(name: str, other: str) -> bool:

@@ -87,6 +87,9 @@ def lint(
     ] = None,
     jobs: Annotated[int, typer.Option(help="How many robots at once; 0: as many as there are processors.")] = 0,
     config: ConfigFile = None,
+    show_settings: Annotated[
+        bool, typer.Option("--show-settings", help="Lint nothing: show what is set, and what set it.")
+    ] = False,
     fix: Annotated[bool, typer.Option("--fix", help="Write what is surely meant into the files.")] = False,
     unsafe_fixes: Annotated[
         bool, typer.Option("--unsafe-fixes", help="The same, and what is most likely meant.")

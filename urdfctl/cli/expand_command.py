@@ -7,12 +7,12 @@ import sys
 
 from urdfctl.cli.words import split_arguments
 from urdfctl.cli.writing import is_in_the_way, print_text, write_file
-from urdfctl.discover import nearest_path
 from urdfctl.errors import UserError
 from urdfctl.expand import expand_one
 from urdfctl.report.common import Report
 from urdfctl.report.text import render
 from urdfctl.settings import Settings
+from urdfctl.suggest import nearest_path
 
 
 def run_expand(file: str, words: list[str], settings: Settings, output: str | None, *, force: bool) -> int:

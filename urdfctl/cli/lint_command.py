@@ -6,13 +6,12 @@ import os
 import sys
 from typing import TYPE_CHECKING
 
-from urdfctl.cli.looking import LookedAt, look_at
+from urdfctl.cli.looking import LookedAt, found_by, look_at
 from urdfctl.cli.wanted import Fixing, Wanted, found_in
 from urdfctl.cli.words import codes, configured, settings_from, split_arguments
 from urdfctl.cli.writing import print_text, write_file
 from urdfctl.config import Config
 from urdfctl.diagnostic import Severity
-from urdfctl.discover import find
 from urdfctl.errors import UserError
 from urdfctl.lint import Selection, worst
 from urdfctl.lint import checked as checked_selection
@@ -49,11 +48,13 @@ def lint_words(  # noqa: PLR0913, PLR0917 (one for each option)
     shard: str | None = None,
     jobs: int = 0,
     config: str | None = None,
+    show_settings: bool = False,  # noqa: FBT001, FBT002
     fix: bool = False,  # noqa: FBT001, FBT002
     unsafe_fixes: bool = False,  # noqa: FBT001, FBT002
     diff: bool = False,  # noqa: FBT001, FBT002
 ) -> int:
     """Lint with the options of the command line, report it, and give the exit status."""
+    given = dict(locals())
     if jobs < 0:
         raise UserError(f"--jobs is a number of robots, or 0 for as many as there are processors; not {jobs}")
     chosen = configured(paths, config, workspace)
@@ -71,13 +72,18 @@ def lint_words(  # noqa: PLR0913, PLR0917 (one for each option)
         Fixing(unsafe_fixes, diff) if fix or unsafe_fixes or diff else None,
         _shard(shard, write_baseline),
     )
+    if show_settings:
+        from urdfctl.cli.shown_settings import shown
+
+        print_text(shown(wanted, settings, given))
+        return 0
     return run_lint(wanted, settings)
 
 
 def run_lint(wanted: Wanted, settings: Settings) -> int:
     """Lint what the words mean, report it, and give the exit status."""
     paths, arguments = split_arguments(wanted.words)
-    found = find(paths, wanted.config.excludes)
+    found = found_by(paths, wanted.config)
     if not (found.descriptions() or found.controllers or found.launches or found.controllers_candidates):
         sys.stderr.write(f"urdfctl: no robot found in {', '.join(paths) or 'this folder'}\n")
     looked_at = look_at(found, tuple(arguments.items()), settings, wanted)

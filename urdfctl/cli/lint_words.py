@@ -24,7 +24,7 @@ ONE: dict[str, Callable[[str], Any]] = {
     "--config": str,
 }
 MANY = ("--package-path", "--env", "--select", "--ignore", "--extend-select", "--format")
-FLAGS = ("--trust", "--exit-zero", "--statistics", "--fix", "--unsafe-fixes", "--diff")
+FLAGS = ("--trust", "--exit-zero", "--statistics", "--fix", "--unsafe-fixes", "--diff", "--show-settings")
 NAMES = {"--format": "formats"}
 
 

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
+from itertools import product
 from typing import NamedTuple
 
 from urdfctl.cli.progress import watched
 from urdfctl.cli.wanted import Wanted
-from urdfctl.discover import Found
+from urdfctl.config import Config
+from urdfctl.discover import Found, find
 from urdfctl.lint import Linted
 from urdfctl.load import Target, lint_all
 from urdfctl.settings import Settings
+from urdfctl.variants import ConfiguredRobot
 
 
 class LookedAt(NamedTuple):
@@ -32,6 +35,19 @@ class LookedAt(NamedTuple):
         return any(one.outcome.crashed for one in self.linted)
 
 
+def found_by(paths: Sequence[str], config: Config) -> Found:
+    """What some paths mean; with none, the robots that the configuration tells of, if it does."""
+    robots = [robot.path for robot in config.robots]
+    if robots and not paths:
+        found = Found()
+        found.robots += dict.fromkeys(robots)
+        return found
+    found = find(paths, config.excludes)
+    folders = [os.path.abspath(path).rstrip(os.sep) + os.sep for path in paths if os.path.isdir(path)]
+    found.robots += (path for path in dict.fromkeys(robots) if os.path.abspath(path).startswith(tuple(folders)))
+    return found
+
+
 def look_at(found: Found, arguments: tuple[tuple[str, str], ...], settings: Settings, wanted: Wanted) -> LookedAt:
     """What the words mean, linted."""
 
@@ -39,11 +55,12 @@ def look_at(found: Found, arguments: tuple[tuple[str, str], ...], settings: Sett
         found = lint_all(targets, settings, wanted.selection, wanted.jobs or None)
         return zip(targets, watched(found, len(targets)), strict=True)
 
-    targets, kept = targets_of(found, arguments)
+    told_of = wanted.config.robots
+    targets, kept = targets_of(found, arguments, told_of)
     if wanted.shard is not None:
         from urdfctl.shards import share
 
-        mine = share(found, wanted.shard)
+        mine = share(found, wanted.shard, [robot.files for robot in told_of])
         found = found.among(mine)
         pairs = [pair for pair in zip(targets, kept, strict=True) if os.path.abspath(pair[0].path) in mine]
         targets, kept = [target for target, _ in pairs], [keep for _, keep in pairs]
@@ -59,25 +76,26 @@ def look_at(found: Found, arguments: tuple[tuple[str, str], ...], settings: Sett
 
 
 def targets_of(
-    found: Found, arguments: tuple[tuple[str, str], ...]
+    found: Found, arguments: tuple[tuple[str, str], ...], robots: Sequence[ConfiguredRobot] = ()
 ) -> tuple[list[Target], list[Callable[[Linted], bool]]]:
     """What is to be linted, and of each what tells whether it is worth to be told of. What is named beside a single
-    robot belongs to it."""
+    robot belongs to it, and else what the configuration says."""
     descriptions = found.descriptions()
-    targets: list[Target] = []
-    kept: list[Callable[[Linted], bool]] = []
+    targets: dict[Target, Callable[[Linted], bool]] = {}
     single = len(descriptions) == 1
-    controllers = tuple(found.controllers) if single else ()
+    controllers, launches = (tuple(found.controllers), tuple(found.launches)) if single else ((), ())
     for path, named in descriptions:
-        for launch in (found.launches if single else ()) or (None,):
-            targets.append(Target(path, arguments, controllers=controllers, launch=launch))
-            kept.append(_always if named else _is_robot)
+        for robot in [one for one in robots if os.path.abspath(one.path) == path] or [ConfiguredRobot(path)]:
+            for variant, launch in product(robot.variants, launches or robot.launches or (None,)):
+                given = tuple({**dict(variant), **dict(arguments)}.items())
+                target = Target(path, given, controllers=controllers or robot.controllers, launch=launch)
+                targets[target] = _always if named else _is_robot
     if not single:
-        targets += [Target(path, arguments) for path in found.launches]
-        kept += [_always] * len(found.launches)
-    targets += [Target(path) for path in found.launch_candidates]
-    kept += [_has_controllers] * len(found.launch_candidates)
-    return targets, kept
+        targets.update({Target(path, arguments): _always for path in found.launches})
+    told = {os.path.abspath(path) for robot in robots for path in robot.launches}
+    candidates = (path for path in found.launch_candidates if os.path.abspath(path) not in told)
+    targets.update({Target(path): _has_controllers for path in candidates})
+    return list(targets), list(targets.values())
 
 
 def _always(_: Linted) -> bool:
