@@ -9,6 +9,7 @@ from fnmatch import fnmatchcase
 from functools import lru_cache
 
 from urdfctl.errors import UserError
+from urdfctl.gitignore import GitIgnore
 from urdfctl.launches import is_controllers_file, is_launch_file, launch_roots
 from urdfctl.source.files import is_launch, is_yaml
 from urdfctl.source.packages import package_name
@@ -111,14 +112,22 @@ def roots(texts: Mapping[str, bytes]) -> list[str]:
 
 
 def _files(folder: str) -> Iterator[str]:
+    """The files below a folder that may be looked at, but for those that git, colcon or catkin ignore."""
+    git = GitIgnore(folder)
     for current, folders, files in os.walk(folder):
         if _IGNORE_FILES & set(files):
             folders.clear()
             continue
-        folders[:] = sorted(name for name in folders if not name.startswith(".") and name not in _PRUNED)
+        folders[:] = sorted(
+            name
+            for name in folders
+            if not (name.startswith(".") or name in _PRUNED or git.ignores(os.path.join(current, name), is_folder=True))
+        )
         for name in files:
             if name.endswith(_LOOKED_AT) or (name.endswith(".py") and os.path.basename(current) == "launch"):
-                yield os.path.join(current, name)
+                path = os.path.join(current, name)
+                if not git.ignores(path, is_folder=False):
+                    yield path
 
 
 def _may_launch(path: str) -> bool:
