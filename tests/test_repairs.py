@@ -101,6 +101,25 @@ def whole(part: str) -> str:
             "<link name='tip'><visual/></link>",
             False,
         ),
+        ("UC154", "<link name='tip'><Visual/></link>", "<link name='tip'><visual/></link>", True),
+        (
+            "UC155",
+            "<material name='m' ><color rbga = '1 0 0 1'/></material>",
+            "<material name='m' ><color rgba = '1 0 0 1'/></material>",
+            False,
+        ),
+        (
+            "UC155",
+            "<link name='tip'><visual><origin XYZ='0 0 1'/></visual></link>",
+            "<link name='tip'><visual><origin xyz='0 0 1'/></visual></link>",
+            True,
+        ),
+        (
+            "UC141",
+            "<link name='tip'><visual><geometry><Box size='1 1 1'></Box></geometry></visual></link>",
+            "<link name='tip'><visual><geometry><box size='1 1 1'></box></geometry></visual></link>",
+            True,
+        ),
         (
             "UC147",
             '<material name="grey"><color rgba="192 192 192 0.6"/></material>',
@@ -197,3 +216,45 @@ def test_a_limit_that_a_comment_stands_in_is_for_a_person_to_change(tmp_path: Pa
 
 def interface(kind: str, limits: tuple[str, str]) -> str:
     return INTERFACE.replace("KIND", kind).replace("MIN", limits[0]).replace("MAX", limits[1])
+
+
+COMPONENT = """\
+<ros2_control name="arm" type="system">
+  <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+  PART
+</ros2_control>
+"""
+
+
+@pytest.mark.parametrize(
+    ("code", "before", "after", "sure"),
+    [
+        ("UC339", '<param name="a" value="1.5"/>', '<param name="a">1.5</param>', True),
+        ("UC339", "<param\n value = '1.5' name='a' />", "<param name='a' >1.5</param>", True),
+        ("UC339", '<param name="a" value="1.5"></param>', '<param name="a" value="1.5"></param>', False),
+        ("UC338", '<state_interfaces name="position"/>', '<state_interface name="position"/>', False),
+    ],
+)
+def test_what_a_joint_of_a_component_holds_becomes_what_was_meant(
+    code: str, before: str, after: str, sure: bool, tmp_path: Path
+) -> None:
+    joint = '<joint name="elbow"><command_interface name="position"/>{}</joint>'
+    part = whole(COMPONENT.replace("PART", joint.format(before)))
+    assert mended(code, part, tmp_path) == (whole(COMPONENT.replace("PART", joint.format(after))), sure)
+
+
+@pytest.mark.parametrize(
+    ("code", "before", "after"),
+    [
+        ("UC304", '<joints name="elbow"></joints>', '<joint name="elbow"></joint>'),
+        (
+            "UC347",
+            '<transmission name="t"><plugin>SimpleTransmission</plugin></transmission>',
+            '<transmission name="t"><plugin>transmission_interface/SimpleTransmission</plugin></transmission>',
+        ),
+    ],
+)
+def test_what_a_component_holds_becomes_what_was_meant(code: str, before: str, after: str, tmp_path: Path) -> None:
+    text, sure = mended(code, whole(COMPONENT.replace("PART", before)), tmp_path)
+    assert text == whole(COMPONENT.replace("PART", after))
+    assert not sure

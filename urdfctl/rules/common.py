@@ -139,6 +139,24 @@ def renamed(tag: Tag, name: str) -> tuple[Edit, ...]:
     )
 
 
+def respelt(tag: Tag, meant: str | None) -> Fix | None:
+    """The repair that gives an element the name that was meant; surely so where only the letters' case differs."""
+    return Fix(f"write <{meant}>", renamed(tag, meant), safe=meant == tag.name.lower()) if meant else None
+
+
+def attribute_respelt(tag: Tag, name: str, meant: str | None) -> Fix | None:
+    """The repair that gives an attribute the name that was meant; surely so where only the letters' case differs."""
+    if meant is None:
+        return None
+    source = tag.at.source
+    written = re.search(re.escape(name.encode()) + rb"\s*=\s*[\"']\Z", source.data[tag.at.start : tag.at[name].start])
+    edits: tuple[Edit, ...] = ()
+    if written:
+        start = tag.at.start + written.start()
+        edits = (Edit(SourceSpan(source, start, start + len(name.encode())), meant),)
+    return Fix(f"write {meant}", edits, safe=bool(edits) and meant == name.lower())
+
+
 def marks(at: Place) -> list[tuple[int, str]]:
     """Where the start tag of an element begins, and its end tag if it has one, and what they begin with."""
     tag = at.source.start_tag(at.start)

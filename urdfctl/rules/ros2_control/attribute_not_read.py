@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.model.parts import Tag
 from urdfctl.model.ros2_control import Ros2Control
-from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
+from urdfctl.rules.common import attribute_respelt
 from urdfctl.rules.ros2_control.common import component, components
 from urdfctl.rules.ros2_control.facts import ATTRIBUTES
-from urdfctl.suggest import did_you_mean
+from urdfctl.source.span import SourceSpan
+from urdfctl.suggest import nearest
 
 
 @rule(
@@ -56,7 +59,8 @@ def attribute_not_read(project: Project) -> Iterator[Finding]:
                     continue
                 message = f"'{attribute}' of <{tag.name}> in {component(control)} is not read"
                 message += _instead(tag, attribute, kind) if since_then is None else f" before {since_then[0]}"
-                yield Finding(tag.at[attribute], message)
+                fix = _fix(tag, attribute, kind) if since_then is None else None
+                yield Finding(tag.at[attribute], message, fix=fix)
 
 
 def _read(control: Ros2Control) -> Iterator[tuple[Tag, str]]:
@@ -78,4 +82,27 @@ def _instead(tag: Tag, attribute: str, kind: str) -> str:
         return f'; write <param name="{tag.attributes.get("name", "")}">{value}</param>'
     if attribute in ("min", "max", "initial_value") and kind.endswith("interface"):
         return f'; write <param name="{attribute}">{value}</param> in it'
-    return did_you_mean(attribute, (name for name in ATTRIBUTES[kind] if name not in tag.attributes))
+    meant = _meant(tag, attribute, kind)
+    return f"; did you mean '{meant}'?" if meant else ""
+
+
+def _meant(tag: Tag, attribute: str, kind: str) -> str | None:
+    return nearest(attribute, (name for name in ATTRIBUTES[kind] if name not in tag.attributes))
+
+
+def _fix(tag: Tag, attribute: str, kind: str) -> Fix | None:
+    """The value of a parameter stands in it; where it stands in an attribute of an empty one it is surely meant so."""
+    if kind != "param" or attribute != "value":
+        return attribute_respelt(tag, attribute, _meant(tag, attribute, kind))
+    start, source = tag.at.source.start_tag(tag.at.start), tag.at.source
+    if start is None or not start.self_closed:
+        return None
+    value = tag.at["value"].span
+    written = re.search(rb"\s+value\s*=\s*[\"']\Z", source.data[tag.at.start : value.start])
+    if written is None:
+        return None
+    edits = (
+        Edit(SourceSpan(source, tag.at.start + written.start(), value.end + 1), ""),
+        Edit(SourceSpan(source, start.end - len("/>"), start.end), f">{value.text}</param>"),
+    )
+    return Fix("write the value between <param> and </param>", edits, safe=True)

@@ -7,11 +7,11 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ROS2
 from urdfctl.model.parts import Tag
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import severity_where
+from urdfctl.rules.common import respelt, severity_where
 from urdfctl.rules.ros2_control.common import OLD, component, components
 from urdfctl.rules.ros2_control.facts import CHILDREN
 from urdfctl.source.opaque import UNKNOWN
-from urdfctl.suggest import did_you_mean
+from urdfctl.suggest import nearest
 
 
 @rule(
@@ -53,7 +53,9 @@ def component_child_unknown(project: Project) -> Iterator[Finding]:
                 message = f"<properties> in {component(control)} is read from jazzy on; up to iron it is refused"
                 yield Finding(child.at, message, severity=severity_where(project, OLD))
                 continue
-            yield Finding(child.at, f"<{child.name}> may not stand in {component(control)}{_instead(child)}")
+            meant = None if child.name in _ELSEWHERE else nearest(child.name, CHILDREN)
+            message = f"<{child.name}> may not stand in {component(control)}{_instead(child, meant)}"
+            yield Finding(child.at, message, fix=respelt(child, meant))
 
 
 _ELSEWHERE = {
@@ -69,7 +71,9 @@ def _refuses(project: Project) -> bool:
     return bool(set(OLD) & set(project.distros))
 
 
-def _instead(child: Tag) -> str:
+def _instead(child: Tag, meant: str | None) -> str:
     if child.name in _ELSEWHERE:
         return f"; it belongs into {_ELSEWHERE[child.name]}"
-    return did_you_mean(child.name, CHILDREN) or "; it knows hardware, joint, sensor, gpio and transmission"
+    if meant:
+        return f"; did you mean '{meant}'?"
+    return "; it knows hardware, joint, sensor, gpio and transmission"

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from urdfctl.catalog.distros import ROS2
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, label
-from urdfctl.rules.ros2_control.common import component, components
+from urdfctl.rules.ros2_control.common import component, components, mended
 from urdfctl.suggest import nearest
 
 
@@ -61,7 +61,8 @@ def component_transmission_unknown(project: Project) -> Iterator[Finding]:
                 continue
             of = f"{label('transmission', transmission.name)} in {component(control)}"
             what = f"; did you mean '{meant}'?" if meant else "; there are Simple, Differential and FourBarLinkage"
-            yield Finding(transmission.plugins[0].at, f"unknown type '{name}' of {of}{what}")
+            fix = mended(transmission.plugins[0], meant) if meant else None
+            yield Finding(transmission.plugins[0].at, f"unknown type '{name}' of {of}{what}", fix=fix)
 
 
 def _slashed(name: str, known: Iterable[str]) -> str | None:

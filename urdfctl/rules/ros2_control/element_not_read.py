@@ -8,10 +8,11 @@ from urdfctl.catalog.distros import ROS2
 from urdfctl.model.parts import Tag
 from urdfctl.model.ros2_control import Ros2Control
 from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.common import respelt
 from urdfctl.rules.ros2_control.common import JAZZY, components
 from urdfctl.rules.ros2_control.facts import ELEMENTS, ELEMENTS_FROM_JAZZY, INTERFACES_OF_ROS1
 from urdfctl.source.opaque import UNKNOWN
-from urdfctl.suggest import did_you_mean
+from urdfctl.suggest import nearest
 
 
 @rule(
@@ -57,8 +58,10 @@ def element_not_read(project: Project) -> Iterator[Finding]:
                 if child.name in takes or child.name == UNKNOWN or ":" in child.name or _is_role(child, tag):
                     continue
                 if child.name not in later:
-                    reason = did_you_mean(child.name, takes) or _hint(child.name, inside)
-                    yield Finding(child.at, f"<{child.name}> is not read in <{tag.name}>{reason}")
+                    meant = nearest(child.name, takes)
+                    reason = f"; did you mean '{meant}'?" if meant else _hint(child.name, inside)
+                    message = f"<{child.name}> is not read in <{tag.name}>{reason}"
+                    yield Finding(child.at, message, fix=respelt(child, meant))
                 elif not set(JAZZY) & set(project.distros):
                     message = f"<{child.name}> in <{tag.name}> is read from jazzy on"
                     yield Finding(child.at, message, severity=Severity.INFO)

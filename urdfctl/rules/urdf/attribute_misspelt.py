@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import robot_in
+from urdfctl.rules.common import attribute_respelt, robot_in
 from urdfctl.rules.urdf.grammar import ATTRIBUTES, read_tags
 from urdfctl.suggest import nearest
 
@@ -49,4 +49,4 @@ def attribute_misspelt(project: Project) -> Iterator[Finding]:
             meant = next(same_letters, None) or nearest(name, lacking)
             if meant:
                 message = f"attribute '{name}' of <{tag.name}> of {owner} is ignored; did you mean '{meant}'?"
-                yield Finding(tag.at[name], message)
+                yield Finding(tag.at[name], message, fix=attribute_respelt(tag, name, meant))

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.model.parts import Tag
-from urdfctl.rule import Finding, Fix, Project, Severity, rule
-from urdfctl.rules.common import renamed, robot_in
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.common import respelt, robot_in
 from urdfctl.rules.urdf.grammar import ELEMENTS, read_tags
 from urdfctl.suggest import nearest
 
@@ -55,16 +55,12 @@ def element_misspelt(project: Project) -> Iterator[Finding]:
             lost = meant == "ros2_control" and not robot.ros2_controls and set(project.distros) <= set(ROS2)
             severity = Severity.ERROR if lost else Severity.WARNING
             message = f"<{tag.name}> of the robot is ignored; did you mean <{meant}>?"
-            yield Finding(tag.at, message, fix=_fix(tag, meant), severity=severity)
+            yield Finding(tag.at, message, fix=respelt(tag, meant), severity=severity)
     for tag, children, owner in read_tags(robot):
         for child in children if tag.name != "geometry" else ():
             for meant in _meant(child, tag.name):
                 message = f"<{child.name}> of {owner} is ignored; did you mean <{meant}>?"
-                yield Finding(child.at, message, fix=_fix(child, meant))
-
-
-def _fix(tag: Tag, meant: str) -> Fix:
-    return Fix(f"write <{meant}>", renamed(tag, meant))
+                yield Finding(child.at, message, fix=respelt(child, meant))
 
 
 def _meant(tag: Tag, parent: str) -> tuple[str, ...]:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import label, robot_in
-from urdfctl.suggest import did_you_mean
+from urdfctl.rules.common import label, respelt, robot_in
+from urdfctl.suggest import nearest
 
 SHAPES = ("box", "cylinder", "sphere", "mesh")
 
@@ -49,6 +49,7 @@ def geometry_unknown(project: Project) -> Iterator[Finding]:
         for geometry in link.geometries:
             shape = geometry.shape
             if shape is not None and shape.name not in SHAPES:
-                told = did_you_mean(shape.name, SHAPES) or f"; URDF knows {', '.join(SHAPES)}"
+                meant = nearest(shape.name, SHAPES)
+                told = f"; did you mean '{meant}'?" if meant else f"; URDF knows {', '.join(SHAPES)}"
                 message = f"<{geometry.role}> of {label('link', link.name)} has the unknown shape <{shape.name}>{told}"
-                yield Finding(shape.at, message)
+                yield Finding(shape.at, message, fix=respelt(shape, meant))
