@@ -170,3 +170,21 @@ def test_the_files_of_a_robot_are_in_one_share(folder: Folder) -> None:
     whole = found(folder, ".")
     shares = [found(folder, ".", "--shard", f"{number}/2") for number in (1, 2)]
     assert sorted(shares) == sorted([whole, ([], 0)])
+
+
+REVERSED = ARM.replace('lower="-1" upper="$(arg reach)"', 'lower="1" upper="-1"')
+
+
+def test_what_only_some_variants_show_is_not_mended(folder: Folder) -> None:
+    text = "[[robot]]\npath = 'arm.xacro'\nmatrix.kind = ['revolute', 'continuous']\n"
+    folder.write({"urdfctl.toml": text, "arm.xacro": REVERSED})
+    ran = folder.run("lint", "--unsafe-fixes", "--exit-zero")
+    assert (folder.path / "arm.xacro").read_text() == REVERSED
+    assert "UC125 is not fixed: it would change a robot that has no such finding" in ran.stderr
+
+
+def test_what_all_variants_show_is_mended_once(folder: Folder) -> None:
+    text = "[[robot]]\npath = 'arm.xacro'\nmatrix.kind = ['revolute', 'prismatic']\n"
+    folder.write({"urdfctl.toml": text, "arm.xacro": REVERSED})
+    folder.run("lint", "--unsafe-fixes", "--exit-zero")
+    assert (folder.path / "arm.xacro").read_text() == REVERSED.replace('lower="1" upper="-1"', 'lower="-1" upper="1"')

@@ -12,15 +12,19 @@ _MOST_BYTES = 1 << 20
 
 
 class Pattern(NamedTuple):
-    """One line: which paths below the file's folder it means, in parts between slashes; `**` are any folders."""
+    """One line: which paths below the file's folder it means, in parts between slashes, of which `**` are any folders;
+    or which names `anywhere`."""
 
     parts: tuple[str, ...]
     ignores: bool
     only_folders: bool
+    anywhere: bool
 
     def means(self, path: Sequence[str], *, is_folder: bool) -> bool:
         """Whether a path is meant, given in parts from the file's folder on."""
-        return (is_folder or not self.only_folders) and _fits(path, self.parts)
+        if self.only_folders and not is_folder:
+            return False
+        return _is_named(path[-1], self.parts[0]) if self.anywhere else _fits(path, self.parts)
 
 
 class GitIgnore:
@@ -29,30 +33,40 @@ class GitIgnore:
 
     def __init__(self, folder: str) -> None:
         self._top = _repository(os.path.realpath(folder))
+        self._holding: dict[str, list[_Holding]] = {}
         self._read: dict[str, tuple[Pattern, ...]] = {}
 
     def ignores(self, path: str, *, is_folder: bool) -> bool:
         """Whether git ignores a file or folder, but for folders above the one that this is for."""
-        if self._top is None:
-            return False
-        path = os.path.join(os.path.realpath(os.path.dirname(path)), os.path.basename(path))
-        parts = os.path.relpath(path, self._top).split(os.sep)
-        if parts[0] == os.pardir:
-            return False
-        for depth in reversed(range(len(parts))):
-            for pattern in reversed(self._patterns(parts[:depth])):
-                if pattern.means(parts[depth:], is_folder=is_folder):
+        folder, name = os.path.split(path)
+        if folder not in self._holding:
+            self._holding[folder] = list(self._patterns_for(os.path.realpath(folder)))
+        for below, patterns in self._holding[folder]:
+            for pattern in patterns:
+                if pattern.means((*below, name), is_folder=is_folder):
                     return pattern.ignores
         return False
 
-    def _patterns(self, folder: Sequence[str]) -> tuple[Pattern, ...]:
-        """The patterns of one folder, the weightiest last."""
-        path = os.path.join(self._top or "", *folder)
-        if path not in self._read:
-            own = _patterns(os.path.join(path, ".gitignore"))
-            shared = () if folder else _patterns(os.path.join(path, ".git", "info", "exclude"))
-            self._read[path] = (*shared, *own)
-        return self._read[path]
+    def _patterns_for(self, folder: str) -> Iterator[_Holding]:
+        """The patterns that hold in a folder, the weightiest first."""
+        top = self._top
+        if top is None or not (folder + os.sep).startswith(top.rstrip(os.sep) + os.sep):
+            return
+        below: tuple[str, ...] = ()
+        while True:
+            if folder not in self._read:
+                shared = _patterns(os.path.join(folder, ".git", "info", "exclude")) if folder == top else ()
+                self._read[folder] = (*shared, *_patterns(os.path.join(folder, ".gitignore")))[::-1]
+            if self._read[folder]:
+                yield below, self._read[folder]
+            if folder == top:
+                return
+            below = (os.path.basename(folder), *below)
+            folder = os.path.dirname(folder)
+
+
+_Holding = tuple[tuple[str, ...], tuple[Pattern, ...]]
+"""A folder, by the parts that lead from one with patterns to it, and those patterns, the last first."""
 
 
 def _repository(folder: str) -> str | None:
@@ -86,7 +100,7 @@ def patterns_of(text: str) -> Iterator[Pattern]:
         anywhere = "/" not in pattern
         parts = [_glob(part) for part in pattern.removeprefix("/").split("/")]
         if parts != [""]:
-            yield Pattern((*(["**"] if anywhere else []), *parts), ignores, only_folders)
+            yield Pattern(tuple(parts), ignores, only_folders, anywhere)
 
 
 def _glob(part: str) -> str:
@@ -95,6 +109,10 @@ def _glob(part: str) -> str:
         return "**"
     escaped = re.sub(r"\\(.)", lambda match: f"[{match[1]}]" if match[1] in "*?[" else match[1], part)
     return re.sub(r"\*\*+", "*", escaped).replace("[^", "[!")
+
+
+def _is_named(name: str, part: str) -> bool:
+    return part == "**" or fnmatchcase(name, part)
 
 
 def _fits(path: Sequence[str], pattern: Sequence[str]) -> bool:
