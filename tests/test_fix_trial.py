@@ -1,0 +1,181 @@
+"""What a trial of edits says of a robot before and after them, and what a run of trials makes of the files."""
+
+from __future__ import annotations
+
+import os
+
+import pytest
+from folder import Folder
+
+from urdfctl.cli.lint_command import lint_words
+from urdfctl.fix.edits import Splice, edited
+from urdfctl.fix.rounds import Wishes, fixed
+from urdfctl.fix.trial import Verdict, perform
+from urdfctl.lint import Selection
+from urdfctl.load import Loader, Target, job_for
+from urdfctl.settings import Settings
+
+MACRO = """\
+<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="turning" params="name type">
+    <link name="${name}_link">
+      <inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>
+    </link>
+    <joint name="${name}" type="${type}">
+      <parent link="world"/><child link="${name}_link"/><limit lower="1" upper="-1" effort="1" velocity="1"/>
+    </joint>
+  </xacro:macro>
+  <link name="world"/>
+  <xacro:turning name="elbow" type="revolute"/>
+</robot>
+"""
+SECOND = '  <xacro:turning name="wheel" type="TYPE"/>\n</robot>'
+CONTROLLERS = """\
+controller_manager:
+  ros__parameters:
+    update_rate: 100
+    arm:
+      type: joint_trajectory_controller/JointTrajectoryController
+arm:
+  ros__parameters:
+    joints: [elbow]
+    command_interfaces: [position]
+    state_interfaces: [position, velocity]
+    constraints:
+      goal_time: 1
+"""
+SETTINGS = Settings(distro="jazzy", simulator="none")
+
+
+Written = tuple[str, str, str]
+"""A text that stands before what is edited, what stands there, and what is written for it."""
+
+
+def tried(folder: Folder, before: str, edits: list[Written], name: str = "arm.xacro") -> Verdict:
+    """What a trial says of some edits."""
+    folder.write({name: before})
+    path = str(folder.path / name)
+    splices = []
+    for ahead, old, new in edits:
+        start = before.index(ahead + old) + len(ahead)
+        splices.append(Splice(path, start, start + len(old), new))
+    states = {"before": {path: before}, "after": {path: edited(before.encode(), splices).decode()}}
+    job = job_for(Target(path), SETTINGS, Selection())
+    return Verdict.from_json(perform({**job, **states, "splices": [list(splice) for splice in splices]}))
+
+
+HEAVY = MACRO.replace('value="1"', 'value="${m}"').replace("  <link", '  <xacro:property name="m" value="1"/>\n  <link')
+LIMITS = 'lower="1" upper="-1"', 'lower="-1" upper="1"'
+BOTH = [('lower="', "1", "-1"), ('upper="', "-1", "1")]
+
+
+def test_edits_that_a_finding_asks_for_are_asked_for_and_leave_it_gone(folder: Folder) -> None:
+    verdict = tried(folder, MACRO, BOTH)
+    assert verdict.objections == ()
+    assert len(verdict.asked_for) == 2
+    assert verdict.linted is not None
+    assert "UC125" not in [one.code for one in verdict.linted.outcome.diagnostics]
+
+
+def test_edits_that_nothing_asks_for_are_not(folder: Folder) -> None:
+    assert tried(folder, MACRO, [("", "world", "earth")]).asked_for == frozenset()
+
+
+@pytest.mark.parametrize(
+    ("before", "edits", "objection"),
+    [
+        (MACRO, [*BOTH, ("", "<mass ", "<masse ")], "UC154 would come: <masse>"),
+        (MACRO, [*BOTH, ("", "<parent ", "<child "), ("", "<limit ", "<parent ")], "would come"),
+        (MACRO, [('name="elbow" ', 'type="revolute"', 'kind="revolute"')], "would come"),
+        (HEAVY, [*BOTH, ('"m" value="', "1", "2")], "other parts of the robot would change too"),
+        (MACRO, [*BOTH, ('name="world"', "/>", ">")], "other parts of the robot would change too"),
+        (MACRO.replace("</robot>", SECOND.replace("TYPE", "continuous")), BOTH, "the call of macro 'turning' at "),
+    ],
+)
+def test_what_speaks_against_edits_is_told(folder: Folder, before: str, edits: list[Written], objection: str) -> None:
+    told = tried(folder, before, edits).objections
+    assert any(objection in one for one in told), told
+
+
+def test_a_comment_must_not_be_left_with_nothing_to_silence(folder: Folder) -> None:
+    ignored = MACRO.replace("      <parent", "      <!-- urdfctl: ignore[UC125] for now -->\n      <parent")
+    told = tried(folder, ignored, BOTH).objections
+    assert any("would have nothing to silence" in one for one in told)
+
+
+def test_yaml_is_compared_by_its_nodes(folder: Folder) -> None:
+    assert tried(folder, CONTROLLERS, [("goal_time: ", "1", "1.0")], "arm.yaml").objections == ()
+    told = tried(
+        folder, CONTROLLERS, [("goal_time: ", "1", "1.0"), ("joints: ", "[elbow]", "[]")], "arm.yaml"
+    ).objections
+    assert told
+
+
+def test_all_findings_of_a_run_are_mended_together_and_nothing_is_written(folder: Folder) -> None:
+    folder.write({"arm.xacro": MACRO.replace("</robot>", SECOND.replace("TYPE", "prismatic")), "arm.yaml": CONTROLLERS})
+    targets = [Target("arm.xacro"), Target("arm.yaml")]
+    loader = Loader(SETTINGS, Selection())
+    result = fixed([(target, loader.lint(target)) for target in targets], SETTINGS, Wishes(unsafe=True), 1)
+    assert result.refused == ()
+    assert [os.path.basename(change.file) for change in result.changes] == ["arm.xacro", "arm.yaml"]
+    assert b'lower="-1" upper="1"' in result.changes[0].after
+    assert b"goal_time: 1.0" in result.changes[1].after
+    assert b'lower="1" upper="-1"' in (folder.path / "arm.xacro").read_bytes()
+
+
+def test_what_is_not_wanted_is_not_mended(folder: Folder) -> None:
+    folder.write({"arm.xacro": MACRO})
+    linted = [(Target("arm.xacro"), Loader(SETTINGS, Selection()).lint(Target("arm.xacro")))]
+    assert fixed(linted, SETTINGS, Wishes(), 1).changes == ()
+    assert fixed(linted, SETTINGS, Wishes(Selection(ignore=("UC125",)), unsafe=True), 1).changes == ()
+    assert fixed(linted, SETTINGS, Wishes(ignores=lambda _, code: code == "UC125", unsafe=True), 1).changes == ()
+
+
+@pytest.mark.parametrize("now", [MACRO.replace("<robot", "<!-- new --><robot"), "<robot/>"])
+def test_a_file_that_has_changed_since_it_was_linted_is_left(folder: Folder, now: str) -> None:
+    folder.write({"arm.xacro": MACRO})
+    linted = [(Target("arm.xacro"), Loader(SETTINGS, Selection()).lint(Target("arm.xacro")))]
+    folder.write({"arm.xacro": now})
+    result = fixed(linted, SETTINGS, Wishes(unsafe=True), 1)
+    assert result.changes == ()
+    assert len(result.refused) == 1
+
+
+def test_the_command_mends_and_tells_how_much(folder: Folder, capsys: pytest.CaptureFixture[str]) -> None:
+    folder.write({"arm.xacro": MACRO, "urdfctl.toml": "distro = 'jazzy'\n[[robot]]\npath = 'arm.xacro'\n"})
+    assert lint_words([], diff=True, unsafe_fixes=True) == 1
+    assert (
+        '+      <parent link="world"/><child link="${name}_link"/><limit lower="-1" upper="1"'
+        in capsys.readouterr().out
+    )
+    assert lint_words(["."], unsafe_fixes=True, jobs=1) == 0
+    assert capsys.readouterr().err == "urdfctl: fixed 1 of 1 finding in 1 file\n"
+    assert LIMITS[1] in (folder.path / "arm.xacro").read_text()
+    assert lint_words(["arm.xacro"], show_settings=True, distro="iron") == 0
+    assert 'distro = "iron"                           # --distro' in capsys.readouterr().out
+    assert lint_words(["."], shard="1/2", exit_zero=True) == 0
+
+
+@pytest.mark.parametrize(
+    ("text", "mode", "workspace", "why"),
+    [
+        ("<!-- This document was autogenerated by xacro from a.xacro -->\n" + MACRO, 0o644, ".", "was made by xacro"),
+        (MACRO, 0o444, ".", "is read-only"),
+        (MACRO, 0o644, "other", "lies outside the workspace"),
+    ],
+)
+def test_some_files_are_never_edited(folder: Folder, text: str, mode: int, workspace: str, why: str) -> None:
+    folder.write({"arm.xacro": text, "other/package.xml": ""})
+    os.chmod("arm.xacro", mode)
+    settings = SETTINGS._replace(workspace=workspace, trust=True)
+    linted = [(Target("arm.xacro"), Loader(settings, Selection()).lint(Target("arm.xacro")))]
+    [refused] = fixed(linted, settings, Wishes(unsafe=True), 1).refused
+    assert why in refused
+
+
+def test_a_file_that_is_gone_since_it_was_linted_is_told_of(folder: Folder) -> None:
+    folder.write({"arm.xacro": MACRO})
+    linted = [(Target("arm.xacro"), Loader(SETTINGS, Selection()).lint(Target("arm.xacro")))]
+    os.unlink("arm.xacro")
+    [refused] = fixed(linted, SETTINGS, Wishes(unsafe=True), 1).refused
+    assert "UC125 is not fixed: " in refused
