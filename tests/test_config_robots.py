@@ -188,3 +188,10 @@ def test_what_all_variants_show_is_mended_once(folder: Folder) -> None:
     folder.write({"urdfctl.toml": text, "arm.xacro": REVERSED})
     folder.run("lint", "--unsafe-fixes", "--exit-zero")
     assert (folder.path / "arm.xacro").read_text() == REVERSED.replace('lower="1" upper="-1"', 'lower="-1" upper="1"')
+
+
+def test_smoke_tests_the_configurations_robots_too(folder: Folder) -> None:
+    folder.write({"urdfctl.toml": "[[robot]]\npath = 'arm.xacro'\n", "arm.xacro": ARM, "other.xacro": ARM})
+    ran = folder.run("smoke")
+    assert ran.stdout.startswith("arm.xacro (")
+    assert "other.xacro" not in ran.stdout

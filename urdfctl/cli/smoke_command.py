@@ -7,12 +7,11 @@ import sys
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from urdfctl.cli.looking import targets_of
+from urdfctl.cli.looking import found_by, targets_of
 from urdfctl.cli.progress import watched
 from urdfctl.cli.words import split_arguments
 from urdfctl.cli.writing import print_text, write_file
 from urdfctl.config import Config
-from urdfctl.discover import find
 from urdfctl.errors import UserError
 from urdfctl.lint import Selection, joined, worst
 from urdfctl.load import Target
@@ -42,11 +41,11 @@ class Asked(NamedTuple):
 def run_smoke(asked: Asked, settings: Settings) -> int:
     """Test what the words mean, report it, and give the exit status."""
     paths, arguments = split_arguments(asked.words)
-    found = find(paths, asked.config.excludes)
-    targets, kept = targets_of(found, tuple(arguments.items()))
+    found = found_by(paths, asked.config)
+    targets, kept = targets_of(found, tuple(arguments.items()), asked.config.robots)
     targets = [_with_controllers(target, asked.controllers) for target in targets]
     if asked.shard is not None:
-        mine = share(found, asked.shard)
+        mine = share(found, asked.shard, [robot.files for robot in asked.config.robots])
         chosen = [pair for pair in zip(targets, kept, strict=True) if os.path.abspath(pair[0].path) in mine]
         targets, kept = [target for target, _ in chosen], [keep for _, keep in chosen]
     results = watched(smoke_all(targets, settings, asked.wanted, asked.jobs or None), len(targets))
