@@ -114,6 +114,18 @@ def test_the_control_that_a_robot_has_is_told(tmp_path: Path) -> None:
     assert found.hosts == ("libgz_ros2_control-system.so",)
 
 
+def test_wheels_that_stand_on_the_ground_carry_their_share_of_the_robot(tmp_path: Path) -> None:
+    part = "".join(
+        f"""<joint name="{side}" type="continuous"><parent link="base"/><child link="{side}_wheel"/><axis xyz="0 1 0"/>
+          <origin xyz="0 {y} -1"/></joint><link name="{side}_wheel"><collision><geometry>
+          <sphere radius="0.5"/></geometry></collision></link>"""
+        for side, y in (("left", 1), ("right", -1))
+    )
+    found = {joint.name: joint.inertia for joint in facts(tmp_path, part).joints}
+    assert found["left"] == found["right"] == pytest.approx(106 / 2 * 0.5**2)  # 106 kg on two wheels
+    assert found["roll"] is None  # it stands in the air
+
+
 def test_a_robot_that_cannot_be_read_has_no_facts(tmp_path: Path) -> None:
     (tmp_path / "robot.urdf").write_text("<robot", encoding="utf-8")
     settings = Settings(workspace=str(tmp_path))

@@ -1,0 +1,152 @@
+"""Where generated files go, what is asked wrongly, and how each file can be made again."""
+
+from __future__ import annotations
+
+import os
+import re
+import shlex
+
+import pytest
+from folder import Folder
+from generating import command
+
+from urdfctl.errors import UserError
+from urdfctl.generate.options import File
+from urdfctl.generate.parse_again import checked
+
+ROBOT = """<robot name="r">
+  <link name="a"/><link name="b"/>
+  <joint name="j" type="continuous"><parent link="a"/><child link="b"/></joint>
+</robot>
+"""
+EFFORT = ("--type", "effort", "--distro", "jazzy")
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (("gen-controllers", *EFFORT), "no robot found here: name one, or a list of joints"),
+        (("gen-controllers", "missing.txt", *EFFORT), "'missing.txt' cannot be read: No such file or directory"),
+        (("gen-controllers", "latin.txt", *EFFORT), "'latin.txt' cannot be read: it is no UTF-8"),
+        (("gen-controllers", "empty.txt", *EFFORT), "no joints: name a robot, a list of joints, or --joint NAME,NAME"),
+        (
+            ("gen-controllers", "one/still.urdf", *EFFORT),
+            "the robot has no joint to control: none that moves and mimics no",
+        ),
+        (
+            ("gen-controllers", "two/r.urdf", "--exclude", ".*", *EFFORT),
+            "the robot has no joint to control: none that moves and mimics no other, and that is not excluded",
+        ),
+        (("gen-controllers", ".", *EFFORT), "which robot? one/still.urdf, two/r.urdf"),
+        (("gen-controllers", "two/r.urdf", "--joints", "(", *EFFORT), "'(' is no regular expression:"),
+        (("gen-controllers", "one/still.urdf", "--joint", "f", *EFFORT), "the joint 'f' cannot be controlled"),
+        (("gen-controllers", "two/r.urdf", "--distro", "jazzy"), "what kind of controllers? Say --type, such as"),
+        (("gen-controllers", "two/r.urdf", *EFFORT, "--check"), "--check needs -o FILE: the file to be checked"),
+        (("gen-all", "two/r.urdf", *EFFORT), "-o names the folder that the files go to"),
+        (
+            ("gen-all", "two/r.urdf", *EFFORT, "-o", "latin.txt/x"),
+            "'latin.txt/x/config' cannot be made: Not a directory",
+        ),
+        (("gen-controllers", "two/r.urdf", *EFFORT, "--templates", "none"), "no such folder: 'none'"),
+        (("gen-launch", "two/r.urdf", *EFFORT, "--form", "toml"), "--form is one of python, xml, yaml; not 'toml'"),
+        (("gen-transmissions", "two/r.urdf", "--distro", "jazzy"), "jazzy reads no transmissions of this form"),
+        (("gen-ros2-control", "two/r.urdf", "--distro", "noetic"), "noetic reads no <ros2_control>"),
+        (
+            ("gen-ros2-control", "two/r.urdf", "--distro", "jazzy", "--hardware", "fake_components/GenericSystem"),
+            "jazzy has no 'fake_components/GenericSystem'; take 'mock_components/GenericSystem'",
+        ),
+        (("gen-gazebo", "two/r.urdf", "--distro", "noetic", "--simulator", "gz"), "noetic has no controllers in 'gz'"),
+        (
+            ("gen-gazebo", "two/r.urdf", "--distro", "jazzy", "--simulator", "gz", "--into", "none.xacro"),
+            "'none.xacro' cannot be read: No such file or directory",
+        ),
+        (
+            ("gen-gazebo", "two/r.urdf", "--distro", "jazzy", "--simulator", "gz", "--into", "empty.txt"),
+            "'empty.txt' has no </robot> to insert it before",
+        ),
+    ],
+)
+def test_what_cannot_be_done_is_told_in_a_line(words: tuple[str, ...], message: str, folder: Folder) -> None:
+    still = '<robot name="s"><link name="a"/><link name="b"/><joint name="f" type="fixed"><parent link="a"/>'
+    folder.write(
+        {
+            "one/still.urdf": still + '<child link="b"/></joint></robot>',
+            "two/r.urdf": ROBOT,
+            "latin.txt": "gr\xf6\xdfe".encode("latin-1"),
+            "empty.txt": "# nothing\n",
+        }
+        if "no robot" not in message
+        else {}
+    )
+    ran = command(*words)
+    assert (ran.returncode, ran.stdout) == (2, "")
+    assert message in ran.stderr
+    assert ran.stderr.count("\n") == 1
+
+
+def test_a_distro_that_nobody_tells_is_taken_and_said(folder: Folder) -> None:
+    folder.write({"r.urdf": ROBOT})
+    ran = command("gen-controllers", "r.urdf", "--type", "effort")
+    assert ran.stderr == "urdfctl: no distro is told; jazzy is taken (--distro)\n"
+    assert ran.stdout.startswith("# made by urdfctl gen-controllers r.urdf --type effort --distro jazzy\n")
+
+
+COMMANDS = [
+    "gen-controllers r.urdf --type effort --no-broadcaster --distro jazzy",
+    "gen-controllers --joint a --joint 'b c' --type velocity --rate 250 --namespace n --name wheels --distro jazzy",
+    "gen-controllers r.urdf --type trajectory --type pid --chain --state position,velocity --distro jazzy",
+    "gen-transmissions r.urdf --interface velocity --macro --distro noetic",
+    "gen-ros2-control r.urdf --command effort --state position --hardware mock --distro humble",
+    "gen-gazebo r.urdf --package p --controllers c.yaml --distro humble --simulator gazebo-classic",
+    "gen-launch r.urdf --type effort --package p --form xml --distro humble --simulator gz",
+]
+
+
+@pytest.mark.parametrize("words", COMMANDS)
+def test_a_file_says_the_command_that_makes_it_again(words: str, folder: Folder) -> None:
+    folder.write({"r.urdf": ROBOT})
+    first = command(*shlex.split(words), "-o", "made")
+    assert (first.returncode, first.stderr) == (0, "")
+    line = next(line for line in (folder.path / "made").read_text().splitlines() if "made by urdfctl" in line)
+    said = line.partition("made by urdfctl ")[2].removesuffix(" -->")
+    assert sorted(shlex.split(re.sub("(?<= )-(?=[a-z])", "--", said))) == sorted(shlex.split(words))
+    assert command(*shlex.split(said), "-o", "made", "--check").returncode == 0
+
+
+def test_what_would_be_inserted_is_shown_and_checked_and_inserted_once(folder: Folder) -> None:
+    folder.write({"r.urdf": ROBOT, "x.xacro": "<robot><link name='a'/></robot>"})
+    words = ("gen-transmissions", "r.urdf", "--distro", "noetic", "--into", "x.xacro")
+    assert command(*words, "--check") == (1, "x.xacro is stale\n", "")
+    shown = command(*words, "--diff")
+    assert shown.returncode == 0
+    assert "+      <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>\n" in shown.stdout
+    assert (folder.path / "x.xacro").read_text() == "<robot><link name='a'/></robot>"
+    assert command(*words).returncode == 0
+    once = (folder.path / "x.xacro").read_text()
+    assert once.startswith("<robot><link name='a'/>\n")
+    assert command(*words) == command(*words, "--check") == (0, "", "")
+    assert (folder.path / "x.xacro").read_text() == once
+
+
+def test_several_files_are_compared_each(folder: Folder) -> None:
+    folder.write({"r.urdf": ROBOT, "out/package.xml": "<package><name>mine</name></package>"})
+    words = ("gen-all", "r.urdf", *EFFORT, "-o", "out")
+    stale = command(*words, "--check")
+    assert stale.returncode == 1
+    assert f"{os.path.join('out', 'package.xml')} is stale\n" in stale.stdout
+    assert "'out/package.xml' exists; --force overwrites it" in command(*words).stderr
+    assert command(*words, "--force").returncode == 0
+    assert "<name>mine</name>" in (folder.path / "out/package.xml").read_text()
+    assert command(*words, "--check").returncode == 0
+
+
+@pytest.mark.parametrize(
+    ("name", "text"), [("a.yaml", "a: ["), ("a.xacro", "<robot>"), ("a.launch.py", "def ("), ("a.xml", "\udc80")]
+)
+def test_what_a_template_spoils_does_not_leave(name: str, text: str) -> None:
+    with pytest.raises(UserError, match=name):
+        checked(File(name, text))
+
+
+def test_files_of_other_kinds_leave_as_they_are() -> None:
+    assert checked(File("CMakeLists.txt", "project(")) == File("CMakeLists.txt", "project(")
