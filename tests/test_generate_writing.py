@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 import shlex
+from pathlib import Path
 
 import pytest
 from folder import Folder
@@ -150,3 +151,43 @@ def test_what_a_template_spoils_does_not_leave(name: str, text: str) -> None:
 
 def test_files_of_other_kinds_leave_as_they_are() -> None:
     assert checked(File("CMakeLists.txt", "project(")) == File("CMakeLists.txt", "project(")
+
+
+def test_generated_files_are_made_again_by_the_commands_that_they_name(folder: Folder, tmp_path: Path) -> None:
+    folder.write({"src/r/package.xml": "<package format='3'><name>r</name></package>", "src/r/urdf/r.urdf": ROBOT})
+    package = folder.path / "src/r"
+    os.chdir(package)
+    assert command("gen-controllers", "urdf/r.urdf", *EFFORT, "-o", "controllers.yaml").returncode == 0
+    assert command("gen-ros2-control", "--command", "effort", "--distro", "jazzy", "-o", "urdf/c.xacro").returncode == 0
+    os.chdir(folder.path)
+    assert command("gen-all", "src/r/urdf/r.urdf", *EFFORT, "-o", "src/made").returncode == 0
+    assert command("gen-check") == (0, "", "")
+    (package / "urdf/r.urdf").write_text(ROBOT.replace('name="j"', 'name="k"'))
+    stale = command("gen-check", "src")
+    assert stale.returncode == 1
+    assert "controllers.yaml is stale\n" in stale.stdout
+    assert "made/config/controllers.yaml is stale\n" in stale.stdout
+    assert command("gen-check", "src", "--update").returncode == 0
+    assert "joints: [k]" in (package / "controllers.yaml").read_text()
+    assert command("gen-check", "src/r/controllers.yaml", "src/made/package.xml") == (0, "", "")
+
+
+@pytest.mark.parametrize(
+    ("said", "why"),
+    [
+        ("gen-controllers gone.urdf --type effort", "there is no gone.urdf"),
+        ("gen-controllers - --type effort", "it was made from standard input"),
+        ("gen-gazebo r.urdf --into r.urdf", "its command has --into"),
+        ("gen-controllers r.urdf -trust", "its command has -trust"),
+    ],
+)
+def test_what_cannot_or_may_not_be_made_again_is_passed_over(said: str, why: str, folder: Folder) -> None:
+    folder.write({"r.urdf": ROBOT, "c.yaml": f"# made by urdfctl {said}\n", "d.yaml": "# made by urdfctl gen-all 'x\n"})
+    assert command("gen-check") == (0, "", f"urdfctl: 'c.yaml' is passed over: {why}\n")
+    assert command("gen-check", "none").stderr == "urdfctl: no such file or folder: 'none'\n"
+
+
+def test_a_template_cannot_reach_out_of_itself(folder: Folder) -> None:
+    folder.write({"mine/controllers/ros2.yaml.j2": "x: {{ ''.__class__.__mro__ }}\n"})
+    ran = command("gen-controllers", "--joint", "a", *EFFORT, "--templates", "mine")
+    assert "access to attribute '__class__' of 'str' object is unsafe" in ran.stderr

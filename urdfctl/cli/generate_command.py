@@ -10,6 +10,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from urdfctl.catalog.catalog import catalog_with
+from urdfctl.cli.generate_again import words_that_made
 from urdfctl.cli.generate_writing import Writing, deliver
 from urdfctl.cli.words import configured, settings_from, split_arguments
 from urdfctl.cli.writing import print_text
@@ -30,8 +31,22 @@ from urdfctl.source.packages import package_name
 
 _LISTS = (".txt", ".csv", ".yaml", ".yml", ".list")
 _SAID_OTHERWISE = frozenset(
-    {"words", "output", "force", "diff", "check", "into", "timeout", "memory", "distro", "simulator", "list_templates"}
+    {
+        "words",
+        "output",
+        "force",
+        "diff",
+        "check",
+        "into",
+        "timeout",
+        "memory",
+        "distro",
+        "simulator",
+        "list_templates",
+        "trust",
+    }
 )
+_PARTS = ("gen-transmissions", "gen-ros2-control", "gen-gazebo")
 _NAMES = {"types": "type"}
 _DEFAULT_DISTRO = {1: "noetic", 2: "jazzy", None: "jazzy"}
 
@@ -91,7 +106,7 @@ def _sources(
     if not robots and (listed or lists):
         return None, listed
     found = find(robots)
-    descriptions = [path for path, _ in found.descriptions()]
+    descriptions = [path for path, _ in found.descriptions() if robots or not _is_part(path)]
     if len(descriptions) != 1:
         shown = ", ".join(sorted(os.path.relpath(path) for path in descriptions))
         raise UserError(
@@ -102,6 +117,12 @@ def _sources(
     if read.facts is None:
         raise Unreadable("\n".join(render(Report((), read.problems)).splitlines()[:-1]) + "\n")
     return read.facts, listed
+
+
+def _is_part(path: str) -> bool:
+    """Whether a file is what was generated for a robot to include."""
+    made_by = (words_that_made(path) or ("",))[0]
+    return made_by in _PARTS or (made_by == "gen-all" and os.path.basename(path) == "control.xacro")
 
 
 def _text(path: str) -> str:

@@ -148,6 +148,20 @@ def add_commands(app: typer.Typer) -> None:
     """Add the commands to the application."""
     for name, (summary, example, options) in COMMANDS.items():
         app.command(name, cls=_OneDash, help=f"{summary}\n\nExample: {example}")(_command(name, options))
+    about = "Make generated files again, each by the command that its first lines name; exit with 1 if one is stale."
+    app.command("gen-check", help=f"{about}\n\nExample: urdfctl gen-check config urdf launch")(_check_command)
+
+
+def _check_command(
+    paths: Annotated[
+        list[str] | None,
+        typer.Argument(help="Files, and folders to look through; nothing: this one.", show_default=False),
+    ] = None,
+    update: Annotated[bool, typer.Option("--update", help="Write what is stale again.")] = False,  # noqa: FBT002
+) -> None:
+    from urdfctl.cli.generate_again import run_again
+
+    raise typer.Exit(run_again(paths or [], update=update))
 
 
 def _command(name: str, options: tuple[str, ...]) -> Callable[..., None]:

@@ -48,14 +48,15 @@ class Templates:
 
 def _environment(folder: str | None) -> jinja2.Environment:
     import jinja2
+    from jinja2.sandbox import ImmutableSandboxedEnvironment
 
-    environment = jinja2.Environment(
+    environment = ImmutableSandboxedEnvironment(
         loader=jinja2.FileSystemLoader([path for path in (folder, own_folder()) if path]),
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
         keep_trailing_newline=True,
-        autoescape=False,  # noqa: S701 (what is written is no HTML; each template says how a value is quoted)
+        autoescape=False,
     )
     environment.filters.update(
         yaml=yaml_text, xml=xml_text, xacro=xacro_text, python=python_text, comment=one_line, xml_comment=xml_comment
