@@ -9,6 +9,7 @@ from xml.etree import ElementTree as ET
 import pytest
 from click.testing import Result
 from folder import CHECKOUT, Folder
+from smoking_engines import needs_pybullet
 from typer.testing import CliRunner
 
 from urdfctl.cli.app import app
@@ -43,6 +44,31 @@ def test_a_broken_sample_fails(name: str) -> None:
     done = smoke(SAMPLES / "broken" / name, *NONE)
     assert done.exit_code == 1
     assert " failed   " in done.stdout
+
+
+@needs_pybullet
+@pytest.mark.parametrize("name", SOUND)
+def test_a_sound_sample_passes_when_it_is_moved(name: str) -> None:
+    done = smoke(SAMPLES / name, "--engine", "pybullet")
+    assert done.exit_code == 0, done.stdout
+    assert " passed   load > " in done.stdout
+    assert "skipped" not in done.stdout
+
+
+@needs_pybullet
+def test_it_is_moved_where_nothing_is_said(tmp_path: Path) -> None:
+    said = json.loads(smoke(SAMPLES / "radu", "--format", "json").stdout)
+    assert {(one["verdict"], one["engine"]) for one in said["controllers"]} == {("passed", "pybullet")}
+
+
+def test_without_an_engine_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("urdfctl.smoke.engines.NAMES", ())
+    done = smoke(SAMPLES / "radu")
+    assert isinstance(done.exception, UserError)
+    assert str(done.exception) == (
+        "no physics engine is installed: pip install 'urdfctl[smoke]', or use --engine none to test without moving "
+        "anything"
+    )
 
 
 def test_the_command_is_one_process(folder: Folder) -> None:
@@ -133,6 +159,7 @@ def test_a_worker_can_begin_with_a_job_alone() -> None:
     [
         (["--engine", "nonne"], "unknown engine 'nonne'; did you mean 'none'?"),
         (["--shard", "3/2"], "--shard is written K/N, K from 1 to N"),
+        (["--duration", "0", *NONE], "--duration is a number of seconds up to 60, not 0"),
         (["--jobs", "-1"], "--jobs is a number of robots"),
         (["--format", "jsn"], "unknown format 'jsn'; did you mean 'json'?"),
         (["--format", "json="], "--format json= names no file"),

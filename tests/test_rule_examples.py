@@ -46,7 +46,7 @@ def test_the_bad_example_is_found_where_it_is_marked(rule: Rule, tmp_path: Path)
     assert {(Path(d.at.file).relative_to(tmp_path).as_posix(), d.at.start, d.at.end) for d in found} == set(marks)
 
 
-@pytest.mark.parametrize("rule", WITH_EXAMPLES, ids=lambda rule: rule.code)
+@pytest.mark.parametrize("rule", OF_LINT, ids=lambda rule: rule.code)
 def test_the_repairs_of_the_bad_example_mend_it(rule: Rule, tmp_path: Path) -> None:
     files, _ = unmarked(rule.bad)
     found = [one for one in findings(tmp_path, rule, files) if one.code == rule.code and one.fix and one.fix.edits]

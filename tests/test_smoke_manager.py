@@ -27,7 +27,7 @@ def section(name: str, parameters: str) -> str:
 
 
 ELBOW = "joints: [elbow], interface_name: position"
-NOISE = "noise/NoSuchController"
+NOISE = "forward_command_controller/FowardCommandController"
 
 
 def said(folder: Path, yaml: str, hardware: str = HARDWARE, only: tuple[str, ...] = (), **options: object) -> list[str]:
@@ -63,7 +63,7 @@ def test_controllers_of_which_nobody_says_that_they_are_started_take_turns(tmp_p
 @pytest.mark.parametrize(
     ("kind", "parameters", "verdict", "words"),
     [
-        (NOISE, ELBOW, "failed load", "Loader for controller 'arm' (type 'noise/NoSuchController') not found."),
+        (NOISE, ELBOW, "failed load", f"Loader for controller 'arm' (type '{NOISE}') not found."),
         ("''", ELBOW, "failed load", "The 'type' param was not defined for 'arm'."),
         (
             FORWARD,
@@ -102,6 +102,7 @@ def test_a_refusal_of_ros2_is_told_with_the_managers_words(
     assert said(tmp_path, yaml) == [f"arm: {verdict}", f"the controller manager says: {words}"]
 
 
+MISSPELT = "effort_controllers/JointEffrtController"
 TRANSMISSION = """
     <transmission name="elbow_trans">
       <type>transmission_interface/SimpleTransmission</type>
@@ -115,8 +116,8 @@ PID = "pid: {p: 1.0, i: 0.0, d: 1.0}"
 @pytest.mark.parametrize(
     ("yaml", "verdict", "words"),
     [
-        ("arm: {type: noise/None, joint: elbow}", "failed load",
-         "Could not load controller 'arm' because controller type 'noise/None' does not exist."),
+        (f"arm: {{type: {MISSPELT}, joint: elbow}}", "failed load",
+         f"Could not load controller 'arm' because controller type '{MISSPELT}' does not exist."),
         (f"arm: {{type: effort_controllers/JointPositionController, joint: shoulder, {PID}}}", "failed load",
          "Could not find resource 'shoulder' in 'hardware_interface::EffortJointInterface'."),
         ("arm: {type: effort_controllers/JointPositionController, joint: elbow}", "failed load",
@@ -168,8 +169,10 @@ def test_a_comment_silences_a_finding(tmp_path: Path) -> None:
 
 
 def test_where_the_distro_is_not_told_it_is_the_newest_that_knows_most_types(tmp_path: Path) -> None:
-    yaml = manager(hand="effort_controllers/GripperActionController") + section("hand", "joint: elbow")
-    made = smoked(target_of(tmp_path, files(yaml)))
+    yaml = manager(hand="position_controllers/GripperActionController") + section("hand", "joint: elbow")
+    state = '<state_interface name="position"/>'
+    hardware = HARDWARE.replace(state, f'{state}<state_interface name="velocity"/>')
+    made = smoked(target_of(tmp_path, files(yaml, hardware)))
     assert made.linted.distro == "jazzy"
 
 

@@ -115,7 +115,9 @@ def smoke(
         list[str] | None, typer.Option(help="A controllers' file that belongs to each robot. Repeatable.")
     ] = None,
     only: Annotated[list[str] | None, typer.Option(help="Only the controllers of these names: NAME,NAME.")] = None,
-    engine: Annotated[str, typer.Option(help="none: nothing is moved.")] = "none",
+    engine: Annotated[str, typer.Option(help="auto, pybullet, mujoco, both, or none: nothing is moved then.")] = "auto",
+    duration: Annotated[float, typer.Option(help="Seconds of simulation for each controller.")] = 2.0,
+    gui: Annotated[bool, typer.Option("--gui", help="Show pybullet's window.")] = False,
     distro: Distro = None,
     simulator: Simulator = None,
     start: Start = None,
@@ -133,7 +135,7 @@ def smoke(
     shard: Annotated[str | None, typer.Option(help="Only one of several shares of the robots: 2/5.")] = None,
     config: ConfigFile = None,
 ) -> None:
-    """Take each controller of a robot through its life as the controller manager would, without ROS.
+    """Spawn robots without ROS, and take each of their controllers through its life: load, activate, move.
 
     Example: urdfctl smoke urdf/robot.xacro --controllers config/controllers.yaml
     """

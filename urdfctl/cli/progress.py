@@ -13,7 +13,7 @@ SHOWN_FROM = 20
 """Fewer robots are linted before the bar could be read."""
 
 
-def watched(results: Iterator[Result], total: int) -> Iterator[Result]:
+def watched(results: Iterator[Result], total: int, doing: str = "linting") -> Iterator[Result]:
     """The results as they come, with a bar on standard error where that is a terminal and there are many."""
     if total < SHOWN_FROM or not sys.stderr.isatty() or os.environ.get("TERM") == "dumb":
         yield from results
@@ -21,7 +21,7 @@ def watched(results: Iterator[Result], total: int) -> Iterator[Result]:
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
 
-    columns = TextColumn("linting"), BarColumn(), MofNCompleteColumn()
+    columns = TextColumn(doing), BarColumn(), MofNCompleteColumn()
     console = Console(stderr=True)
     # without a thread of its own, for workers are forks; and without a hand on what others print
     with Progress(

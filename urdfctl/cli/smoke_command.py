@@ -17,12 +17,13 @@ from urdfctl.lint import Selection, joined, worst
 from urdfctl.load import Target
 from urdfctl.settings import Settings
 from urdfctl.shards import Shard, share
+from urdfctl.smoke.engines import NAMES, installed
 from urdfctl.smoke.job import Wanted, smoke_all
 from urdfctl.smoke.reports import SMOKE_FORMATS, SmokeReport, report_of, text_pieces, written
 from urdfctl.smoke.results import Smoked
 from urdfctl.suggest import did_you_mean
 
-ENGINES = ("none",)
+ENGINES = ("auto", *NAMES, "both", "none")
 
 
 class Asked(NamedTuple):
@@ -46,10 +47,14 @@ def run_smoke(asked: Asked, settings: Settings) -> int:
     targets = [_with_controllers(target, asked.controllers) for target in targets]
     if asked.shard is not None:
         mine = share(found, asked.shard, [robot.files for robot in asked.config.robots])
-        chosen = [pair for pair in zip(targets, kept, strict=True) if os.path.abspath(pair[0].path) in mine]
-        targets, kept = [target for target, _ in chosen], [keep for _, keep in chosen]
-    results = watched(smoke_all(targets, settings, asked.wanted, asked.jobs or None), len(targets))
-    smoked = list(_told([one for one, keep in zip(results, kept, strict=True) if keep(one.linted)]))
+        pairs = [pair for pair in zip(targets, kept, strict=True) if os.path.abspath(pair[0].path) in mine]
+        targets, kept = [target for target, _ in pairs], [keep for _, keep in pairs]
+
+    def chosen(judged: list[Smoked]) -> Iterator[int]:
+        return _told([one if keep(one.linted) else None for one, keep in zip(judged, kept, strict=True)])
+
+    results = smoke_all(targets, settings, asked.wanted, asked.jobs or None, chosen)
+    smoked = list(watched(results, len(targets), "testing"))
     if not smoked:
         sys.stderr.write(f"urdfctl: no robot found in {', '.join(paths) or 'this folder'}\n")
     outcomes = [one.linted.outcome for one in smoked]
@@ -67,15 +72,35 @@ def _with_controllers(target: Target, controllers: Sequence[str]) -> Target:
     return target._replace(controllers=(*target.controllers, *controllers))
 
 
-def _told(smoked: list[Smoked]) -> Iterator[Smoked]:
-    """Each robot with its controllers once, and without controllers only where no launch file gives it any."""
-    driven = {one.linted.path for one in smoked if one.controllers}
+def _told(smoked: list[Smoked | None]) -> Iterator[int]:
+    """The indices of those that are to be told of: each robot with its controllers once, and without controllers only
+    where no launch file gives it any."""
+    driven = {one.linted.path for one in smoked if one and one.controllers}
     seen = set()
-    for one in smoked:
+    for index, one in enumerate(smoked):
+        if one is None:
+            continue
         key = one.linted.path, one.linted.controllers, tuple(result.name for result in one.controllers)
         if key not in seen and (one.controllers or one.linted.path not in driven):
             seen.add(key)
-            yield one
+            yield index
+
+
+def engines_of(name: str) -> tuple[str, ...]:
+    """The engines that a name means. UserError where there is no such engine, or it is not installed."""
+    if name not in ENGINES:
+        raise UserError(f"unknown engine '{name}'{did_you_mean(name, ENGINES)}; known are {', '.join(ENGINES)}")
+    if name == "none":
+        return ()
+    there = installed()
+    wanted = NAMES if name == "both" else there[:1] if name == "auto" else (name,)
+    if not wanted or not set(wanted) <= set(there):
+        missing = "no physics engine" if name == "auto" else "not every engine" if name == "both" else f"'{name}'"
+        is_there = "is installed" if name in ("auto", "both") else "is not installed"
+        raise UserError(
+            f"{missing} {is_there}: pip install 'urdfctl[smoke]', or use --engine none to test without moving anything"
+        )
+    return wanted
 
 
 def output_of(text: str) -> tuple[str, str | None]:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from urdfctl.cli.smoke_command import ENGINES, Asked, output_of, run_smoke
+from urdfctl.cli.smoke_command import Asked, engines_of, output_of, run_smoke
 from urdfctl.cli.words import configured, settings_from
 from urdfctl.errors import UserError
 from urdfctl.shards import shard as parsed_shard
+from urdfctl.smoke.engines import installed
 from urdfctl.smoke.job import Wanted
-from urdfctl.suggest import did_you_mean
+
+MOST_DURATION = 60.0
 
 
 def smoke_words(  # noqa: PLR0913, PLR0917 (one for each option)
@@ -15,6 +17,8 @@ def smoke_words(  # noqa: PLR0913, PLR0917 (one for each option)
     controllers: list[str] | None,
     only: list[str] | None,
     engine: str,
+    duration: float,
+    gui: bool,  # noqa: FBT001
     distro: str | None,
     simulator: str | None,
     start: str | None,
@@ -32,14 +36,14 @@ def smoke_words(  # noqa: PLR0913, PLR0917 (one for each option)
     """Smoke-test with the options of the command line, report it, and give the exit status."""
     if jobs < 0:
         raise UserError(f"--jobs is a number of robots, or 0 for as many as there are processors; not {jobs}")
-    if engine not in ENGINES:
-        raise UserError(f"unknown engine '{engine}'{did_you_mean(engine, ENGINES)}; known are {', '.join(ENGINES)}")
+    if not 0 < duration <= MOST_DURATION:
+        raise UserError(f"--duration is a number of seconds up to {MOST_DURATION:g}, not {duration:g}")
     chosen = configured(paths, config, workspace)
     settings = settings_from(chosen, distro, simulator, start, workspace, package_path, env, trust, timeout, memory)
     names = tuple(name.strip() for text in only or () for name in text.split(",") if name.strip())
     asked = Asked(
         tuple(paths or ()),
-        Wanted(names),
+        Wanted(names, engines_of(engine), installed()[1:] if engine == "auto" else (), duration, gui),
         tuple(controllers or ()),
         tuple(output_of(text) for text in formats or ("text",)),
         jobs,

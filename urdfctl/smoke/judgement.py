@@ -76,6 +76,9 @@ def judged(seen: Seen, only: Sequence[str] = ()) -> Judgement:
     mechanism = mechanism_of(robot) if robot else None
     tasks = tuple(task_of(way.configured) for way in cycle.ways if not way.refusal)
     troubles = list(cycle.troubles)
+    if robot and robot.links and mechanism is None:
+        why = "its links are no tree that hangs on one root: each link but the root is the child of one joint"
+        troubles.append(Trouble("UC901", "robot", f"the robot cannot be spawned: {why}"))
     if mechanism is not None:
         troubles += static_troubles(mechanism, tasks)
         troubles += loop_troubles(mechanism, tasks, rate)

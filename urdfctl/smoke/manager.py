@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from urdfctl.catalog.distros import generation
 from urdfctl.control.hardware import Absence
-from urdfctl.control.life import lives
+from urdfctl.control.life import Reason, Stop, lives
 from urdfctl.control.session import Configured, Session, session_of
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.model.project import Project
@@ -20,6 +20,8 @@ from urdfctl.smoke.stages import BY_LIFE, OF_FILES, OF_HARDWARE, OF_ROBOT, conce
 from urdfctl.smoke.words import told, words_of, words_of_step
 
 CODES = {Step.LOAD: "UC903", Step.CONFIGURE: "UC904", Step.ACTIVATE: "UC905"}
+_OF_TYPES = ("UC420", "UC421", "UC422", "UC423")
+"""What lint tells of types that surely do not exist: of others it only knows that they are not in the catalogue."""
 _PAST = {Step.LOAD: "loaded", Step.CONFIGURE: "configured", Step.ACTIVATE: "activated"}
 
 
@@ -66,9 +68,8 @@ class Cycle(NamedTuple):
 
 def life_cycle(project: Project, found: Sequence[Diagnostic]) -> Cycle:
     """The ways of all controllers of a project, of which lint found something."""
-    distro = chosen_distro(project)
-    session = session_of(project, distro)
     errors = [one for one in found if one.severity is Severity.ERROR]
+    session = _best_session(project, errors)
     of_robot = [one for one in errors if one.code.startswith(OF_ROBOT) and one.code not in OF_FILES]
     of_hardware = [one for one in errors if one.code.startswith(OF_HARDWARE)]
     troubles: list[Trouble] = []
@@ -81,20 +82,24 @@ def life_cycle(project: Project, found: Sequence[Diagnostic]) -> Cycle:
         troubles.append(_refused("UC902", "the hardware cannot be started", of_hardware))
     ways = tuple(_ways(session, errors, blocked))
     troubles += [_trouble(way.configured, way.refusal) for way in ways if way.refusal and way.refusal is not blocked]
-    return Cycle(distro, session, ways, tuple(troubles), blocked is None)
+    return Cycle(session.distro, session, ways, tuple(troubles), blocked is None)
 
 
-def chosen_distro(project: Project) -> str:
-    """The distro of a project; where it may be for several, the newest that knows the most of its controllers."""
-    if project.distro:
-        return project.distro
-    declared = project.controllers.controllers if project.controllers else ()
-    types = [str(one.type.value) for one in declared if one.type]
-
-    def known(distro: str) -> int:
-        return sum(project.catalog.controller(kind, distro) is not None for kind in types)
-
-    return max(reversed(project.distros), key=known)
+def _best_session(project: Project, errors: Sequence[Diagnostic]) -> Session:
+    """What the project's distro makes of it; where it may be for several, the newest that refuses, or does not know,
+    the fewest of its controllers."""
+    distros = (project.distro,) if project.distro else tuple(reversed(project.distros))
+    best, fewest = None, 0
+    for distro in distros:
+        session = session_of(project, distro)
+        ways = _ways(session, errors, None) if len(distros) > 1 else ()
+        refused = sum(way.refusal is not None or way.configured.type is None for way in ways)
+        if best is None or refused < fewest:
+            best, fewest = session, refused
+        if not fewest:
+            break
+    assert best is not None  # noqa: S101 (a project has a distro at least)
+    return best
 
 
 def _ways(session: Session, errors: Sequence[Diagnostic], blocked: Refusal | None) -> Iterator[Way]:
@@ -105,7 +110,8 @@ def _ways(session: Session, errors: Sequence[Diagnostic], blocked: Refusal | Non
     alone = session._replace(started=None, controllers=tuple(c for c in session.controllers if id(c) not in names))
     of_life: dict[int, list[Refusal]] = {}
     for life in (*(lives(session) if started else ()), *lives(alone)):
-        stops = [stop for stop in life.stops if stop.absence is Absence.SURE]
+        named = any(error.code in _OF_TYPES and concerns(error, life.controller.controller) for error in errors)
+        stops = [stop for stop in life.stops if _is_sure(stop, named=named)]
         of_life[id(life.controller)] = [
             Refusal(Step(stop.stage.value), told(stop), words_of(life.controller, stop, ros)) for stop in stops
         ]
@@ -118,6 +124,11 @@ def _ways(session: Session, errors: Sequence[Diagnostic], blocked: Refusal | Non
         refusals = [*_of_files(one, of_files, of_all, ros), *of_life[id(one)]]
         first = min(refusals, key=lambda refusal: STEPS.index(refusal.step), default=None)
         yield Way(one, _in_its_words(first, of_life[id(one)]) if first else blocked)
+
+
+def _is_sure(stop: Stop, *, named: bool) -> bool:
+    """Whether a stop is one: a driver may offer more than is known, and a type may come from another package."""
+    return stop.absence is Absence.SURE and (stop.reason is not Reason.TYPE_UNKNOWN or named)
 
 
 def _in_its_words(first: Refusal, of_life: Sequence[Refusal]) -> Refusal:

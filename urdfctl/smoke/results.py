@@ -59,6 +59,11 @@ class Trouble(NamedTuple):
     controller: str | None = None
     notes: tuple[str, ...] = ()
 
+    @classmethod
+    def from_json(cls, data: list[Any]) -> Trouble:
+        """From plain data."""
+        return cls(data[0], data[1], data[2], data[3], tuple(data[4]))
+
 
 class Curve(NamedTuple):
     """What one joint was told and what it did, in rad or m (rad/s or m/s for a velocity), over seconds."""

@@ -26,12 +26,14 @@ class Family(Enum):
 
 
 class Gains(NamedTuple):
-    """Of a PID loop; `clamp` bounds the integral part, in the units of the command."""
+    """Of a PID loop; `clamp` bounds the integral part, in the units of the command, and `feed` is how much of the
+    wanted velocity goes to a velocity command as it is."""
 
     p: float = 0.0
     i: float = 0.0
     d: float = 0.0
     clamp: float = math.inf
+    feed: float = 0.0
 
 
 class Drive(NamedTuple):
@@ -153,13 +155,15 @@ def _loop(family: Family, kind: str, whole: str, interface: str, values: Mapping
 
 def _gains(given: Mapping[str, object], joint: str) -> Gains:
     """The gains of a joint, wherever the controller reads them: per joint, or for its only one."""
+    feeds = (given.get(f"gains.{joint}.{name}") for name in ("ff_velocity_scale", "feedforward_gain"))
+    feed = next((_float(one) for one in (*feeds, given.get(f"velocity_ff.{joint}")) if _float(one)), 0.0)
     for place in (f"gains.{joint}.", f"{joint}.pid.", "pid.", "gains.", ""):
         if any(isinstance(given.get(f"{place}{name}"), int | float) for name in "pid"):
             p, i, d = (_float(given.get(f"{place}{name}")) for name in "pid")
             clamps = (given.get(f"{place}{name}") for name in ("i_clamp", "i_clamp_max"))
             clamp = next((abs(_float(value)) for value in clamps if _float(value)), math.inf)
-            return Gains(p, i, d, clamp)
-    return Gains()
+            return Gains(p, i, d, clamp, feed)
+    return Gains(feed=feed)
 
 
 def _drive(family: Family, values: Mapping[str, object]) -> Drive:

@@ -1,0 +1,417 @@
+"""Robots that kill engines, or that none takes: each ends in a finding, within its time, and nothing else dies."""
+
+from __future__ import annotations
+
+import json
+import time
+from pathlib import Path
+
+import pytest
+from smoke_robots import ARMS, ROVERS, Arm, Rover, link
+from smoking import codes, target_of, verdicts, whole
+from smoking_engines import EACH_ENGINE, INSTALLED, needs_pybullet
+
+from urdfctl.lint import Selection
+from urdfctl.load import Loader, Target
+from urdfctl.settings import Settings
+from urdfctl.smoke.engines import Refused, Setup, opened
+from urdfctl.smoke.job import Read, Wanted, moved, perform, perform_trial, read_of, smoke_all, without_meshes
+from urdfctl.smoke.prepare import mesh_fault
+from urdfctl.smoke.results import Smoked, Verdict
+from urdfctl.smoke.trial import Plan, Tried, tried
+from urdfctl.worker import Died
+
+JAZZY = Settings(distro="jazzy")
+
+
+def joint(name: str, parent: str, child: str) -> str:
+    limit = '<axis xyz="0 1 0"/><limit lower="-1" upper="1" effort="10" velocity="1"/>'
+    return (
+        f'<joint name="{name}" type="revolute"><parent link="{parent}"/><child link="{child}"/>'
+        f'<origin xyz="0 0 0.2"/>{limit}</joint>'
+    )
+
+
+def body(*names: str) -> str:
+    return "".join(link(name, 1.0, 0.01) for name in names)
+
+
+def chain(count: int) -> str:
+    links = body(*(f"l{n}" for n in range(count + 1)))
+    return links + "".join(joint(f"j{n}", f"l{n}", f"l{n + 1}") for n in range(count))
+
+
+def mesh(name: str) -> str:
+    return Rover().urdf().replace('<box size="0.3 0.1 0.02"/>', f'<mesh filename="{name}"/>')
+
+
+KILLERS = {
+    "two roots": (body("a", "b"), "UC901"),
+    "a cycle": (body("a", "b") + joint("j", "a", "b") + joint("k", "b", "a"), "UC901"),
+    "a cycle beside a root": (
+        body("r", "a", "b") + joint("j0", "r", "a") + joint("j", "a", "b") + joint("k", "b", "a"),
+        "UC901",
+    ),
+    "a link twice": (body("a", "b", "b") + joint("j", "a", "b"), "UC901"),
+    "a joint twice": (body("a", "b", "c") + joint("j", "a", "b") + joint("j", "b", "c"), "UC901"),
+    "two parents": (body("a", "b", "c") + joint("j", "a", "c") + joint("k", "b", "c") + joint("m", "a", "b"), "UC901"),
+    "its own parent": (body("r", "a") + joint("m", "r", "a") + joint("j", "a", "a"), "UC901"),
+    "no number": ((body("a", "b") + joint("j", "a", "b")).replace('mass value="1.0"', 'mass value="nan"'), "UC910"),
+    "an endless inertia": ((body("a", "b") + joint("j", "a", "b")).replace('ixx="0.01"', 'ixx="inf"'), "UC910"),
+    "a chain of a thousand": (chain(1000), "UC921"),
+    "a mesh with a bad corner": (mesh("bad.obj"), "UC922"),
+    "a mesh that is not there": (mesh("package://nowhere/base.stl"), "UC922"),
+    "a mesh cut short": (mesh("short.stl"), "UC922"),
+    "a mesh of broken XML": (mesh("broken.dae"), "UC922"),
+    "a mesh of another kind": (mesh("picture.glb"), "UC922"),
+}
+MESHES = {
+    "bad.obj": b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 99999999\nf -50 -60 -70\n",
+    "empty.obj": b"",
+    "short.stl": b"\0" * 80 + (4).to_bytes(4, "little") + b"\0" * 60,
+    "words.stl": b"solid x\nfacet normal 0 0 1\nendsolid",
+    "broken.dae": b"<COLLADA><lib",
+    "bare.dae": b"<COLLADA/>",
+    "picture.glb": b"glTF",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "code"), KILLERS.values(), ids=KILLERS)
+@needs_pybullet
+def test_what_kills_engines_ends_in_a_finding(tmp_path: Path, text: str, code: str) -> None:
+    for name, data in MESHES.items():
+        (tmp_path / name).write_bytes(data)
+    urdf = text if "<robot" in text else f'<robot name="r">{text}</robot>'
+    files = {"robot.urdf": urdf, "controllers.yaml": Rover().yaml()} if "wheel" in text else {"robot.urdf": urdf}
+    began = time.monotonic()
+    [made] = smoke_all([target_of(tmp_path, files)], JAZZY, Wanted(engines=("pybullet",)), 1)
+    assert time.monotonic() - began < 30
+    assert code in codes(made)
+    assert "UC000" not in codes(made)
+
+
+@needs_pybullet
+def test_more_joints_than_an_engine_takes_are_moved_in_the_other(tmp_path: Path) -> None:
+    target = target_of(tmp_path, {"robot.urdf": f'<robot name="r">{chain(128)}</robot>'})
+    [made] = smoke_all([target], JAZZY, Wanted(engines=("pybullet",)), 1)
+    assert codes(made) == ["UC921"]
+    if "mujoco" in INSTALLED:
+        [made] = smoke_all([target], JAZZY, Wanted(engines=("pybullet",), instead=("mujoco",)), 1)
+        assert (codes(made), made.engine) == ([], "mujoco")
+
+
+@pytest.mark.parametrize("name", [name for name in MESHES if name != "picture.glb"])
+def test_a_broken_mesh_is_told_by_its_name(tmp_path: Path, name: str) -> None:
+    path = tmp_path / name
+    path.write_bytes(MESHES[name])
+    assert mesh_fault(str(path)).startswith(f"'{name}' ")
+
+
+def test_sound_meshes_are_taken(tmp_path: Path) -> None:
+    sound = {
+        "a.stl": b"\0" * 80 + (1).to_bytes(4, "little") + b"\0" * 50,
+        "b.stl": b"solid x\nfacet normal 0 0 1\nvertex 0 0 0\n",
+        "c.obj": b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+        "d.dae": b"<COLLADA><triangles/></COLLADA>",
+    }
+    for name, data in sound.items():
+        (tmp_path / name).write_bytes(data)
+        assert mesh_fault(str(tmp_path / name)) == ""
+    assert "cannot be read" in mesh_fault(str(tmp_path / "none.stl"))
+
+
+def test_an_enormous_mesh_is_left_out(tmp_path: Path) -> None:
+    path = tmp_path / "large.stl"
+    with path.open("wb") as file:
+        file.truncate((20 << 20) + 1)
+    assert mesh_fault(str(path)) == "'large.stl' is larger than 20 MiB"
+
+
+# -- what workers hand on --------------------------------------------------------------------------------------------
+
+
+def read(folder: Path, robot: Rover | Arm, *engines: str) -> Read:
+    target = target_of(folder, {"robot.urdf": robot.urdf(), "controllers.yaml": robot.yaml()})
+    return read_of(Loader(JAZZY, Selection()), target, Wanted(engines=engines or ("pybullet",)))
+
+
+@pytest.mark.parametrize("robot", [ROVERS["large and heavy"], ARMS["joints that lift"]], ids=["rover", "arm"])
+def test_what_is_read_and_what_is_planned_survive_as_json(tmp_path: Path, robot: Rover | Arm) -> None:
+    made = read(tmp_path, robot)
+    again = Read.from_json(json.loads(json.dumps(made.to_json())))
+    assert again.plan == made.plan
+    assert again.smoked.controllers == made.smoked.controllers
+    assert again.anchors == made.anchors
+    assert made.plan is not None
+    assert Plan.from_json(json.loads(json.dumps(made.plan.to_json()))) == made.plan
+
+
+@needs_pybullet
+def test_twice_is_the_same_and_survives_as_json(tmp_path: Path) -> None:
+    made = read(tmp_path, Rover())
+    assert made.plan is not None
+    plan = made.plan._replace(engine="pybullet")
+    first, second = tried(plan), tried(plan)
+    assert first.curves == second.curves
+    assert Tried.from_json(json.loads(json.dumps(first._asdict()))) == first
+
+
+def test_an_engine_that_dies_is_told_and_nothing_has_passed(tmp_path: Path) -> None:
+    made = read(tmp_path, Rover())
+    after = moved(made.smoked, made, "pybullet", Died("the worker was ended by SIGSEGV"))
+    assert codes(after) == ["UC920"]
+    assert verdicts(after) == {"states": "skipped activate", "base": "skipped activate"}
+    refused = moved(made.smoked, made, "pybullet", Tried(refused="it says no"))
+    assert codes(refused) == ["UC921"]
+    assert {one.reason for one in refused.controllers} == {"structural only: pybullet refuses the robot"}
+
+
+def test_a_robot_is_tried_again_without_its_meshes(tmp_path: Path) -> None:
+    plan = Plan(
+        "pybullet",
+        '<a/>\n<collision><mesh filename="x.stl"/></collision>\n<b/>',
+        read(tmp_path, Rover()).plan.mechanism,
+        (),
+        100.0,
+        True,
+    )  # type: ignore[union-attr]
+    assert without_meshes(plan).urdf == "<a/>\n<b/>"
+    assert without_meshes(plan).shapeless
+
+
+@needs_pybullet
+def test_a_worker_can_begin_with_a_job_alone(tmp_path: Path) -> None:
+    target = target_of(tmp_path, {"robot.urdf": Rover().urdf(), "controllers.yaml": Rover().yaml()})
+    wanted = Wanted(engines=("pybullet",))
+    job = {"target": target._asdict(), "settings": JAZZY.to_json(), "wanted": wanted._asdict()}
+    made = perform(json.loads(json.dumps(job)))
+    plan = {**made["plan"], "engine": "pybullet"}
+    import os
+
+    kept = os.dup(1), os.dup(2)
+    try:
+        result = perform_trial({"plan": plan, "said": str(tmp_path / "said")})
+    finally:
+        for number, descriptor in enumerate(kept, 1):
+            os.dup2(descriptor, number)
+            os.close(descriptor)
+    assert result["moved"] == ("states", "base")
+
+
+@needs_pybullet
+def test_two_engines_move_a_robot_one_after_the_other(tmp_path: Path) -> None:
+    target = target_of(tmp_path, {"robot.urdf": Rover().urdf(), "controllers.yaml": Rover().yaml()})
+    [made] = smoke_all([target], JAZZY, Wanted(engines=tuple(INSTALLED)), 1)
+    assert made.engine == " and ".join(INSTALLED)
+    assert made.count(Verdict.PASSED) == 2
+
+
+@pytest.mark.parametrize("engine", EACH_ENGINE)
+def test_an_engine_says_why_it_takes_no_robot(engine: str) -> None:
+    start = {f"j{n}": 0.0 for n in range(200)} if engine == "pybullet" else {}
+    with pytest.raises(Refused):
+        opened(engine, Setup("<robot name='r'><joint name='j'/></robot>", "base", True, start))
+
+
+@needs_pybullet
+def test_pybullet_refuses_what_is_no_urdf() -> None:
+    with pytest.raises(Refused, match="pybullet says"):
+        opened("pybullet", Setup("<robot>", "base", True, {}))
+
+
+# -- single motions --------------------------------------------------------------------------------------------------
+
+
+CONTROLLED = """
+controller_manager:
+  ros__parameters:
+    update_rate: 250
+    states: {{type: joint_state_broadcaster/JointStateBroadcaster}}
+    mover: {{type: {kind}}}
+mover:
+  ros__parameters: {{{parameters}}}
+"""
+
+
+def by(folder: Path, kind: str, parameters: str, interface: str, arm: Arm | None = None, **limits: float) -> Smoked:
+    """An arm that a controller of some kind moves."""
+    urdf = (arm or ARMS["joints that turn level"]).urdf(interface=interface, **limits)  # type: ignore[arg-type]
+    yaml = CONTROLLED.format(kind=kind, parameters=parameters)
+    return whole(target_of(folder, {"robot.urdf": urdf, "controllers.yaml": yaml}), "pybullet", distro="jazzy")
+
+
+BOTH = "joints: [shoulder, elbow]"
+PID = "dof_names: [elbow], command_interface: {}, reference_and_state_interfaces: [{}], gains: {{elbow: {{{}}}}}"
+MOTIONS = {
+    "positions": ("position_controllers/JointGroupPositionController", BOTH, "position"),
+    "velocities": ("velocity_controllers/JointGroupVelocityController", BOTH, "velocity"),
+    "efforts": ("effort_controllers/JointGroupEffortController", BOTH, "effort"),
+    "forwarded": (
+        "forward_command_controller/ForwardCommandController",
+        f"{BOTH}, interface_name: velocity",
+        "velocity",
+    ),
+    "a gripper": ("position_controllers/GripperActionController", "joint: elbow", "position"),
+    "a position loop": ("pid_controller/PidController", PID.format("effort", "position", "p: 50.0, d: 3.0"), "effort"),
+    "a velocity loop": ("pid_controller/PidController", PID.format("effort", "velocity", "p: 2.0, i: 1.0"), "effort"),
+    "a trajectory of velocities": (
+        "joint_trajectory_controller/JointTrajectoryController",
+        (
+            f"{BOTH}, command_interfaces: [velocity], state_interfaces: [position, velocity], "
+            "gains: {shoulder: {p: 10.0, ff_velocity_scale: 1.0}, elbow: {p: 10.0}}"
+        ),
+        "velocity",
+    ),
+}
+
+
+@needs_pybullet
+@pytest.mark.parametrize(("kind", "parameters", "interface"), MOTIONS.values(), ids=MOTIONS)
+def test_each_kind_of_controller_moves_its_joints(tmp_path: Path, kind: str, parameters: str, interface: str) -> None:
+    made = by(tmp_path, kind, parameters, interface)
+    assert [one.message for one in made.linted.outcome.diagnostics] == []
+    assert verdicts(made)["mover"] == "passed deactivate"
+    assert all(max(map(abs, curve.measured)) > 0.01 for curve in made.curves)
+
+
+@needs_pybullet
+def test_a_velocity_loop_of_the_wrong_sign_is_found(tmp_path: Path) -> None:
+    parameters = PID.format("effort", "velocity", "p: -0.2")
+    assert set(codes(by(tmp_path, "pid_controller/PidController", parameters, "effort"))) & {"UC935", "UC936"}
+
+
+@needs_pybullet
+def test_a_joint_that_is_driven_past_its_limits_is_told(tmp_path: Path) -> None:
+    made = by(tmp_path, *MOTIONS["velocities"], velocity=0.001)
+    assert codes(made) == ["UC937"]
+    assert verdicts(made)["mover"].startswith("warned")
+
+
+def test_a_controller_that_is_not_simulated_is_skipped_with_the_reason(tmp_path: Path) -> None:
+    yaml = CONTROLLED.format(kind="acme_controllers/Wiggle", parameters=BOTH)
+    urdf = ARMS["joints that turn level"].urdf()
+    target = target_of(tmp_path, {"robot.urdf": urdf, "controllers.yaml": yaml})
+    made = whole(target, INSTALLED[0], distro="jazzy") if INSTALLED else None
+    if made:
+        assert verdicts(made) == {"states": "passed deactivate", "mover": "skipped activate"}
+        assert made.controllers[1].reason == "structural only: what it claims is not known"
+
+
+def test_a_robot_without_a_description_is_not_moved(tmp_path: Path) -> None:
+    path = tmp_path / "controllers.yaml"
+    path.write_text(Rover().yaml(), encoding="utf-8")
+    made = read_of(Loader(JAZZY, Selection()), Target(str(path)), Wanted(engines=("pybullet",)))
+    assert made.plan is None
+
+
+TWO = """
+controller_manager:
+  ros__parameters:
+    update_rate: 500
+    states: {{type: joint_state_broadcaster/JointStateBroadcaster}}
+    first: {{type: pid_controller/PidController}}
+    second: {{type: pid_controller/PidController}}
+first:
+  ros__parameters:
+    {{dof_names: [shoulder], command_interface: effort, reference_and_state_interfaces: [position],
+      gains: {{shoulder: {{{gains}}}}}}}
+second:
+  ros__parameters:
+    {{dof_names: [elbow], command_interface: effort, reference_and_state_interfaces: [position],
+      gains: {{elbow: {{{gains}}}}}}}
+"""
+
+
+@needs_pybullet
+def test_loops_run_together_too(tmp_path: Path) -> None:
+    urdf = ARMS["joints that turn level"].urdf()
+    for gains, told in (("p: 50.0, d: 3.0", False), ("p: 50.0, d: 0.0", True)):
+        target = target_of(tmp_path, {"robot.urdf": urdf, "controllers.yaml": TWO.format(gains=gains)})
+        assert ("UC934" in codes(whole(target, "pybullet", distro="jazzy"))) == told
+
+
+@needs_pybullet
+def test_a_joint_that_mimics_follows(tmp_path: Path) -> None:
+    urdf = ARMS["joints that turn level"].urdf(interface="position")
+    before, mark, after = urdf.partition('<joint name="elbow" type="revolute">')
+    mimicking = before + mark + after.replace("</joint>", '<mimic joint="shoulder" multiplier="-1"/></joint>', 1)
+    mimicking = mimicking.replace('<joint name="elbow"><command_interface name="position"/>', '<joint name="elbow">')
+    yaml = CONTROLLED.format(kind="position_controllers/JointGroupPositionController", parameters="joints: [shoulder]")
+    made = whole(target_of(tmp_path, {"robot.urdf": mimicking, "controllers.yaml": yaml}), "pybullet", distro="jazzy")
+    assert verdicts(made)["mover"] == "passed deactivate"
+    assert codes(made) == []
+
+
+TRICYCLE = """
+controller_manager:
+  ros__parameters:
+    update_rate: 100
+    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+    base: {type: tricycle_controller/TricycleController}
+base:
+  ros__parameters:
+    traction_joint_name: front_wheel
+    steering_joint_name: steering
+    wheel_radius: 0.1
+    wheelbase: 0.4
+"""
+
+
+def tricycle(steering: str = "0 0 1") -> str:
+    """A tricycle, whose front wheel is driven and steered about an axis."""
+    wheel = '<geometry><cylinder radius="0.1" length="0.04"/></geometry></collision></link>'
+
+    def rear(name: str, y: float) -> str:
+        shape = link(name, 0.5, 0.002).replace("</link>", f"<collision>{wheel}")
+        return shape + (
+            f'<joint name="{name}_wheel" type="continuous"><parent link="base_link"/><child link="{name}"/>'
+            f'<origin xyz="-0.2 {y} 0" rpy="-1.5707963 0 0"/><axis xyz="0 0 1"/></joint>'
+        )
+
+    states = '<state_interface name="position"/><state_interface name="velocity"/>'
+    front = link("front", 0.5, 0.002).replace("</link>", f"<collision>{wheel}")
+    return f"""
+    <robot name="tricycle">
+      <link name="base_footprint"/>
+      <joint name="foot" type="fixed"><parent link="base_footprint"/><child link="base_link"/></joint>
+      {link("base_link", 5.0, 0.1, '<box size="0.4 0.1 0.02"/>', "0 0 0.05")}
+      {rear("left", 0.15)}{rear("right", -0.15)}{link("fork", 0.5, 0.005)}{front}
+      <joint name="steering" type="revolute"><parent link="base_link"/><child link="fork"/>
+        <origin xyz="0.2 0 0"/><axis xyz="{steering}"/>
+        <limit lower="-1.5" upper="1.5" effort="50" velocity="5"/></joint>
+      <joint name="front_wheel" type="continuous"><parent link="fork"/><child link="front"/>
+        <origin rpy="-1.5707963 0 0"/><axis xyz="0 0 1"/><limit effort="20" velocity="30"/></joint>
+      <ros2_control name="wheels" type="system">
+        <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+        <joint name="steering"><command_interface name="position"/>{states}</joint>
+        <joint name="front_wheel"><command_interface name="velocity"/>{states}</joint>
+      </ros2_control>
+    </robot>
+    """
+
+
+@needs_pybullet
+def test_a_tricycle_steers_to_the_left_and_a_fork_upside_down_is_found(tmp_path: Path) -> None:
+    for axis, told in (("0 0 1", []), ("0 0 -1", ["UC942"])):
+        target = target_of(tmp_path, {"robot.urdf": tricycle(axis), "controllers.yaml": TRICYCLE})
+        assert codes(whole(target, "pybullet", distro="jazzy")) == told
+
+
+@needs_pybullet
+def test_a_rover_whose_shapes_are_missing_is_not_called_faulty(tmp_path: Path) -> None:
+    urdf = Rover().urdf().replace('<sphere radius="0.05"/>', '<mesh filename="package://gone/ball.stl"/>')
+    balanced = urdf.replace('xyz="0 0.15 0"', 'xyz="0.3 0.15 0"').replace('xyz="0 -0.15 0"', 'xyz="0.3 -0.15 0"')
+    balanced = balanced.replace('xyz="0 0 0.05"', 'xyz="0 0 0.3"')
+    target = target_of(tmp_path, {"robot.urdf": balanced, "controllers.yaml": Rover().yaml()})
+    made = whole(target, "pybullet", distro="jazzy")
+    assert codes(made) == ["UC922"]
+    assert made.controllers[1].reason == "the meshes that the robot stands on are not there"
+
+
+@needs_pybullet
+def test_a_simulation_that_explodes_is_told(tmp_path: Path) -> None:
+    arm = ARMS["joints that turn level"]
+    target = target_of(
+        tmp_path, {"robot.urdf": arm.urdf(effort=1e30), "controllers.yaml": arm.yaml("p: 1.0e+20, d: 1.0e+20")}
+    )
+    assert {"UC916", "UC930", "UC933", "UC936"} & set(codes(whole(target, "pybullet", distro="jazzy")))

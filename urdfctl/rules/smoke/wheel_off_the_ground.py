@@ -1,0 +1,30 @@
+"""UC940."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.smoke.common import ROVER, WHEELS, told_by_smoke
+
+
+@rule(
+    "UC940",
+    severity=Severity.ERROR,
+    authority="measured on 35 real robots and 109 hand-made cases, in pybullet and MuJoCo",
+    options=["--distro=jazzy"],
+    bad={
+        "robot.urdf": ROVER.replace('xyz="0 0.15 0"', 'xyz="0 0.15 0.03"')
+        .replace('<joint name="left_wheel" type="continuous">', '«<joint name="left_wheel" type="continuous">»')
+        .replace('xyz="0.15 0 -0.05"', 'xyz="0.15 0.1 -0.05"')
+        .replace('xyz="-0.15 0 -0.05"', 'xyz="-0.15 0.1 -0.05"'),
+        "controllers.yaml": WHEELS % "base",
+    },
+    good={"robot.urdf": ROVER, "controllers.yaml": WHEELS % "base"},
+)
+def wheel_off_the_ground(project: Project) -> Iterator[Finding]:
+    """A driven wheel does not touch the ground.
+
+    It is mounted too high, it has no shape to collide with, or other parts of the robot carry it.
+    """
+    return told_by_smoke(project)

@@ -1,0 +1,165 @@
+"""pybullet: the engine for what rolls, and the faster one to start."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from typing import Any
+
+from urdfctl.smoke.engines import GRIPS, SLIDES, STEP, Refused, Setup, Standing
+
+MOST_JOINTS = 127
+"""More degrees of freedom it cannot take."""
+_FREELY = 1e4
+
+
+class Bullet:
+    """A robot in pybullet."""
+
+    def __init__(self, physics: Any, client: int, robot: int, plane: int | None) -> None:
+        self._physics, self._client, self._robot, self._plane = physics, client, robot, plane
+        self._joints: dict[str, int] = {}
+        self._links: dict[int, str] = {}
+        self._root = physics.getBodyInfo(robot, physicsClientId=client)[0].decode("utf-8", "replace")
+        for index in range(physics.getNumJoints(robot, physicsClientId=client)):
+            about = physics.getJointInfo(robot, index, physicsClientId=client)
+            self._links[index] = about[12].decode("utf-8", "replace")
+            if about[2] in (physics.JOINT_REVOLUTE, physics.JOINT_PRISMATIC):
+                self._joints[about[1].decode("utf-8", "replace")] = index
+        self._pushed: dict[int, float] = {}
+
+    def prepare(self, setup: Setup) -> None:
+        """Put the joints where they start, and take away what pybullet adds of its own: motors, damping, bounds."""
+        physics, robot, client = self._physics, self._robot, self._client
+        for index in (-1, *self._links):
+            friction = GRIPS if self._links.get(index) in setup.wheels else SLIDES
+            physics.changeDynamics(
+                robot,
+                index,
+                linearDamping=0,
+                angularDamping=0,
+                maxJointVelocity=_FREELY,
+                lateralFriction=friction,
+                physicsClientId=client,
+            )
+        for name, index in self._joints.items():
+            physics.resetJointState(robot, index, setup.start.get(name, 0.0), physicsClientId=client)
+            self._motor(index, 0.0, 0.0)
+        if self._plane is not None:
+            self._put_down()
+
+    def _put_down(self) -> None:
+        """So that its lowest point is a millimetre above the ground."""
+        physics, robot, client = self._physics, self._robot, self._client
+        bounds = [
+            physics.getAABB(robot, index, physicsClientId=client)[0][2]
+            for index in (-1, *self._links)
+            if physics.getCollisionShapeData(robot, index, physicsClientId=client)
+        ]
+        place, turn = physics.getBasePositionAndOrientation(robot, physicsClientId=client)
+        lowest = min(bounds, default=place[2])
+        lifted = (place[0], place[1], place[2] - lowest + 0.001)
+        physics.resetBasePositionAndOrientation(robot, lifted, turn, physicsClientId=client)
+
+    def _motor(self, index: int, velocity: float, effort: float) -> None:
+        self._physics.setJointMotorControl2(
+            self._robot,
+            index,
+            self._physics.VELOCITY_CONTROL,
+            targetVelocity=velocity,
+            force=effort,
+            physicsClientId=self._client,
+        )
+
+    def position(self, joint: str) -> float:
+        """Where a joint is, in rad or m."""
+        state = self._physics.getJointState(self._robot, self._joints[joint], physicsClientId=self._client)
+        return float(state[0])
+
+    def velocity(self, joint: str) -> float:
+        """How fast it moves, in rad/s or m/s."""
+        state = self._physics.getJointState(self._robot, self._joints[joint], physicsClientId=self._client)
+        return float(state[1])
+
+    def to_position(self, joint: str, position: float, effort: float, velocity: float) -> None:
+        """Drive a joint to a position, with no more than some effort and velocity."""
+        index = self._joints[joint]
+        self._pushed.pop(index, None)
+        self._physics.setJointMotorControl2(
+            self._robot,
+            index,
+            self._physics.POSITION_CONTROL,
+            targetPosition=position,
+            force=effort,
+            maxVelocity=velocity,
+            physicsClientId=self._client,
+        )
+
+    def at_velocity(self, joint: str, velocity: float, effort: float) -> None:
+        """Turn a joint at a velocity, with no more than some effort."""
+        self._pushed.pop(self._joints[joint], None)
+        self._motor(self._joints[joint], velocity, effort)
+
+    def with_effort(self, joint: str, effort: float) -> None:
+        """Push a joint, in N m or N."""
+        index = self._joints[joint]
+        if index not in self._pushed:
+            self._motor(index, 0.0, 0.0)
+        self._pushed[index] = effort
+
+    def step(self) -> None:
+        """Let STEP seconds pass. An effort pushes for one step only, in pybullet, so it is given again."""
+        physics, robot, client = self._physics, self._robot, self._client
+        if self._pushed:
+            physics.setJointMotorControlArray(
+                robot,
+                list(self._pushed),
+                physics.TORQUE_CONTROL,
+                forces=list(self._pushed.values()),
+                physicsClientId=client,
+            )
+        physics.stepSimulation(physicsClientId=client)
+
+    def standing(self) -> Standing:
+        """Where the base is."""
+        place, turn = self._physics.getBasePositionAndOrientation(self._robot, physicsClientId=self._client)
+        return Standing(*place, *self._physics.getEulerFromQuaternion(turn))
+
+    def touching(self) -> set[str]:
+        """The links that touch the ground."""
+        contacts = self._physics.getContactPoints(self._robot, self._plane, physicsClientId=self._client)
+        return {self._links.get(contact[3], self._root) for contact in contacts or ()}
+
+    def close(self) -> None:
+        """End the simulation."""
+        self._physics.disconnect(physicsClientId=self._client)
+
+
+def opened(setup: Setup) -> Bullet:
+    """A robot in pybullet. Refused where it cannot take it."""
+    if len(setup.start) > MOST_JOINTS:
+        raise Refused(f"pybullet takes {MOST_JOINTS} joints that move, and it has {len(setup.start)}")
+    import pybullet
+
+    client = pybullet.connect(pybullet.GUI if setup.gui else pybullet.DIRECT)
+    pybullet.setGravity(0, 0, -9.81, physicsClientId=client)
+    pybullet.setTimeStep(STEP, physicsClientId=client)
+    plane = None
+    if not setup.fixed:
+        shape = pybullet.createCollisionShape(pybullet.GEOM_PLANE, physicsClientId=client)
+        plane = pybullet.createMultiBody(0, shape, physicsClientId=client)
+        pybullet.changeDynamics(plane, -1, lateralFriction=1.0, physicsClientId=client)
+    # a file of its own each time: pybullet remembers files by their names
+    with tempfile.TemporaryDirectory(prefix="urdfctl-") as folder:
+        path = os.path.join(folder, "robot.urdf")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(setup.urdf)
+        flags = pybullet.URDF_USE_INERTIA_FROM_FILE | pybullet.URDF_IGNORE_VISUAL_SHAPES
+        try:
+            robot = pybullet.loadURDF(path, useFixedBase=setup.fixed, flags=flags, physicsClientId=client)
+        except pybullet.error as error:
+            pybullet.disconnect(physicsClientId=client)
+            raise Refused(f"pybullet says: {error}") from None
+    made = Bullet(pybullet, client, robot, plane)
+    made.prepare(setup)
+    return made

@@ -1,0 +1,168 @@
+"""MuJoCo: the second engine; it takes any number of joints, never dies, and names what it does not like.
+
+It has no motors of its own for a URDF: a joint is driven by what moves its own inertia to where it should be, with the
+weight on it carried, as far as its effort goes.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+from xml.sax.saxutils import quoteattr
+
+from urdfctl.smoke.engines import GRIPS, SLIDES, STEP, Refused, Setup, Standing
+
+STIFF = 60.0
+"""How fast a driven joint goes where it should, in 1/s."""
+GRIP = 10.0
+"""How stiffly a velocity is held: the joint by itself comes nearly there in a step."""
+_GROUND = "urdfctl:ground"
+_COMPILER = (
+    '<mujoco><compiler balanceinertia="true" boundmass="1e-6" boundinertia="1e-9" discardvisual="true" '
+    'strippath="false" fusestatic="false"/></mujoco>'
+)
+
+
+class Mujoco:
+    """A robot in MuJoCo."""
+
+    def __init__(self, library: Any, model: Any, data: Any, root: str) -> None:
+        self._library, self._model, self._data = library, model, data
+        self._root = library.mj_name2id(model, library.mjtObj.mjOBJ_BODY, root)
+        kinds = library.mjtObj
+        names = {n: library.mj_id2name(model, kinds.mjOBJ_JOINT, n) for n in range(model.njnt)}
+        moving = [n for n in names if not names[n].startswith(_GROUND)]
+        self._places = {names[n]: int(model.jnt_qposadr[n]) for n in moving}
+        self._ways = {names[n]: int(model.jnt_dofadr[n]) for n in moving}
+        # rows of the lower half of the mass matrix, each ending on the diagonal
+        ends = {name: int(model.M_rowadr[way]) + int(model.M_rownnz[way]) - 1 for name, way in self._ways.items()}
+        self._diagonal = ends
+        self._damping = {name: float(model.dof_damping[way]) for name, way in self._ways.items()}
+        self._commands: dict[str, tuple[str, float, float, float]] = {}
+
+    def prepare(self, setup: Setup) -> None:
+        """Put the joints where they start, and the robot on the ground."""
+        for name, position in setup.start.items():
+            if name in self._places:
+                self._data.qpos[self._places[name]] = position
+        self._library.mj_forward(self._model, self._data)
+        if not setup.fixed:
+            self._put_down()
+
+    def _put_down(self) -> None:
+        model, data = self._model, self._data
+        lowest = []
+        for shape in range(model.ngeom):
+            if int(model.geom_bodyid[shape]) == 0:
+                continue
+            turn = data.geom_xmat[shape].reshape(3, 3)
+            box = model.geom_aabb[shape]
+            centre = float(data.geom_xpos[shape][2] + turn[2] @ box[:3])
+            lowest.append(centre - float(abs(turn[2]) @ box[3:]))
+        data.qpos[2] -= min(lowest, default=0.0) - 0.001
+        self._library.mj_forward(model, data)
+
+    def position(self, joint: str) -> float:
+        """Where a joint is, in rad or m."""
+        return float(self._data.qpos[self._places[joint]])
+
+    def velocity(self, joint: str) -> float:
+        """How fast it moves, in rad/s or m/s."""
+        return float(self._data.qvel[self._ways[joint]])
+
+    def to_position(self, joint: str, position: float, effort: float, velocity: float) -> None:
+        """Drive a joint to a position, with no more than some effort and velocity."""
+        self._commands[joint] = "position", position, effort, velocity
+
+    def at_velocity(self, joint: str, velocity: float, effort: float) -> None:
+        """Turn a joint at a velocity, with no more than some effort."""
+        self._commands[joint] = "velocity", velocity, effort, math.inf
+
+    def with_effort(self, joint: str, effort: float) -> None:
+        """Push a joint, in N m or N."""
+        self._commands[joint] = "effort", effort, math.inf, math.inf
+
+    def step(self) -> None:
+        """Let STEP seconds pass."""
+        model, data = self._model, self._data
+        for joint, (kind, value, effort, most) in self._commands.items():
+            way = self._ways[joint]
+            push, damping = value, self._damping[joint]
+            if kind != "effort":
+                wanted = value
+                if kind == "position":
+                    wanted = max(-most, min(most, STIFF * (value - float(data.qpos[self._places[joint]]))))
+                push, damping = self._servo(joint, wanted, effort)
+            model.dof_damping[way] = damping
+            data.qfrc_applied[way] = push
+        self._library.mj_step(model, data)
+
+    def _servo(self, joint: str, wanted: float, effort: float) -> tuple[float, float]:
+        """What turns a joint at a velocity: an effort, and a damping that the engine takes care to be stable with."""
+        data, way = self._data, self._ways[joint]
+        grip = float(data.M[self._diagonal[joint]]) / STEP * GRIP
+        weight = float(data.qfrc_bias[way])
+        away = abs(wanted - float(data.qvel[way]))
+        left = effort - abs(weight)
+        if left <= 0:
+            return math.copysign(effort, weight), 0.0
+        grip = min(grip, left / away) if away else grip
+        return grip * wanted + weight, grip
+
+    def standing(self) -> Standing:
+        """Where the base is."""
+        x, y, z = (float(part) for part in self._data.xpos[self._root])
+        turn = self._data.xmat[self._root].reshape(3, 3)
+        roll = math.atan2(turn[2, 1], turn[2, 2])
+        pitch = math.asin(max(-1.0, min(1.0, -turn[2, 0])))
+        return Standing(x, y, z, roll, pitch, math.atan2(turn[1, 0], turn[0, 0]))
+
+    def touching(self) -> set[str]:
+        """The links that touch the ground."""
+        library, model = self._library, self._model
+        found = set()
+        for contact in self._data.contact:
+            bodies = [int(model.geom_bodyid[shape]) for shape in contact.geom]
+            if 0 in bodies:
+                found |= {library.mj_id2name(model, library.mjtObj.mjOBJ_BODY, body) for body in bodies if body}
+        return found
+
+    def close(self) -> None:
+        """Nothing is open."""
+
+
+def opened(setup: Setup) -> Mujoco:
+    """A robot in MuJoCo. Refused where it does not take it, with the element that it names."""
+    import mujoco
+
+    above = f'<link name="{_GROUND}"/><joint name="{_GROUND}" type="fixed"><parent link="{_GROUND}"/>'
+    above += f"<child link={quoteattr(setup.root)}/></joint>"
+    text = setup.urdf.replace('<robot name="robot">', f'<robot name="robot">{_COMPILER}{above}', 1)
+    try:
+        spec = mujoco.MjSpec.from_string(text)
+        spec.option.timestep = STEP
+        spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC  # the other one lets wheels slip sideways
+        if not setup.fixed:
+            _set_free(mujoco, spec.body(setup.root))
+            spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_PLANE, size=[0, 0, 1])
+        for shape in spec.geoms:
+            shape.contype, shape.conaffinity = (2, 1) if shape.parent == spec.worldbody else (1, 2)
+            wheel = shape.parent.name in setup.wheels
+            shape.friction[0] = GRIPS if wheel else SLIDES
+            if wheel and shape.type == mujoco.mjtGeom.mjGEOM_CYLINDER:
+                shape.type = mujoco.mjtGeom.mjGEOM_SPHERE  # the edges of a cylinder shake the robot
+        for name in setup.weightless:
+            spec.body(name).gravcomp = 1.0
+        model = spec.compile()
+    except (ValueError, AttributeError) as error:
+        raise Refused(f"MuJoCo says: {str(error).strip()}") from None
+    made = Mujoco(mujoco, model, mujoco.MjData(model), setup.root)
+    made.prepare(setup)
+    return made
+
+
+def _set_free(library: Any, body: Any) -> None:
+    """Let a body go anywhere: three slides come first in its coordinates, then a ball."""
+    for axis, way in zip("xyz", ((1, 0, 0), (0, 1, 0), (0, 0, 1)), strict=True):
+        body.add_joint(name=f"{_GROUND}:{axis}", type=library.mjtJoint.mjJNT_SLIDE, axis=way)
+    body.add_joint(name=f"{_GROUND}:turn", type=library.mjtJoint.mjJNT_BALL)

@@ -1,0 +1,216 @@
+"""The robot as an engine can load it: a URDF written anew, with nothing in it but masses, joints and what may collide.
+
+Engines choke on what real files have: addresses of packages, meshes that are not there or broken (which end the
+process), foreign tags, links without mass, lines of 8 KB.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import re
+from collections.abc import Callable, Collection, Iterator, Mapping
+from typing import NamedTuple
+from xml.sax.saxutils import quoteattr
+
+from urdfctl.model.parts import Tag
+from urdfctl.model.robot import Robot
+from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
+from urdfctl.smoke.stability import eigenvalues
+from urdfctl.smoke.vectors import Pose, Rotation, Vector
+
+LEAST_MOVING = 1e-3
+"""The mass, in kg, of a moving link that has none; its inertia is a thousandth of that in kg m²."""
+MOST_MESH_BYTES = 20 << 20
+_WIDTH = 0.04
+"""Of a wheel whose mesh is left out, in m."""
+_ABSENT = " is not found"
+_SHAPES = {"box": ("size",), "cylinder": ("radius", "length"), "sphere": ("radius",)}
+
+
+class Prepared(NamedTuple):
+    """The URDF's text, and of the meshes that were left out why, by link; of some because they are `broken`."""
+
+    urdf: str
+    left_out: Mapping[str, str]
+    broken: Mapping[str, str]
+
+
+def prepared(
+    robot: Robot,
+    mechanism: Mechanism,
+    find_mesh: Callable[[str], str | None],
+    wheels: Mapping[str, float],
+    *,
+    standing: bool,
+    damped: Collection[str] = (),
+) -> Prepared:
+    """A robot for an engine. `wheels` are the links that are wheels, with the radius that their controller is told:
+    one whose mesh cannot be used becomes a cylinder. Shapes are kept only of a robot `standing` on the ground,
+    damping only of joints that efforts drive: it holds a motor's joint fast that has next to no inertia."""
+    left_out: dict[str, str] = {}
+    shapes: dict[str, list[str]] = {}
+    turning = {hinge.child: hinge for hinge in mechanism.hinges}
+    for link in robot.links:
+        name = link.name or ""
+        for collision in link.tag.named("collision"):
+            why, text = _shape(collision, find_mesh)
+            if why:
+                left_out[name] = why
+                if name in wheels and wheels[name] > 0:
+                    text = _wheel(turning[name].axis, wheels[name])
+            if standing and text:
+                shapes.setdefault(name, []).append(text)
+    moving = {hinge.child for hinge in mechanism.hinges if hinge.type != "fixed"}
+    lines = ['<?xml version="1.0"?>', '<robot name="robot">']
+    for body in mechanism.bodies.values():
+        lines += _link(body, shapes.get(body.name, []), moves=body.name in moving or body.name == mechanism.root)
+    for hinge in mechanism.hinges:
+        lines += _joint(hinge, hinge.damping if hinge.name in damped else 0.0)
+    broken = {name: why for name, why in left_out.items() if not why.endswith(_ABSENT)}
+    return Prepared("\n".join([*lines, "</robot>", ""]), left_out, broken)
+
+
+def _shape(collision: Tag, find_mesh: Callable[[str], str | None]) -> tuple[str, str]:
+    """Why a shape is left out, and its text where it is not."""
+    geometry = next(collision.named("geometry"), None)
+    shape = geometry.children[0] if geometry and geometry.children else None
+    if shape is None:
+        return "", ""
+    origin = next(collision.named("origin"), None)
+    given = origin.attributes if origin else {}
+    place = f"<origin xyz={quoteattr(given.get('xyz', '0 0 0'))} rpy={quoteattr(given.get('rpy', '0 0 0'))}/>"
+    if shape.name in _SHAPES:
+        values = [(name, shape.attributes.get(name, "")) for name in _SHAPES[shape.name]]
+        if not all(_positive(value) for _, value in values):
+            return f"its {shape.name} has no size", ""
+        inside = f"<{shape.name} {' '.join(f'{name}={quoteattr(value)}' for name, value in values)}/>"
+    elif shape.name == "mesh":
+        address = shape.attributes.get("filename", "")
+        path = find_mesh(address)
+        why = mesh_fault(path) if path else f"'{address}'{_ABSENT}"
+        if why or path is None:
+            return why, ""
+        inside = f"<mesh filename={quoteattr(path)} scale={quoteattr(shape.attributes.get('scale', '1 1 1'))}/>"
+    else:
+        return "", ""
+    return "", f"<collision>{place}<geometry>{inside}</geometry></collision>"
+
+
+def _positive(text: str) -> bool:
+    try:
+        numbers = [float(part) for part in text.split()]
+    except ValueError:
+        return False
+    return bool(numbers) and all(0 < number < math.inf for number in numbers)
+
+
+def _wheel(axis: Vector, radius: float) -> str:
+    """A cylinder about an axis."""
+    yaw, pitch = math.atan2(axis[1], axis[0]), math.acos(max(-1.0, min(1.0, axis[2])))
+    place = f'<origin xyz="0 0 0" rpy="0 {pitch!r} {yaw!r}"/>'
+    return f'<collision>{place}<geometry><cylinder radius="{radius!r}" length="{_WIDTH}"/></geometry></collision>'
+
+
+def _link(body: Body, shapes: list[str], *, moves: bool) -> Iterator[str]:
+    mass = body.mass if body.mass > 0 else LEAST_MOVING if moves else 0.0
+    inertia = _balanced(body.inertia, mass)
+    (xx, xy, xz), (_, yy, yz), (_, _, zz) = inertia
+    yield f"<link name={quoteattr(body.name)}>"
+    yield f'<inertial><origin xyz="{_triple(body.centre)}"/><mass value="{mass!r}"/>'
+    yield f'<inertia ixx="{xx!r}" ixy="{xy!r}" ixz="{xz!r}" iyy="{yy!r}" iyz="{yz!r}" izz="{zz!r}"/></inertial>'
+    yield from shapes
+    yield "</link>"
+
+
+def _balanced(inertia: Rotation, mass: float) -> Rotation:
+    """An inertia that a body can have: engines take none where one moment is more than the two others together."""
+    if not any(inertia[n][n] for n in range(3)):
+        return _ball(mass * LEAST_MOVING)
+    first, second, third = sorted(value.real for value in eigenvalues(inertia))
+    if first <= 0 or third > first + second:
+        return _ball(sum(inertia[n][n] for n in range(3)) / 3)
+    return inertia
+
+
+def _ball(moment: float) -> Rotation:
+    return (moment, 0.0, 0.0), (0.0, moment, 0.0), (0.0, 0.0, moment)
+
+
+def _joint(hinge: Hinge, damping: float) -> Iterator[str]:
+    kind = hinge.type if hinge.moves else "fixed"
+    low, high = hinge.span
+    yield f"<joint name={quoteattr(hinge.name)} type={quoteattr(kind)}>"
+    yield f"<parent link={quoteattr(hinge.parent)}/><child link={quoteattr(hinge.child)}/>"
+    yield f'<origin xyz="{_triple(hinge.pose.place)}" rpy="{_triple(_angles(hinge.pose))}"/>'
+    yield f'<axis xyz="{_triple(hinge.axis)}"/>'
+    limits = f'lower="{low!r}" upper="{high!r}" effort="1e6" velocity="1e4"'
+    yield f'<limit {limits}/><dynamics damping="{damping!r}" friction="0"/>'
+    yield "</joint>"
+
+
+def _triple(vector: Vector) -> str:
+    return " ".join(repr(part) for part in vector)
+
+
+def _angles(pose: Pose) -> Vector:
+    """Roll, pitch and yaw of a pose."""
+    turn = pose.turn
+    flat = math.hypot(turn[0][0], turn[1][0])
+    if flat < 1e-9:  # noqa: PLR2004 (looking straight up or down, where yaw and roll are one)
+        return math.atan2(-turn[1][2], turn[1][1]), math.atan2(-turn[2][0], flat), 0.0
+    return math.atan2(turn[2][1], turn[2][2]), math.atan2(-turn[2][0], flat), math.atan2(turn[1][0], turn[0][0])
+
+
+# -- meshes ----------------------------------------------------------------------------------------------------------
+
+
+def mesh_fault(path: str) -> str:
+    """Why an engine should not be given a mesh; nothing where it can be."""
+    name = os.path.basename(path)
+    kind = os.path.splitext(path)[1].lower()
+    try:
+        if os.path.getsize(path) > MOST_MESH_BYTES:
+            return f"'{name}' is larger than {MOST_MESH_BYTES >> 20} MiB"
+        with open(path, "rb") as file:
+            data = file.read()
+    except OSError as error:
+        return f"'{name}' cannot be read: {error.strerror}"
+    fault = _MESHES[kind](data) if kind in _MESHES else f"is of a kind ('{kind}') that engines do not read"
+    return f"'{name}' {fault}" if fault else ""
+
+
+def _stl(data: bytes) -> str:
+    if data[:5].lower() == b"solid" and b"facet" in data[:1000]:
+        return "" if b"vertex" in data else "has no triangles"
+    triangles = int.from_bytes(data[80:84], "little")
+    if len(data) < 84 or triangles == 0 or len(data) < 84 + 50 * triangles:  # noqa: PLR2004 (STL's header and triangle)
+        return "is no whole STL"
+    return ""
+
+
+def _obj(data: bytes) -> str:
+    corners = len(re.findall(rb"(?m)^v\s+\S+\s+\S+\s+\S+", data))
+    for face in re.findall(rb"(?m)^f\s+(.*)$", data):
+        indices = [int(index) for index in re.findall(rb"(?:^|\s)(-?\d+)", face)]
+        if any(not -corners <= index <= corners or index == 0 for index in indices):
+            return "has a face whose corner does not exist"
+    return "" if corners and re.search(rb"(?m)^f\s", data) else "has no faces"
+
+
+def _dae(data: bytes) -> str:
+    from xml.parsers.expat import ExpatError, ParserCreate
+
+    try:
+        ParserCreate().Parse(data, True)  # noqa: FBT003
+    except ExpatError:
+        return "is no well-formed XML"
+    return "" if b"<triangles" in data or b"<poly" in data else "has no triangles"
+
+
+_MESHES: Mapping[str, Callable[[bytes], str]] = {".stl": _stl, ".obj": _obj, ".dae": _dae}
+
+
+def names_of_wheels(mechanism: Mechanism, joints: Collection[str], radius: float) -> dict[str, float]:
+    """The links of some wheels' joints, with their radius."""
+    return {hinge.child: radius for hinge in mechanism.hinges if hinge.name in joints}

@@ -1,0 +1,356 @@
+"""Moves one robot in one engine: settles it, and lets each of its controllers move what it commands."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
+
+from urdfctl.smoke.checks import (
+    FORWARD,
+    MIMIC,
+    SLIPPING,
+    TIPPED,
+    TURN,
+    Journey,
+    Track,
+    forward_troubles,
+    joint_troubles,
+    together_troubles,
+    turn_troubles,
+)
+from urdfctl.smoke.engines import STEP, Engine, Refused, Setup, opened
+from urdfctl.smoke.mechanism import Hinge, Mechanism
+from urdfctl.smoke.motions import FREELY, Goal, Loop, Motion, Wheels, goal_of, hold, motion_of
+from urdfctl.smoke.results import Curve, Trouble
+from urdfctl.smoke.statics import gravity_load, is_loop
+from urdfctl.smoke.tasks import Drive, Family, Task
+
+SETTLING = 0.5
+"""Seconds in which a robot comes to rest."""
+MOTION = 2.0
+"""Seconds that each controller moves what it commands, where nothing else is said; half of it without a loop."""
+MOST_STEPS = 10
+"""How many steps may be between two positions that a joint is told."""
+TOGETHER = 0.05
+"""The step, in rad or m, that all loops are told at once."""
+_EXPLODED = 1e4
+_SAMPLES = 60
+_MOVED = (Family.FORWARD, Family.POSITION_PID, Family.VELOCITY_PID, Family.TRAJECTORY)
+
+
+class Plan(NamedTuple):
+    """All that an engine's worker is told of a robot."""
+
+    engine: str
+    urdf: str
+    mechanism: Mechanism
+    tasks: tuple[Task, ...]
+    rate: float
+    fixed: bool
+    shapeless: bool = False
+    duration: float = MOTION
+    gui: bool = False
+
+    @classmethod
+    def from_json(cls, data: dict[str, Any]) -> Plan:
+        """From plain data."""
+        mechanism = Mechanism.from_json(data["mechanism"])
+        return cls(**{**data, "mechanism": mechanism, "tasks": tuple(map(Task.from_json, data["tasks"]))})
+
+    def to_json(self) -> dict[str, Any]:
+        """As plain data."""
+        tasks = [task.to_json() for task in self.tasks]
+        return {**self._asdict(), "mechanism": self.mechanism.to_json(), "tasks": tasks}
+
+
+class Tried(NamedTuple):
+    """What came of it: what was found, the controllers that moved what they command, those that could not be judged
+    with the reason, and what the joints did; how long it took, in s. `refused` is what the engine says of a robot that
+    it does not take."""
+
+    troubles: tuple[Trouble, ...] = ()
+    moved: tuple[str, ...] = ()
+    unjudged: Mapping[str, str] = {}
+    curves: tuple[Curve, ...] = ()
+    seconds: float = 0.0
+    refused: str = ""
+
+    @classmethod
+    def from_json(cls, data: dict[str, Any]) -> Tried:
+        """From plain data."""
+        troubles = [Trouble.from_json(one) for one in data["troubles"]]
+        curves = [Curve(*one[:3], *map(tuple, one[3:])) for one in data["curves"]]
+        return cls(**{**data, "troubles": tuple(troubles), "curves": tuple(curves), "moved": tuple(data["moved"])})
+
+
+def tried(plan: Plan) -> Tried:
+    """The trial of a robot."""
+    began = time.perf_counter()
+    mechanism = plan.mechanism
+    weightless = [body.name for body in mechanism.bodies.values() if not body.falls]
+    rolling = {name for task in plan.tasks if task.drive for name in (*_driven(task.drive), *task.drive.steered)}
+    wheels = [hinge.child for hinge in mechanism.hinges if hinge.name in rolling]
+    setup = Setup(plan.urdf, mechanism.root, plan.fixed, mechanism.start(), weightless, wheels, plan.gui)
+    try:
+        engine = opened(plan.engine, setup)
+    except Refused as refusal:
+        return Tried(refused=str(refusal))
+    trial = _Trial(plan, engine)
+    try:
+        trial.run()
+    finally:
+        engine.close()
+    seconds = time.perf_counter() - began
+    unjudged = {name: why for name, why in trial.unjudged.items() if name not in trial.moved}
+    return Tried(tuple(trial.troubles), tuple(trial.moved), unjudged, tuple(trial.curves), seconds)
+
+
+class _Exploded(Exception):
+    """A state is no number any more, or far too large."""
+
+
+class _Trial:
+    def __init__(self, plan: Plan, engine: Engine) -> None:
+        self._plan, self._engine = plan, engine
+        self._mechanism = plan.mechanism
+        self._hinges = {hinge.name: hinge for hinge in plan.mechanism.hinges if hinge.moves}
+        self._every(max(1, round(1 / plan.rate / STEP)))
+        self._claimed = {joint for task in plan.tasks for joint in task.joints}
+        self._wheels = {name for task in plan.tasks for name in _wheels(task)}
+        self.troubles: list[Trouble] = []
+        self.moved: list[str] = []
+        self.unjudged: dict[str, str] = {}
+        self.curves: list[Curve] = []
+
+    def run(self) -> None:
+        """The whole trial; a state that is no number ends it."""
+        for task in self._plan.tasks:
+            self.unjudged[task.controller] = "the robot did not settle"
+        try:
+            if not self._settled():
+                return
+            for task in self._plan.tasks:
+                self._run_task(task)
+            self._together()
+            self._mimics()
+        except _Exploded:
+            if not any(one.code == "UC930" for one in self.troubles):
+                message = "the simulation explodes: the robot's state is no number any more"
+                self.troubles.append(Trouble("UC930", "robot", message))
+
+    # -- at rest -----------------------------------------------------------------------------------------------------
+
+    def _settled(self) -> bool:
+        for hinge in self._mechanism.movable:
+            free = not self._plan.fixed and hinge.type == "continuous" and hinge.name not in self._claimed
+            if hinge.name in self._wheels:
+                self._engine.at_velocity(hinge.name, 0.0, FREELY)
+            elif not free:
+                hold(self._engine, hinge, hinge.start)
+        self._pass(SETTLING)
+        if self._plan.fixed:
+            return True
+        standing = self._engine.standing()
+        tipped = max(abs(standing.roll), abs(standing.pitch)) > TIPPED
+        touching = self._engine.touching()
+        driven = (name for task in self._plan.tasks if task.drive for name in _driven(task.drive))
+        lifted = [name for name in dict.fromkeys(driven) if self._hinges[name].child not in touching]
+        if self._plan.shapeless and (tipped or lifted):
+            for task in self._plan.tasks:
+                self.unjudged[task.controller] = "the meshes that the robot stands on are not there"
+            return False
+        if tipped:
+            message = f"the robot tips over: roll {standing.roll:.2g} rad, pitch {standing.pitch:.2g} rad after a while"
+            self.troubles.append(Trouble("UC931", "robot", message, None, ("does it have wheels or casters enough?",)))
+        for name in lifted:
+            owner = next(task.controller for task in self._plan.tasks if name in task.joints)
+            message = f"wheel '{name}' of controller '{owner}' does not touch the ground"
+            self.troubles.append(Trouble("UC940", f"joint:{name}", message, owner))
+        return not tipped
+
+    def _pass(self, seconds: float) -> None:
+        """Let time pass with the commands as they are."""
+        for _ in range(max(1, round(seconds / self._period))):
+            self._update()
+
+    def _update(self) -> None:
+        """One period: what mimics follows, then the engine's steps."""
+        engine = self._engine
+        for hinge in self._hinges.values():
+            if self._follows(hinge):
+                engine.to_position(hinge.name, self._followed(hinge), FREELY, FREELY)
+        for _ in range(self._steps):
+            engine.step()
+        place = engine.standing()
+        watched = [*place, *(engine.position(name) for name in self._hinges)]
+        if not all(math.isfinite(value) and abs(value) < _EXPLODED for value in watched):
+            raise _Exploded
+
+    def _follows(self, hinge: Hinge) -> bool:
+        """Whether a joint mimics another one, and no controller moves it itself."""
+        return hinge.mimic is not None and hinge.mimic[0] in self._hinges and hinge.name not in self._claimed
+
+    def _followed(self, hinge: Hinge) -> float:
+        leader, factor, offset = hinge.mimic or ("", 0.0, 0.0)
+        return self._engine.position(leader) * factor + offset
+
+    # -- controllers -------------------------------------------------------------------------------------------------
+
+    def _run_task(self, task: Task) -> None:
+        if task.family is Family.STRUCTURAL:
+            self.unjudged[task.controller] = f"structural only: {task.why}"
+            return
+        if task.family is Family.NOTHING:
+            self.moved.append(task.controller)
+            return
+        unknown = [name for name in task.joints if name not in self._hinges]
+        if unknown:
+            self.unjudged[task.controller] = f"structural only: '{unknown[0]}' is no joint that moves"
+            return
+        try:
+            judged = self._drive(task, task.drive) if task.drive else self._move(task)
+        except _Exploded:
+            message = f"the simulation explodes when controller '{task.controller}' moves its joints"
+            self.troubles.append(Trouble("UC930", f"controller:{task.controller}", message, task.controller))
+            raise
+        if judged:
+            self.moved.append(task.controller)
+
+    def _every(self, steps: int) -> None:
+        """Update the controllers once in so many steps."""
+        self._steps, self._period = steps, steps * STEP
+
+    def _goals(self, names: Sequence[str]) -> list[Goal]:
+        positions = {name: self._engine.position(name) for name in self._hinges}
+        weights = gravity_load(self._mechanism, positions) if self._plan.fixed else {}
+        return [goal_of(self._hinges[name], positions[name], weights.get(name, 0.0)) for name in names]
+
+    def _move(self, task: Task) -> bool:
+        goals = self._goals(task.joints)
+        loop = task.family in (Family.POSITION_PID, Family.VELOCITY_PID) or task.interface != "position"
+        seconds = self._plan.duration * (1.0 if loop else 0.5)
+        motion = motion_of(self._engine, task, goals, seconds)
+        steps = self._steps
+        if not loop:  # a driver takes positions more often than a slow manager gives them
+            self._every(min(steps, MOST_STEPS))
+        tracks = self._tracked(motion, goals, seconds)
+        self._every(steps)
+        self.troubles += joint_troubles(task, goals, tracks, seconds)
+        of_velocity = task.family is Family.VELOCITY_PID or (
+            task.family is Family.FORWARD and task.interface == "velocity"
+        )
+        quantity = "velocity" if of_velocity else "position"
+        for goal, track in zip(goals, tracks, strict=True):
+            measured = track.velocities if of_velocity else track.positions
+            wanted = track.wanted if task.interface != "effort" or (loop and task.family is not Family.FORWARD) else []
+            self.curves.append(self._curve(task.controller, goal.hinge.name, quantity, wanted, measured))
+        for goal in goals:
+            hold(self._engine, goal.hinge, self._engine.position(goal.hinge.name))
+        self._pass(0.1)
+        return True
+
+    def _tracked(self, motion: Motion, goals: Sequence[Goal], seconds: float) -> list[Track]:
+        tracks = [Track([], [], []) for _ in goals]
+        for update in range(max(4, round(seconds / self._period))):
+            motion.update(update * self._period, self._period)
+            self._update()
+            for index, (goal, track) in enumerate(zip(goals, tracks, strict=True)):
+                track.positions.append(self._engine.position(goal.hinge.name))
+                track.velocities.append(self._engine.velocity(goal.hinge.name))
+                track.wanted.append(motion.wanted(index))
+        return tracks
+
+    def _curve(
+        self, controller: str, joint: str, quantity: str, wanted: Sequence[float], measured: Sequence[float]
+    ) -> Curve:
+        every = max(1, len(measured) // _SAMPLES)
+        seconds = tuple(round((n + 1) * self._period, 4) for n in range(0, len(measured), every))
+        told = tuple(round(value, 5) for value in wanted[::every])
+        return Curve(controller, joint, quantity, seconds, told, tuple(round(value, 5) for value in measured[::every]))
+
+    def _together(self) -> None:
+        """All loops at once: joints may shake each other that are still when they are moved one at a time."""
+        tasks = [task for task in self._plan.tasks if is_loop(task) and task.controller in self.moved]
+        tasks = [task for task in tasks if task.family is not Family.VELOCITY_PID]
+        owners: dict[str, tuple[Task, int]] = {}
+        for task in tasks:
+            for index, joint in enumerate(task.joints):
+                owners.setdefault(joint, (task, index))
+        if len({task.controller for task, _ in owners.values()}) < 2:  # noqa: PLR2004
+            return
+        goals = [
+            goal._replace(by=math.copysign(min(TOGETHER, abs(goal.by)), goal.by)) for goal in self._goals(list(owners))
+        ]
+        gains = [task.gains[index] for task, index in owners.values()]
+        motion = Loop(self._engine, goals, gains, "effort", lambda goal, _: (goal.end, 0.0))
+        tracks = self._tracked(motion, goals, self._plan.duration)
+        self.troubles += together_troubles(tasks, goals, tracks)
+
+    def _mimics(self) -> None:
+        for hinge in self._hinges.values():
+            if self._follows(hinge) and hinge.mimic:
+                apart = abs(self._engine.position(hinge.name) - self._followed(hinge))
+                if apart > MIMIC:
+                    message = f"joint '{hinge.name}' is {apart:.2g} from where it should be to mimic '{hinge.mimic[0]}'"
+                    self.troubles.append(Trouble("UC938", f"joint:{hinge.name}", message))
+
+    # -- mobile bases ------------------------------------------------------------------------------------------------
+
+    def _drive(self, task: Task, given: Drive) -> bool:
+        drive = measured(self._mechanism, given)
+        if not drive.radius or (drive.left and not drive.separation) or (drive.steered and not drive.wheelbase):
+            self.unjudged[task.controller] = "structural only: the measures of its wheels are not known"
+            return False
+        seconds = self._plan.duration
+        slipping = SLIPPING if self._plan.engine == "mujoco" else 0.0
+        straight = Wheels(self._engine, self._hinges, drive, FORWARD, 0.0)
+        found = list(forward_troubles(task, self._journey(straight, task, "ahead", seconds), slipping))
+        turning = Wheels(self._engine, self._hinges, drive, FORWARD if drive.steered else 0.0, TURN)
+        if not found:
+            found += turn_troubles(
+                task, drive, self._journey(turning, task, "yaw", seconds), turning.steering, slipping
+            )
+        self.troubles += found
+        for name in _driven(drive):
+            self._engine.at_velocity(name, 0.0, FREELY)
+        self._pass(0.1)
+        return True
+
+    def _journey(self, wheels: Wheels, task: Task, quantity: str, seconds: float) -> Journey:
+        before = now = self._engine.standing()
+        yaw, yaws, ahead = 0.0, [], []
+        for update in range(round(seconds / self._period)):
+            wheels.update(update * self._period, self._period)
+            self._update()
+            last, now = now, self._engine.standing()
+            yaw += (now.yaw - last.yaw + math.pi) % (2 * math.pi) - math.pi
+            yaws.append(yaw)
+            ahead.append(Journey(before, now, yaw, seconds).ahead)
+        told = [wheels.wanted(0 if quantity == "ahead" else 1) * (n + 1) * self._period for n in range(len(yaws))]
+        self.curves.append(self._curve(task.controller, "base", quantity, told, ahead if quantity == "ahead" else yaws))
+        return Journey(before, now, yaw, seconds)
+
+
+def _wheels(task: Task) -> Iterator[str]:
+    if task.drive:
+        yield from _driven(task.drive)
+
+
+def _driven(drive: Drive) -> tuple[str, ...]:
+    return (*drive.left, *drive.right, *drive.driven)
+
+
+def measured(mechanism: Mechanism, drive: Drive) -> Drive:
+    """A drive whose measures are known: what its controller is not told is measured on the robot, as in ROS 1."""
+    poses = mechanism.poses(mechanism.start())
+    wheels = [hinge for name in _driven(drive) if (hinge := mechanism.hinge(name)) is not None]
+    radius = drive.radius or next((r for hinge in wheels if (r := mechanism.bodies[hinge.child].radius)), 0.0)
+    separation, wheelbase = drive.separation, drive.wheelbase
+    if drive.left and drive.right and not separation:
+        sides = [
+            poses[hinge.child].place[1] for name in (drive.left[0], drive.right[0]) if (hinge := mechanism.hinge(name))
+        ]
+        separation = abs(sides[0] - sides[-1])
+    return drive._replace(radius=radius, separation=separation, wheelbase=wheelbase)
