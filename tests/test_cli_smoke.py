@@ -169,3 +169,12 @@ def test_what_means_nothing_is_an_error_of_the_user(words: list[str], why: str) 
     done = smoke(SAMPLES / "radu", *words)
     assert isinstance(done.exception, UserError)
     assert why in str(done.exception)
+
+
+def test_a_page_of_html_is_written(tmp_path: Path) -> None:
+    path = tmp_path / "report.html"
+    assert smoke(SAMPLES / "radu", *NONE, "--report", path).exit_code == 0
+    text = path.read_text(encoding="utf-8")
+    assert text.startswith("<!DOCTYPE html>")
+    assert "velocity_controller" in text
+    assert "the robot at spawn" in text

@@ -134,6 +134,7 @@ def smoke(
     jobs: Annotated[int, typer.Option(help="How many robots at once; 0: as many as there are processors.")] = 0,
     shard: Annotated[str | None, typer.Option(help="Only one of several shares of the robots: 2/5.")] = None,
     config: ConfigFile = None,
+    report: Annotated[str | None, typer.Option(help="Write a page of HTML to this file.")] = None,
 ) -> None:
     """Spawn robots without ROS, and take each of their controllers through its life: load, activate, move.
 

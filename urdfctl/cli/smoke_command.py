@@ -28,7 +28,7 @@ ENGINES = ("auto", *NAMES, "both", "none")
 
 class Asked(NamedTuple):
     """What a smoke command was asked for; `outputs` are formats with the file they go to, None for standard output;
-    of the robots it is all, or one share."""
+    of the robots it is all, or one share; `page` is the file that the page of HTML goes to."""
 
     words: tuple[str, ...]
     wanted: Wanted
@@ -36,6 +36,7 @@ class Asked(NamedTuple):
     outputs: tuple[tuple[str, str | None], ...] = (("text", None),)
     jobs: int = 0
     shard: Shard | None = None
+    page: str | None = None
     config: Config = Config()
 
 
@@ -62,6 +63,10 @@ def run_smoke(asked: Asked, settings: Settings) -> int:
     report = report_of(smoked, findings)
     for name, file in asked.outputs:
         _tell(report, name, file)
+    if asked.page:
+        from urdfctl.smoke.page import page
+
+        write_file(asked.page, page(report), force=True)
     if any(outcome.crashed for outcome in outcomes):
         return 3
     gravest = worst(findings)

@@ -32,6 +32,7 @@ def smoke_words(  # noqa: PLR0913, PLR0917 (one for each option)
     jobs: int,
     shard: str | None,
     config: str | None,
+    report: str | None,
 ) -> int:
     """Smoke-test with the options of the command line, report it, and give the exit status."""
     if jobs < 0:
@@ -41,13 +42,15 @@ def smoke_words(  # noqa: PLR0913, PLR0917 (one for each option)
     chosen = configured(paths, config, workspace)
     settings = settings_from(chosen, distro, simulator, start, workspace, package_path, env, trust, timeout, memory)
     names = tuple(name.strip() for text in only or () for name in text.split(",") if name.strip())
+    instead = installed()[1:] if engine == "auto" else ()
     asked = Asked(
         tuple(paths or ()),
-        Wanted(names, engines_of(engine), installed()[1:] if engine == "auto" else (), duration, gui),
+        Wanted(names, engines_of(engine), instead, duration, gui, report is not None),
         tuple(controllers or ()),
         tuple(output_of(text) for text in formats or ("text",)),
         jobs,
         parsed_shard(shard) if shard else None,
+        report,
         chosen,
     )
     return run_smoke(asked, settings)

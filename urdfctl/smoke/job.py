@@ -15,6 +15,7 @@ from urdfctl.serialise import diagnostic_from_json, diagnostic_to_json, linted_f
 from urdfctl.settings import Settings
 from urdfctl.smoke.anchors import diagnostics_of
 from urdfctl.smoke.judgement import changed, judged
+from urdfctl.smoke.picture import picture_of
 from urdfctl.smoke.planning import plan_of
 from urdfctl.smoke.results import ControllerResult, Smoked, Step, Trouble, Verdict
 from urdfctl.smoke.trial import MOTION, Plan, Tried, tried
@@ -31,13 +32,14 @@ _OF_LIGHT = ("UC930", "UC932", "UC933", "UC934", "UC936", "UC937")
 class Wanted(NamedTuple):
     """What is asked of a smoke test: only the controllers of some names (all where there are none); the engines that
     move the robots, none for the structural part alone (several: each of them); those to be tried where one dies of a
-    robot or does not take it; for how long each controller moves, in s; a window to watch."""
+    robot or does not take it; for how long each controller moves, in s; a window to watch; the robot's picture."""
 
     only: tuple[str, ...] = ()
     engines: tuple[str, ...] = ()
     instead: tuple[str, ...] = ()
     duration: float = MOTION
     gui: bool = False
+    picture: bool = False
 
 
 class Read(NamedTuple):
@@ -55,7 +57,7 @@ class Read(NamedTuple):
         """From plain data."""
         results = tuple(ControllerResult.from_json(one) for one in data["controllers"])
         return cls(
-            Smoked(linted_from_json(data["linted"]), results),
+            Smoked(linted_from_json(data["linted"]), results, picture=tuple(map(tuple, data["picture"]))),
             Plan.from_json(data["plan"]) if data["plan"] else None,
             {name: diagnostic_from_json(one) for name, one in data["anchors"].items()},
             tuple(Trouble.from_json(one) for one in data["told"]),
@@ -67,6 +69,7 @@ class Read(NamedTuple):
         return {
             "linted": linted_to_json(self.smoked.linted),
             "controllers": [one.to_json() for one in self.smoked.controllers],
+            "picture": self.smoked.picture,
             "plan": self.plan.to_json() if self.plan else None,
             "anchors": {name: diagnostic_to_json(one) for name, one in self.anchors.items()},
             "told": self.told,
@@ -132,9 +135,13 @@ def read_of(loader: Loader, target: Target, wanted: Wanted) -> Read:
         packages = loader.reading(judgement.seen.linted.path)[1]
         plan, troubles = plan_of(judgement, packages, wanted.duration, gui=wanted.gui)
         judgement = judgement._replace(troubles=(*judgement.troubles, *troubles))
+    smoked = judgement.smoked
+    robot, mechanism = judgement.seen.project.robot, judgement.mechanism
+    if wanted.picture and robot and mechanism:
+        smoked = smoked._replace(picture=picture_of(robot, mechanism))
     if plan is None:
-        return Read(judgement.smoked, None)
-    return Read(judgement.smoked, plan, judgement.anchors(), judgement.troubles, judgement.silenced())
+        return Read(smoked, None)
+    return Read(smoked, plan, judgement.anchors(), judgement.troubles, judgement.silenced())
 
 
 # -- the second worker: moved ----------------------------------------------------------------------------------------

@@ -196,8 +196,8 @@ def _hinge(joint: Joint) -> Hinge | None:
         joint.type,
         parent.name,
         child.name,
-        _origin(joint.tag),
-        unit(_three(joint.axis.text if joint.axis else "1 0 0")),
+        origin_of(joint.tag),
+        unit(numbers_of(joint.axis.text if joint.axis else "1 0 0")),
         _number(limit.lower, 0.0) if limit else None,
         _number(limit.upper, 0.0) if limit else None,
         _number(limit.effort) if limit else None,
@@ -216,7 +216,7 @@ def _body(link: Link, *, falls: bool) -> Body:
         return Body(name, radius=radius, falls=falls)
     inertial = link.inertials[0]
     tag = next(link.tag.named("inertial"), None)
-    origin = _origin(tag) if tag else Pose()
+    origin = origin_of(tag) if tag else Pose()
     given = {key: _number(value, 0.0) or 0.0 for key, value in (inertial.inertia or {}).items()}
     xx, xy, xz, yy, yz, zz = (given.get(key, 0.0) for key in _MOMENTS)
     own: Rotation = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
@@ -239,16 +239,18 @@ def _weightless(robot: Robot) -> Iterator[str]:
                 yield gazebo.reference
 
 
-def _origin(tag: Tag) -> Pose:
+def origin_of(tag: Tag) -> Pose:
+    """The pose that the `<origin>` in an element gives."""
     origin = next(tag.named("origin"), None)
     if origin is None:
         return Pose()
     return Pose(
-        _three(origin.attributes.get("xyz", "0 0 0")), of_angles(*_three(origin.attributes.get("rpy", "0 0 0")))
+        numbers_of(origin.attributes.get("xyz", "0 0 0")), of_angles(*numbers_of(origin.attributes.get("rpy", "0 0 0")))
     )
 
 
-def _three(text: str) -> Vector:
+def numbers_of(text: str) -> Vector:
+    """The first three numbers of a text, 0 where there are fewer."""
     numbers = [_float(part, 0.0) for part in text.split()[:3]]
     x, y, z = (*numbers, 0.0, 0.0, 0.0)[:3]
     return x, y, z

@@ -50,7 +50,7 @@ def text_pieces(report: SmokeReport) -> Iterator[Piece]:
 
 def robot_pieces(one: Smoked) -> Iterator[Piece]:
     """A robot, and a line for each of its controllers: the steps it went through, as a manager's log has them."""
-    yield Piece(visible(f"{shown(one.linted.path)} ({_how(one)})") + "\n", "bold")
+    yield Piece(visible(f"{shown(one.linted.path)} ({how(one)})") + "\n", "bold")
     if not one.controllers:
         yield Piece("  no controller is declared for it\n")
     width = max((len(result.name) for result in one.controllers), default=0)
@@ -58,16 +58,17 @@ def robot_pieces(one: Smoked) -> Iterator[Piece]:
         yield Piece(f"  {visible(result.name).ljust(width)}  ")
         yield Piece(result.verdict.value.ljust(8), _STYLES[result.verdict])
         reason = f"  {result.reason}" if result.reason else ""
-        yield Piece(f" {_steps(result, one.linted.ros)}{visible(reason)}\n")
+        yield Piece(f" {steps(result, one.linted.ros)}{visible(reason)}\n")
 
 
-def _how(one: Smoked) -> str:
+def how(one: Smoked) -> str:
+    """The distro, the controllers' files and the engine of a test."""
     parts = [one.linted.distro or "", *(shown(path) for path in one.linted.controllers)]
     parts.append(f"{one.engine}, {one.seconds:.1f} s" if one.engine else "nothing moved")
     return ", ".join(part for part in parts if part)
 
 
-def _steps(result: ControllerResult, ros: int | None) -> str:
+def steps(result: ControllerResult, ros: int | None) -> str:
     """The steps that a controller passed, with a mark before the one that it failed at. ROS 1 configures nothing."""
     names = [step.value for step in STEPS[: STEPS.index(result.stage) + 1] if ros != 1 or step is not Step.CONFIGURE]
     if result.verdict is Verdict.FAILED:

@@ -1,0 +1,124 @@
+"""The page of HTML: self-contained, failures first, with pictures and curves, and safe whatever texts it holds."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+from smoke_robots import ARMS, Rover
+from smoking import smoked, target_of, whole
+from smoking_engines import needs_pybullet
+
+from urdfctl.lint import Selection, joined
+from urdfctl.smoke.page import page
+from urdfctl.smoke.picture import picture_of
+from urdfctl.smoke.reports import report_of
+from urdfctl.smoke.results import Curve, Smoked
+
+CHROMIUM = next(
+    (path for name in ("chromium", "chromium-browser", "google-chrome") if (path := shutil.which(name))), None
+)
+
+
+class Elements(HTMLParser):
+    """The elements of a page with their attributes, and its text."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.found: list[tuple[str, dict[str, str | None]]] = []
+        self.texts: list[str] = []
+        self.feed(text)
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.found.append((tag, dict(attrs)))
+
+    def handle_data(self, data: str) -> None:
+        if data.strip():
+            self.texts.append(data.strip())
+
+    def named(self, tag: str) -> list[dict[str, str | None]]:
+        return [attributes for name, attributes in self.found if name == tag]
+
+
+def page_of(*made: Smoked) -> str:
+    findings = joined([one.linted.outcome for one in made], Selection())
+    return page(report_of(made, findings))
+
+
+def rover(folder: Path, **changes: str) -> Smoked:
+    target = target_of(folder, {"robot.urdf": Rover().urdf(), "controllers.yaml": Rover().yaml(**changes)})  # type: ignore[arg-type]
+    return smoked(target, distro="jazzy")
+
+
+def test_it_needs_nothing_from_elsewhere(tmp_path: Path) -> None:
+    text = page_of(rover(tmp_path))
+    elements = Elements(text)
+    assert not {"script", "link", "img", "iframe", "object"} & {tag for tag, _ in elements.found}
+    assert not [a for _, a in elements.found if {"src", "href"} & set(a)]
+    assert "http" not in text
+    assert "url(" not in text
+    assert "prefers-color-scheme: dark" in text
+
+
+def test_what_fails_stands_first(tmp_path: Path) -> None:
+    (tmp_path / "a").mkdir()
+    (tmp_path / "b").mkdir()
+    good, bad = rover(tmp_path / "a"), rover(tmp_path / "b", left="right", right="left")
+    elements = Elements(page_of(good, bad))
+    verdicts = [a["class"] for a in elements.named("td") if (a.get("class") or "").startswith("verdict")]
+    assert verdicts == ["verdict failed", "verdict skipped", "verdict skipped", "verdict skipped"]
+    assert "UC911" in elements.texts
+
+
+def test_texts_of_strangers_are_no_markup(tmp_path: Path) -> None:
+    made = rover(tmp_path)
+    wicked = "<script>alert(1)</script>"
+    evil = made.controllers[0]._replace(name=wicked, reason=wicked)
+    text = page_of(made._replace(controllers=(evil,), curves=(Curve(wicked, "j", "position", (1.0,), (), (0.5,)),)))
+    assert "<script" not in text
+    assert wicked in Elements(text).texts
+
+
+def test_the_robot_is_drawn(tmp_path: Path) -> None:
+    from urdfctl.load import Loader
+    from urdfctl.settings import Settings
+    from urdfctl.smoke.mechanism import mechanism_of
+
+    target = target_of(tmp_path, {"robot.urdf": Rover().urdf()})
+    robot = Loader(Settings(), Selection()).seen(target).project.robot
+    assert robot is not None
+    mechanism = mechanism_of(robot)
+    assert mechanism is not None
+    segments = picture_of(robot, mechanism)
+    # two wheels and two balls with rings, the box, and bones to what is not at the root
+    assert len(segments) == 2 * (16 * 2 + 4) + 2 * 16 * 3 + 12 + 4
+    text = page_of(rover(tmp_path)._replace(picture=segments))
+    assert len(Elements(text).named("line")) == len(segments)
+    assert "the robot at spawn" in text
+
+
+@needs_pybullet
+def test_the_curves_are_drawn_with_words_for_those_who_do_not_see_them(tmp_path: Path) -> None:
+    arm = ARMS["joints that turn level"]
+    target = target_of(tmp_path, {"robot.urdf": arm.urdf(), "controllers.yaml": arm.yaml()})
+    elements = Elements(page_of(whole(target, "pybullet", distro="jazzy")))
+    assert [a["class"] for a in elements.named("polyline")] == ["told", "did"] * 2
+    labels = [a["aria-label"] or "" for a in elements.named("svg")]
+    assert labels[0].startswith("mover: shoulder, position in rad or m, from ")
+
+
+@pytest.mark.skipif(CHROMIUM is None, reason="no Chromium is installed to look at the page with")
+def test_a_browser_shows_it(tmp_path: Path) -> None:
+    path = tmp_path / "report.html"
+    path.write_text(page_of(rover(tmp_path)), encoding="utf-8")
+    picture = tmp_path / "page.png"
+    subprocess.run(
+        [str(CHROMIUM), "--headless", "--no-sandbox", "--disable-gpu", f"--screenshot={picture}", path.as_uri()],
+        check=True,
+        capture_output=True,
+        timeout=60,
+    )
+    assert picture.read_bytes().startswith(b"\x89PNG")
