@@ -258,3 +258,44 @@ def test_what_a_component_holds_becomes_what_was_meant(code: str, before: str, a
     text, sure = mended(code, whole(COMPONENT.replace("PART", before)), tmp_path)
     assert text == whole(COMPONENT.replace("PART", after))
     assert not sure
+
+
+MESHES = """\
+<robot name="r">
+  <link name="a"><visual><geometry><mesh filename="FIRST"/></geometry></visual></link>
+  <link name="b"><visual><geometry><mesh filename="../meshes/b.stl"/></geometry></visual></link>
+</robot>
+"""
+
+
+def package(folder: Path, *meshes: str) -> None:
+    """A package with some meshes, and folders for a robot."""
+    (folder / "package.xml").write_text("<package><name>arm_description</name></package>")
+    for name in ("urdf", "meshes"):
+        (folder / name).mkdir()
+    for name in meshes:
+        (folder / name).write_text("solid x\nendsolid x\n")
+
+
+@pytest.mark.parametrize(("code", "address"), [("UC152", "../meshes/a.stl"), ("UC151", "file://{}/meshes/a.stl")])
+def test_meshes_get_the_address_of_their_package(code: str, address: str, tmp_path: Path) -> None:
+    package(tmp_path, "meshes/a.stl", "meshes/b.stl")
+    before = MESHES.replace("FIRST", address.format(tmp_path))
+    text, sure = mended(code, before, tmp_path, "urdf/r.urdf")
+    assert "package://arm_description/meshes/a.stl" in text
+    assert ("package://arm_description/meshes/b.stl" in text) == (code == "UC152")
+    assert not sure
+
+
+@pytest.mark.parametrize("there", [["meshes/a.stl"], ["meshes/b.stl"], []])
+def test_meshes_of_which_one_is_not_there_are_for_a_person_to_name(there: list[str], tmp_path: Path) -> None:
+    package(tmp_path, *there)
+    before = MESHES.replace("FIRST", "../meshes/a.stl")
+    assert mended("UC152", before, tmp_path, "urdf/r.urdf") == (before, False)
+
+
+def test_meshes_in_no_package_are_for_a_person_to_name(tmp_path: Path) -> None:
+    package(tmp_path, "meshes/a.stl", "meshes/b.stl")
+    (tmp_path / "package.xml").unlink()
+    before = MESHES.replace("FIRST", "../meshes/a.stl")
+    assert mended("UC152", before, tmp_path, "urdf/r.urdf") == (before, False)

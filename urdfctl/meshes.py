@@ -47,7 +47,8 @@ def _found(address: str, packages: Packages, robot_file: str) -> MeshFile | None
         return None
     if not os.path.isabs(path):
         path = os.path.join(os.path.dirname(robot_file), path)
-    return _file(packages.source_of(path), None)
+    found = _file(packages.source_of(path), None)
+    return found._replace(address=packages.address_of(path)) if found.exists else found
 
 
 def _in_package(address: str, packages: Packages) -> MeshFile:

@@ -104,13 +104,14 @@ class MeshFile(NamedTuple):
     """What was learned of the file that a mesh names.
 
     `package` is the one that its address names, None where it names none; `nearest` the known package or file that is
-    most like the one that was not found.
+    most like the one that was not found; `address` the package:// address that means the same file.
     """
 
     exists: bool
     package: str | None = None
     package_found: bool = True
     nearest: str | None = None
+    address: str | None = None
 
 
 class Mesh(NamedTuple):

@@ -159,6 +159,13 @@ class Packages:
             self._found[name] = folder
         return self._found[name]
 
+    def address_of(self, path: str) -> str | None:
+        """The package:// address of a file in the package that the robot's file lies in; None for any other."""
+        own, path = self.own(), os.path.normpath(path)
+        if own is None or not path.startswith(own + os.sep):
+            return None
+        return f"package://{self._index.name_of(own)}/{path[len(own) + 1 :].replace(os.sep, '/')}"
+
     def known(self) -> list[str]:
         """The names that a walk has found, for did-you-mean."""
         return [name for crawl in self._index.crawls for name in crawl.packages()]

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, label, robot_in
+from urdfctl.rules.urdf.mesh_addresses import in_packages
 
 _OF_ONE_MACHINE = re.compile(r"(file:)?/|[A-Za-z]:[\\/]|~")
 
@@ -60,4 +61,4 @@ def mesh_path_of_one_machine(project: Project) -> Iterator[Finding]:
         first = found[0]
         more = f", and {len(found) - 1} more" if len(found) > 1 else ""
         what = f"the mesh of {label('link', first.link)} is the absolute path '{first.filename}'{more}"
-        yield Finding(first.at, f"{what}; write package://PACKAGE/PATH")
+        yield Finding(first.at, f"{what}; write package://PACKAGE/PATH", fix=in_packages(found))
