@@ -254,3 +254,23 @@ def test_that_a_robot_is_in_no_package_is_told(folder: Folder) -> None:
     folder.write({"everything.urdf": robot()})
     ran = command("gen-all", "everything.urdf", "--type", "velocity", "--distro", "jazzy", "-o", "out")
     assert ran.stderr == "urdfctl: 'everything.urdf' is in no package, so that no installed file finds it\n"
+
+
+@pytest.mark.parametrize("distro", ALL)
+def test_a_package_smokes_clean(distro: str, folder: Folder) -> None:
+    folder.write({"everything.urdf": robot(), "package.xml": "<package format='3'><name>here</name></package>"})
+    words = ("everything.urdf", "--type", "position", "--joint", "arm,steer_left", "--distro", distro)
+    assert command("gen-all", *words, "-o", "made").returncode == 0
+    ran = command("smoke", "made", "--distro", distro, "--engine", "none")
+    assert (ran.returncode, ran.stderr) == (0, "")
+    assert ran.stdout.count("> activate ") == (3 if distro in ROS1 else 2)
+
+
+def test_an_admittance_ends_at_what_the_last_joint_moves() -> None:
+    joints = (JOINTS[-1]._replace(link="hand"),)
+    [file] = made("gen-controllers", Options("jazzy", types=("admittance",)), joints)
+    assert (
+        "tip: hand  # and ends at this one, the tool's; TODO: it is taken to be what the last joint moves" in file.text
+    )
+    [file] = made("gen-controllers", Options("jazzy", types=("admittance",), frame="tool"), joints)
+    assert "tip: tool  # and ends at this one, the tool's\n" in file.text

@@ -65,8 +65,22 @@ _ABOUT = {
     "effort": "efforts, in N or Nm",
     "velocity": "speeds, in rad/s or m/s",
     "position": "positions, in rad or m",
-    "trajectory": "trajectories, by topic or by the action follow_joint_trajectory",
-    "gripper": "opens and closes a gripper, by action",
+}
+_DOES = {
+    "trajectory": "Follows trajectories: the action follow_joint_trajectory, or a topic.",
+    "gripper": "Opens and closes a gripper: the action gripper_cmd.",
+    "multi_interface": "Takes a value for each of several interfaces of one joint, on its topic commands.",
+    "gpio": "Switches outputs, and publishes inputs.",
+    "filter": "Smooths a state, and offers it to other controllers.",
+    "pid": "Keeps joints where, or as fast as, it is told, by what it commands below.",
+    "admittance": "Lets the tool give way to the forces that a sensor feels.",
+    "mecanum": "Drives on four mecanum wheels, which also go sideways.",
+    "omni": "Drives on omni wheels around a centre, in any direction.",
+    "ackermann": "Drives like a car: two wheels push, two steer.",
+    "bicycle": "Drives like a bicycle: one wheel pushes, one steers.",
+    "tricycle": "Drives on a wheel that both pushes and steers.",
+    "tricycle_steering": "Drives like a tricycle: two wheels push, one steers.",
+    "four_wheel_steering": "Drives on four wheels that all steer.",
 }
 
 
@@ -84,8 +98,4 @@ def _about(one: Controller, key: str) -> str:
         topic = f"/{key.strip('/')}/{'commands' if ros == 2 else 'command'}"  # noqa: PLR2004
         unit = _ABOUT[reference(one.task) if kind == "velocity" else kind]
         return f"Takes {unit}, on {topic}."
-    return (
-        f"{_ABOUT[kind][0].upper()}{_ABOUT[kind][1:]}."
-        if kind in _ABOUT
-        else f"A controller of the type {one.type.type}."
-    )
+    return _DOES.get(kind, f"A controller of the type {one.type.type}.")

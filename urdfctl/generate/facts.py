@@ -12,7 +12,8 @@ class JointFacts(NamedTuple):
     """A joint that moves. Limits in rad or m, N m or N, rad/s or m/s, None where the robot has none.
 
     `at` and `axis` are in the frame of the root link, `radius` in m is that of the wheel it turns, `inertia` in kg m2
-    (kg where it slides) what it has to move. `interface`, `gains` and `reduction` are what a list says of it.
+    (kg where it slides) what it has to move; `link` is the one that it moves. `interface`, `gains` and `reduction` are
+    what a list says of it.
     """
 
     name: str
@@ -29,6 +30,7 @@ class JointFacts(NamedTuple):
     interface: str | None = None
     gains: tuple[tuple[str, float], ...] = ()
     reduction: float = 1.0
+    link: str | None = None
 
     @property
     def can_move(self) -> bool:

@@ -80,6 +80,7 @@ def _joint(name: str, joint: Joint, found: Measured | None) -> JointFacts:
         found.axis if found else None,
         found.radius if found else None,
         found.inertia if found else None,
+        link=joint.child.name if joint.child else None,
     )
 
 

@@ -159,6 +159,16 @@ def _full_states(task: Task) -> Answer:
     return Answer([name for state in task.states for name in ([state] if "/" in state else _below_joints(task, state))])
 
 
+def _tip(task: Task) -> Answer:
+    """The tool's link: as the user says, else what the last joint moves."""
+    if task.options.frame:
+        return Answer(task.options.frame)
+    last = task.joints[-1].link if task.joints else None
+    return Answer(
+        last or "tool0", f"{TODO}: it is taken to be what the last joint moves" if last else f"{TODO}: its name"
+    )
+
+
 def _batteries(task: Task) -> Answer:
     found = [part.name for part in task.robot.parts if "battery_voltage" in part.states]
     return Answer(found) if found else Answer(["battery"], f"{TODO}: its name")
@@ -294,7 +304,7 @@ _OTHERS: Mapping[str, Callable[[Task], Answer | Left]] = {
     "front_steering": lambda task: _half(task.steering, first=True),
     "rear_steering": lambda task: _half(task.steering, first=False),
     "base_frame": lambda task: Answer(task.robot.root or "base_link"),
-    "tip": lambda task: Answer(task.options.frame or "tool0", "" if task.options.frame else f"{TODO}: the tool's link"),
+    "tip": _tip,
     "sensor": _sensor,
     "frame": _frame,
     "true_if_speed": lambda task: Answer(value=True) if _speed(task) else LEFT_OUT,
