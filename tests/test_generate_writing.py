@@ -8,9 +8,10 @@ import shlex
 from pathlib import Path
 
 import pytest
-from folder import Folder
+from folder import CHECKOUT, Folder
 from generating import command
 
+from urdfctl.cli.generate_options import COMMANDS as GENERATING
 from urdfctl.errors import UserError
 from urdfctl.generate.options import File
 from urdfctl.generate.parse_again import checked
@@ -191,3 +192,23 @@ def test_a_template_cannot_reach_out_of_itself(folder: Folder) -> None:
     folder.write({"mine/controllers/ros2.yaml.j2": "x: {{ ''.__class__.__mro__ }}\n"})
     ran = command("gen-controllers", "--joint", "a", *EFFORT, "--templates", "mine")
     assert "access to attribute '__class__' of 'str' object is unsafe" in ran.stderr
+
+
+@pytest.mark.parametrize("name", GENERATING)
+def test_the_example_in_the_help_does_what_it_says(name: str, folder: Folder) -> None:
+    arm = ROBOT.replace('name="j"', 'name="arm_joint"')
+    folder.write({"package.xml": "<package format='3'><name>my_robot</name></package>", "robot.xacro": arm})
+    if "--into" in GENERATING[name][1]:
+        folder.write({"urdf/robot.xacro": (folder.path / "robot.xacro").read_bytes()})
+        (folder.path / "robot.xacro").unlink()
+    for made in ("config", "urdf", "launch"):
+        (folder.path / made).mkdir(exist_ok=True)
+    example = GENERATING[name][1]
+    ran = command(*shlex.split(example)[1:])
+    assert ran.returncode == 0, ran.stderr
+    assert example in " ".join(command(name, "--help").stdout.split())
+
+
+def test_every_command_that_generates_is_in_the_readme() -> None:
+    text = (CHECKOUT / "README.md").read_text(encoding="utf-8")
+    assert [name for name in (*GENERATING, "gen-check") if f"urdfctl {name} " not in text] == []
