@@ -17,11 +17,11 @@ XACRO = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">\n{}\n</rob
 WHEEL = '<xacro:macro name="wheel" params="side"><link name="${side}_wheel"/></xacro:macro>\n'
 
 
-def mended(code: str, part: str, folder: Path, name: str = "robot.urdf") -> tuple[str, bool]:
+def mended(code: str, part: str, folder: Path, name: str = "robot.urdf", distro: str | None = None) -> tuple[str, bool]:
     """What the edits of a rule's findings make of a text, and whether all are surely meant."""
     path = folder / name
     path.write_bytes(part.encode())
-    loader = Loader(Settings(distro=None, workspace=str(folder)), Selection())
+    loader = Loader(Settings(distro=distro, workspace=str(folder)), Selection())
     found = [one for one in loader.lint(Target(str(path))).outcome.diagnostics if one.code == code]
     assert found
     splices = {splice for one in found for splice in splices_of(one)}
@@ -299,3 +299,14 @@ def test_meshes_in_no_package_are_for_a_person_to_name(tmp_path: Path) -> None:
     (tmp_path / "package.xml").unlink()
     before = MESHES.replace("FIRST", "../meshes/a.stl")
     assert mended("UC152", before, tmp_path, "urdf/r.urdf") == (before, False)
+
+
+def test_old_hardware_gets_its_new_name_with_the_new_names_of_its_parameters(tmp_path: Path) -> None:
+    parameters = '<param name="{}_sensor_commands">true</param><param name="other">1</param>'
+    before = "<plugin>fake_components/GenericSystem</plugin>" + parameters.format("fake")
+    after = "<plugin>mock_components/GenericSystem</plugin>" + parameters.format("mock")
+    component = COMPONENT.replace("PART", "<joint name='elbow'><command_interface name='position'/></joint>")
+    old = "<plugin>mock_components/GenericSystem</plugin>"
+    text, sure = mended("UC703", whole(component.replace(old, before)), tmp_path, distro="humble")
+    assert text == whole(component.replace(old, after))
+    assert not sure

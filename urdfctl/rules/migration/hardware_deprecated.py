@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2, in_words
+from urdfctl.model.ros2_control import Ros2Control
 from urdfctl.rule import Edit, Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known
 from urdfctl.rules.migration.common import severity_of_old
@@ -54,7 +55,20 @@ def hardware_deprecated(project: Project) -> Iterator[Finding]:
             continue
         text = control.hardware[-1].plugins[0]
         content = text.at.content.span
-        edits = (Edit(content, right.type),) if content.text == name else ()
+        edits = (
+            (Edit(content, right.type), *_of_parameters(project, control, right.type)) if content.text == name else ()
+        )
         notes = (Note(f"the old name is gone from all but {in_words(there)}"),)
         message = f"'{name}' is the old name of '{right.type}'"
         yield Finding(text.at, message, notes, Fix(f"write '{right.type}'", edits), severity)
+
+
+def _of_parameters(project: Project, control: Ros2Control, right: str) -> Iterator[Edit]:
+    """The edits that give parameters the names that the new one reads them by."""
+    found = [hardware for distro in project.distros if (hardware := project.catalog.hardware(right, distro))]
+    known = found[-1].hardware_parameters or {} if found else {}
+    for parameter in control.hardware[-1].parameters:
+        now = known.get(parameter.name or "")
+        at = parameter.at["name"]
+        if now is not None and now.deprecated and now.replacement and at.span.text == parameter.name:
+            yield Edit(at.span, now.replacement)
