@@ -240,6 +240,18 @@ def test_what_stands_in_a_macro_of_an_included_file_is_mended_there(folder: Fold
     assert ran.stderr == "urdfctl: fixed 1 of 1 finding in 1 file\n"
 
 
+@pytest.mark.parametrize("mark", ["", "\ufeff"])
+@pytest.mark.parametrize(
+    ("old", "new"), [("", ""), ("\n", "\r\n"), ("    ", "\t"), ("<type>", "<!-- größe 🤖 --><type>")]
+)
+def test_all_other_bytes_of_a_macros_file_stay(folder: Folder, mark: str, old: str, new: str) -> None:
+    library = mark + (LIBRARY.replace(old, new) if old else LIBRARY)
+    folder.write({".git/HEAD": "", "arm.xacro": mark + CALLS, "lib/drive.xacro": library})
+    folder.run("lint", "arm.xacro", "--fix", *NOETIC)
+    after = (folder.path / "lib/drive.xacro").read_bytes()
+    assert after == library.replace(">Effort", ">hardware_interface/Effort").encode() != library.encode()
+
+
 JOINTS = """\
 <robot xmlns:xacro="http://www.ros.org/wiki/xacro">
   <xacro:macro name="turning" params="name type">
