@@ -415,3 +415,52 @@ def test_a_simulation_that_explodes_is_told(tmp_path: Path) -> None:
         tmp_path, {"robot.urdf": arm.urdf(effort=1e30), "controllers.yaml": arm.yaml("p: 1.0e+20, d: 1.0e+20")}
     )
     assert {"UC916", "UC930", "UC933", "UC936"} & set(codes(whole(target, "pybullet", distro="jazzy")))
+
+
+MECANUM = """
+controller_manager:
+  ros__parameters:
+    update_rate: 100
+    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+    base: {type: mecanum_drive_controller/MecanumDriveController}
+base:
+  ros__parameters:
+    front_left_wheel_command_joint_name: left_wheel
+    front_right_wheel_command_joint_name: right_wheel
+    rear_left_wheel_command_joint_name: left_back_wheel
+    rear_right_wheel_command_joint_name: right_back_wheel
+    kinematics:
+      base_frame_offset: {x: 0.0, y: 0.0, theta: 0.0}
+      wheels_radius: 0.1
+      sum_of_robot_center_projection_on_X_Y_axis: 0.3
+    base_frame_id: base_link
+"""
+
+
+def four_wheeled(right: str) -> str:
+    """A rover with two wheels more, behind; the axes of the right ones may be others."""
+    urdf = Rover().urdf(right=right)
+    more = []
+    for name, y, axis in (("left_back", 0.15, "0 0 1"), ("right_back", -0.15, right)):
+        more.append(
+            link(name, 0.5, 0.002)
+            + f'<joint name="{name}_wheel" type="continuous"><parent link="base_link"/><child link="{name}"/>'
+            + f'<origin xyz="-0.2 {y} 0" rpy="-1.5707963 0 0"/><axis xyz="{axis}"/></joint>'
+        )
+    states = '<state_interface name="position"/><state_interface name="velocity"/>'
+    controls = "".join(
+        f'<joint name="{name}_back_wheel"><command_interface name="velocity"/>{states}</joint>'
+        for name in ("left", "right")
+    )
+    return urdf.replace("<ros2_control", "".join(more) + "<ros2_control").replace(
+        "</ros2_control>", f"{controls}</ros2_control>"
+    )
+
+
+@needs_pybullet
+def test_of_mecanum_wheels_the_way_that_they_turn_is_told_and_no_more(tmp_path: Path) -> None:
+    for axis, told in (("0 0 1", []), ("0 0 -1", ["UC912"])):
+        target = target_of(tmp_path, {"robot.urdf": four_wheeled(axis), "controllers.yaml": MECANUM})
+        made = whole(target, "pybullet", distro="jazzy")
+        assert codes(made) == told
+        assert verdicts(made)["base"] == ("failed move" if told else "skipped activate")

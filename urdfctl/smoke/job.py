@@ -23,6 +23,9 @@ from urdfctl.worker import Died, Limits, run
 
 SECONDS, SECONDS_FOR_JOINT = 30.0, 0.1
 """How long an engine may take: half a minute, and a second for every ten joints."""
+_WATCHED = 600.0
+"""How long, in s, somebody may watch."""
+_SCREEN = ("DISPLAY", "XAUTHORITY", "WAYLAND_DISPLAY")
 _MOST_SAID = 300
 _LIGHT = "UC918"
 _OF_LIGHT = ("UC930", "UC932", "UC933", "UC934", "UC936", "UC937")
@@ -170,7 +173,10 @@ def _run(plans: Sequence[Plan], settings: Settings, parallel: int, folder: str) 
     """Each result; of a death with the end of what the engine printed."""
     jobs = [{"plan": plan.to_json(), "said": os.path.join(folder, f"said-{n}")} for n, plan in enumerate(plans)]
     joints = max((len(plan.mechanism.hinges) for plan in plans), default=0)
-    limits = Limits(SECONDS + joints * SECONDS_FOR_JOINT, settings.memory, settings.environ)
+    watched = any(plan.gui for plan in plans)
+    screen = {name: os.environ[name] for name in _SCREEN if watched and name in os.environ}
+    seconds = _WATCHED if watched else SECONDS + joints * SECONDS_FOR_JOINT
+    limits = Limits(seconds, settings.memory, {**settings.environ, **screen})
     results = run(jobs, perform_trial, limits, parallel, fresh="urdfctl.smoke.job:perform_trial")
     for job, result in zip(jobs, results, strict=True):
         if isinstance(result, Died):

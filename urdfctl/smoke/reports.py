@@ -9,7 +9,6 @@ from urdfctl.diagnostic import Diagnostic
 from urdfctl.report import render
 from urdfctl.report.common import Report, as_json, shown, visible
 from urdfctl.report.json_report import document
-from urdfctl.report.junit import attributes_of, suites_document
 from urdfctl.report.text import Piece, pieces
 from urdfctl.smoke.results import STEPS, ControllerResult, Smoked, Step, Verdict
 
@@ -102,6 +101,8 @@ def _json(report: SmokeReport) -> str:
 
 def _junit(report: SmokeReport) -> str:
     """A suite for each robot with a test case for each controller, and lint's suites of the findings."""
+    from urdfctl.report.junit import suites_document
+
     lines = [line for one in report.smoked for line in _suite(one)]
     counts = [report.count(verdict) for verdict in (Verdict.FAILED, Verdict.SKIPPED)]
     total = sum(len(one.controllers) for one in report.smoked)
@@ -109,6 +110,8 @@ def _junit(report: SmokeReport) -> str:
 
 
 def _suite(one: Smoked) -> Iterator[str]:
+    from urdfctl.report.junit import attributes_of
+
     path = shown(one.linted.path)
     counts = {
         "tests": len(one.controllers),

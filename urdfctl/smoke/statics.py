@@ -27,6 +27,8 @@ def static_troubles(mechanism: Mechanism, tasks: Sequence[Task]) -> Iterator[Tro
             yield from _sides(mechanism, task, task.drive)
             yield from _turning(mechanism, task, task.drive)
             yield from _measures(mechanism, task, task.drive)
+        elif task.rolling is not None:
+            yield from _turning(mechanism, task, task.rolling)
         yield from _still(mechanism, task)
     yield from _too_weak(mechanism, tasks)
 

@@ -50,9 +50,14 @@ class Drive(NamedTuple):
     base: str = ""
 
 
+def _drive_from(given: Any) -> Drive | None:
+    parts: Any = [tuple(one) if isinstance(one, list) else one for one in given or ()]
+    return Drive(*parts) if given else None
+
+
 class Task(NamedTuple):
     """What one controller is to move: the joints with the interface of each, in the words of ROS 2; why not, where it
-    is not simulated."""
+    is not simulated. `rolling` are the wheels of one whose drive is not simulated, and yet must turn forward."""
 
     controller: str
     family: Family
@@ -61,16 +66,15 @@ class Task(NamedTuple):
     gains: tuple[Gains, ...] = ()
     drive: Drive | None = None
     why: str = ""
+    rolling: Drive | None = None
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Task:
         """From plain data."""
         gains = tuple(Gains(*one) for one in data["gains"])
-        given = data["drive"]
-        parts: Any = [tuple(one) if isinstance(one, list) else one for one in given or ()]
-        drive = Drive(*parts) if given else None
-        joints = tuple(data["joints"])
-        return cls(**{**data, "family": Family[data["family"]], "gains": gains, "drive": drive, "joints": joints})
+        drives = {name: _drive_from(data[name]) for name in ("drive", "rolling")}
+        family, joints = Family[data["family"]], tuple(data["joints"])
+        return cls(**{**data, **drives, "family": family, "gains": gains, "joints": joints})
 
     def to_json(self) -> dict[str, Any]:
         """As plain data."""
@@ -97,6 +101,7 @@ _BY_CLASS = {
     "TricycleController": Family.STEERED,
 }
 """How the classes move their joints; what is not here is not simulated."""
+_ROLLING = ("MecanumDriveController",)
 _COMMANDED = {
     "PositionJointInterface": "position",
     "VelocityJointInterface": "velocity",
@@ -115,6 +120,8 @@ def task_of(one: Configured) -> Task:
         return Task(one.name, Family.NOTHING) if broadcasts else _not_simulated(one, "it claims no joint")
     kind = one.type.type.rpartition("/")[2]
     family = _BY_CLASS.get(kind)
+    if kind in _ROLLING:
+        return _rolling(one, kind)
     if family is None:
         return _not_simulated(one, f"a {kind} is not simulated")
     if not one.claims.complete:
@@ -130,6 +137,14 @@ def task_of(one: Configured) -> Task:
     family = _loop(family, kind, one.type.type, interface, values)
     gains = tuple(_gains(one.values, joint) for joint in joints)
     return Task(one.name, family, joints, interface, gains)
+
+
+def _rolling(one: Configured, kind: str) -> Task:
+    """A controller of wheels with rollers: only the way that they turn can be told."""
+    joints = tuple(dict.fromkeys(claim.component for claim in one.claims.command))
+    drive = Drive(driven=joints, base=_text(one.values.get("base_frame_id")))
+    why = f"of a {kind} only the way that its wheels turn is looked at"
+    return Task(one.name, Family.STRUCTURAL, joints, "velocity", why=why, rolling=drive)
 
 
 def _not_simulated(one: Configured, why: str) -> Task:

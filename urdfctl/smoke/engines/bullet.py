@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import tempfile
+import time
 from typing import Any
 
 from urdfctl.smoke.engines import GRIPS, SLIDES, STEP, Refused, Setup, Standing
@@ -27,10 +28,12 @@ class Bullet:
             if about[2] in (physics.JOINT_REVOLUTE, physics.JOINT_PRISMATIC):
                 self._joints[about[1].decode("utf-8", "replace")] = index
         self._pushed: dict[int, float] = {}
+        self._pause = 0.0
 
     def prepare(self, setup: Setup) -> None:
         """Put the joints where they start, and take away what pybullet adds of its own: motors, damping, bounds."""
         physics, robot, client = self._physics, self._robot, self._client
+        self._pause = STEP if setup.gui else 0.0
         for index in (-1, *self._links):
             friction = GRIPS if self._links.get(index) in setup.wheels else SLIDES
             physics.changeDynamics(
@@ -119,6 +122,8 @@ class Bullet:
                 physicsClientId=client,
             )
         physics.stepSimulation(physicsClientId=client)
+        if self._pause:
+            time.sleep(self._pause)
 
     def standing(self) -> Standing:
         """Where the base is."""

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import math
 from typing import Any
-from xml.sax.saxutils import quoteattr
 
 from urdfctl.smoke.engines import GRIPS, SLIDES, STEP, Refused, Setup, Standing
+from urdfctl.smoke.prepare import quoted
 
 STIFF = 60.0
 """How fast a driven joint goes where it should, in 1/s."""
@@ -136,7 +136,7 @@ def opened(setup: Setup) -> Mujoco:
     import mujoco
 
     above = f'<link name="{_GROUND}"/><joint name="{_GROUND}" type="fixed"><parent link="{_GROUND}"/>'
-    above += f"<child link={quoteattr(setup.root)}/></joint>"
+    above += f"<child link={quoted(setup.root)}/></joint>"
     text = setup.urdf.replace('<robot name="robot">', f'<robot name="robot">{_COMPILER}{above}', 1)
     try:
         spec = mujoco.MjSpec.from_string(text)
