@@ -464,3 +464,11 @@ def test_of_mecanum_wheels_the_way_that_they_turn_is_told_and_no_more(tmp_path: 
         made = whole(target, "pybullet", distro="jazzy")
         assert codes(made) == told
         assert verdicts(made)["base"] == ("failed move" if told else "skipped activate")
+
+
+@needs_pybullet
+def test_efforts_push_one_joint_at_a_time(tmp_path: Path) -> None:
+    kind, parameters, interface = MOTIONS["efforts"]
+    made = by(tmp_path, kind, parameters, interface, ARMS["joints that lift"])
+    assert codes(made) == []
+    assert [(curve.joint, curve.seconds[-1]) for curve in made.curves] == [("shoulder", 0.2), ("elbow", 0.2)]

@@ -31,6 +31,8 @@ SETTLING = 0.5
 """Seconds in which a robot comes to rest."""
 MOTION = 2.0
 """Seconds that each controller moves what it commands, where nothing else is said; half of it without a loop."""
+PUSHING = 0.2
+"""Seconds that an effort pushes a joint."""
 MOST_STEPS = 10
 """How many steps may be between two positions that a joint is told."""
 TOGETHER = 0.05
@@ -218,6 +220,17 @@ class _Trial:
         if judged:
             self.moved.append(task.controller)
 
+    def _push_each(self, task: Task, goals: Sequence[Goal]) -> None:
+        """Push one joint after the other, for a moment: the others are held, for a push goes through the whole arm."""
+        for name in [goal.hinge.name for goal in goals]:
+            goal = self._goals([name])[0]
+            motion = motion_of(self._engine, task, [goal], PUSHING)
+            tracks = self._tracked(motion, [goal], PUSHING)
+            self.troubles += joint_troubles(task, [goal], tracks, PUSHING)
+            self.curves.append(self._curve(task.controller, name, "position", [], tracks[0].positions))
+            hold(self._engine, goal.hinge, self._engine.position(name))
+        self._pass(0.1)
+
     def _every(self, steps: int) -> None:
         """Update the controllers once in so many steps."""
         self._steps, self._period = steps, steps * STEP
@@ -231,6 +244,9 @@ class _Trial:
         goals = self._goals(task.joints)
         loop = task.family in (Family.POSITION_PID, Family.VELOCITY_PID) or task.interface != "position"
         seconds = self._plan.duration * (1.0 if loop else 0.5)
+        if task.family is Family.FORWARD and task.interface == "effort":
+            self._push_each(task, goals)
+            return True
         motion = motion_of(self._engine, task, goals, seconds)
         steps = self._steps
         if not loop:  # a driver takes positions more often than a slow manager gives them
@@ -244,8 +260,7 @@ class _Trial:
         quantity = "velocity" if of_velocity else "position"
         for goal, track in zip(goals, tracks, strict=True):
             measured = track.velocities if of_velocity else track.positions
-            wanted = track.wanted if task.interface != "effort" or (loop and task.family is not Family.FORWARD) else []
-            self.curves.append(self._curve(task.controller, goal.hinge.name, quantity, wanted, measured))
+            self.curves.append(self._curve(task.controller, goal.hinge.name, quantity, track.wanted, measured))
         for goal in goals:
             hold(self._engine, goal.hinge, self._engine.position(goal.hinge.name))
         self._pass(0.1)
