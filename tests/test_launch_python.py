@@ -205,7 +205,7 @@ def test_a_name_stands_where_it_is_written() -> None:
         return LaunchDescription([
             Node(package='controller_manager', executable='spawner', arguments=[n]) for n in names])
         """)
-    assert [at.span.text for one in made.spawns for _, at in one.names] == ["'jsb'", "'arm'"]
+    assert [at.span.text for one in made.spawns for _, at in one.names] == ["jsb", "arm"]
 
 
 @pytest.mark.parametrize(

@@ -114,6 +114,7 @@ class _Builder:
         self.packages: list[Word] = []
         self.complete = True
         self._includes = 0
+        self._remapped = False
 
     def walk(self, parent: Element, scope: _Scope) -> None:
         for element in parent.elements():
@@ -135,6 +136,8 @@ class _Builder:
                 self._param(element, inner, texts)
             elif element.tagName == "rosparam" and inner.held:
                 self._rosparam(element, inner, texts)
+            elif element.tagName == "remap" and not inner.in_node:
+                self._remapped = True
 
     def _packages(self, element: Element) -> None:
         for name, value in element.attrs.items():
@@ -239,7 +242,7 @@ class _Builder:
         kind = element.attrs.get("type", "")
         words = texts.resolve(element.attrs.get("args", "")).split()
         if scope.held:
-            self._started(element, name, words, scope)
+            self._started(element, name, words, scope, texts)
         if element.attrs.get("pkg") != "controller_manager" or kind not in ("spawner", "controller_manager"):
             return
         active = True
@@ -249,13 +252,35 @@ class _Builder:
             active = _SPAWNING[words.pop(0)]
         self._spawn(element, words, scope, texts, active=active)
 
-    def _started(self, element: Element, name: str, words: list[str], scope: _Scope) -> None:
+    def _started(self, element: Element, name: str, words: list[str], scope: _Scope, texts: Substitutions) -> None:
         package = Word(element.attrs.get("pkg", ""), element.at["pkg"])
         program = Word(element.attrs.get("type", ""), element.at["type"])
         at = element.at["args"]
         given = tuple(Word(word, at.word(word)) for word in words)
         namespace = _known(scope.namespace)
-        self.nodes.append(Node(package, program, _known(name), namespace, element.at, given, sure=scope.sure))
+        inside = list(element.elements())
+        parameters = tuple(Word(one.attrs["name"], one.at["name"]) for one in inside if "name" in one.attrs)
+        parameters += tuple(Word(one.attrs["param"], one.at["param"]) for one in inside if "param" in one.attrs)
+        remaps = tuple(
+            (texts.resolve(one.attrs.get("from", "")), texts.resolve(one.attrs.get("to", "")))
+            for one in inside
+            if one.tagName == "remap"
+        )
+        plain = any(one.tagName == "rosparam" and "param" not in one.attrs for one in inside)
+        self.nodes.append(
+            Node(
+                package,
+                program,
+                _known(name),
+                namespace,
+                element.at,
+                given,
+                parameters,
+                remaps,
+                scope.sure,
+                not plain and not self._remapped,
+            )
+        )
 
     def _spawn(self, element: Element, words: list[str], scope: _Scope, texts: Substitutions, *, active: bool) -> None:
         names: list[tuple[str, Place]] = []

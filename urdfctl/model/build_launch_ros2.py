@@ -43,12 +43,14 @@ _WITHOUT_CONTROLLERS = frozenset(
 _HARMLESS = frozenset(
     (
         "LogInfo Shutdown EmitEvent SetEnvironmentVariable AppendEnvironmentVariable UnsetEnvironmentVariable "
-        "PrependEnvironmentVariable SetParameter SetParametersFromFile SetRemap SetUseSimTime SetROSLogDir "
+        "PrependEnvironmentVariable SetROSLogDir "
         "UnregisterEventHandler ResetEnvironment PushEnvironment PopEnvironment LoadComposableNodes "
         "ComposableNodeContainer ComposableNode LifecycleTransition UnsetLaunchConfiguration ReadyToTest GzServer "
         "RosGzBridge AppendEnvironment"
     ).split()
 )
+_ALTERING = frozenset({"SetParameter", "SetParametersFromFile", "SetRemap", "SetUseSimTime"})
+"""Actions that hold for all nodes behind them."""
 _NODES = frozenset({"Node", "LifecycleNode"})
 _PROCESSES = frozenset({"ExecuteProcess", "ExecuteLocal"})
 _HANDLERS = {"OnProcessExit": "on_exit", "OnProcessStart": "on_start", "OnExecutionComplete": "on_completion"}
@@ -167,6 +169,8 @@ class _Walk:
             self._process(term, scope, state)
         elif term.short in _SPAWNING:
             self.nodes(scope).helper(term, sure=state.sure, held=state.held)
+        elif term.short in _ALTERING:
+            self.found.altered = True
         elif term.short not in _HARMLESS and state.held:
             self.complete = False
 

@@ -90,8 +90,8 @@ class Spawn(NamedTuple):
 
 class Node(NamedTuple):
     """A node that is started: its package and executable, each with its place; its full namespace; the words it is
-    given, the names of its parameters, and of its topics those that are renamed. Not `complete`: some parameters are
-    not known."""
+    given, the names of its parameters, and of its topics those that are renamed; the files whose parameters it is given
+    too. Not `complete`: something that it is given is not known."""
 
     package: Word
     executable: Word
@@ -103,6 +103,7 @@ class Node(NamedTuple):
     remaps: tuple[tuple[str, str], ...] = ()
     sure: bool = True
     complete: bool = True
+    files: tuple[Word, ...] = ()
 
     def runs(self, package: str, *executables: str) -> bool:
         """Whether it is one of some executables of a package."""

@@ -35,6 +35,8 @@ class Gathered:
         self.elsewhere: list[Spawn] = []
         self.nodes: list[Node] = []
         self.references: dict[tuple[str, int], Reference] = {}
+        self.altered = False
+        """Whether something renames topics, or gives parameters, of all nodes that follow."""
 
 
 class Nodes:
@@ -59,9 +61,11 @@ class Nodes:
         name = self._word(term, "name").known if _given(term, "name") is not None else None
         namespace = _known(self._namespace(term))
         remaps = tuple(self._remaps(term.keywords.get("remappings")))
-        whole = parameters.complete and complete
+        whole = parameters.complete and complete and not self.found.altered
+        given = tuple(parameters.names), remaps
+        files = tuple(parameters.files)
         self.found.nodes.append(
-            Node(package, executable, name, namespace, term.at, words, tuple(parameters.names), remaps, sure, whole)
+            Node(package, executable, name, namespace, term.at, words, *given, sure=sure, complete=whole, files=files)
         )
         if self._is_spawner(package, executable):
             self.found.spawns.append(self._spawn(term, executable, sure=sure, after=after))
@@ -237,6 +241,7 @@ class _Parameters:
         self.executable = executable
         self.sure = sure
         self.names: list[Word] = []
+        self.files: list[Word] = []
         self.complete = True
         self.namespace = _known(nodes._namespace(term))
         given = term.keywords.get("parameters")
@@ -291,7 +296,9 @@ class _Parameters:
         text = self.nodes.texts.of(term)
         if isinstance(term, Called) and UNKNOWN in text and term.of is not None:
             self.complete = False  # a method's result: some dict
-        elif re.search(_OF_MANAGERS, self.executable):
+            return
+        self.files.append(Word(text, term.at))
+        if re.search(_OF_MANAGERS, self.executable):
             self.nodes.load(Word(text, term.at), self.executable, sure=self.sure)
         elif text:
             self.nodes.reference(text, term.at, "parameters", sure=self.sure)

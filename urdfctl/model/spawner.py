@@ -86,6 +86,9 @@ def told_by_command(words: Sequence[Word]) -> tuple[Word, Told] | None:
         return None
     verb, found = words[2], told(words[3:], complete=True)
     active = _VERBS[verb.text]
+    if verb.text != "set_controller_state" and found.names[1:]:  # newer distros: the controller, then a file
+        given = Option("--param-file", found.names[1], found.names[1].at)
+        found = found._replace(names=found.names[:1], options=(*found.options, given))
     if verb.text == "set_controller_state":
         state = found.names[1:2]
         return verb, found._replace(names=found.names[:1], active=bool(state) and state[0].text in _ACTIVE)

@@ -65,6 +65,12 @@ def _simulation() -> Rules:
     return RULES
 
 
+def _launch() -> Rules:
+    from urdfctl.rules.launch import RULES
+
+    return RULES
+
+
 def _migration() -> Rules:
     from urdfctl.rules.migration import RULES
 
@@ -109,6 +115,7 @@ FAMILIES = (
     Family("UC4", _controllers, lambda project: project.controllers is not None),
     Family("UC4", _claims, lambda project: project.controllers is not None),
     Family("UC5", _simulation, _loads_plugins),
+    Family("UC6", _launch, lambda project: project.launch is not None),
     Family("UC7", _migration, _may_move_on),
     Family("UC9", _smoke, lambda _: False),
 )

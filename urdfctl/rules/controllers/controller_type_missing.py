@@ -56,7 +56,8 @@ def controller_type_missing(project: Project) -> Iterator[Finding]:
         return
     for controller in controllers.controllers:
         if controller.type is None:
-            yield from _untyped(controllers, controller)
+            if controller.declared_at is not None or project.launch is None:  # else the rules on launch files tell it
+                yield from _untyped(controllers, controller)
         elif controller.type.kind is Kind.STRING and not controller.type.text.strip():
             yield Finding(controller.type.at, f"the type of '{controller.name}' is empty; no controller can be loaded")
         elif controller.type.kind is not Kind.STRING and controller.type.is_known and controller.manager is None:

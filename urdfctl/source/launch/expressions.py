@@ -92,9 +92,9 @@ class Evaluation:
     def _constant(self, node: ast.Constant, _: _Frame) -> Term:
         at = self.run.at(node)
         value = node.value
-        if value is None or isinstance(value, (str, bool, int, float)):
-            return Constant(value, at) if not isinstance(value, str) else text_at(value, at)
-        return Missing(at)
+        if isinstance(value, str):
+            return text_at(value, _inside(at, value))
+        return Constant(value, at) if value is None or isinstance(value, (bool, int, float)) else Missing(at)
 
     def _list(self, node: ast.List | ast.Tuple | ast.Set, frame: _Frame) -> Term:
         return Items(list(self._spread(node.elts, frame)), self.run.at(node))
@@ -360,3 +360,12 @@ class Evaluation:
     def _performed(self, of: Term, at: Place) -> Term:
         context: Context | None = self.run.context
         return Constant(context.perform(of) if context else UNKNOWN, at)
+
+
+def _inside(at: Place, text: str) -> Place:
+    """Where a text stands between its quotes; the whole literal where it is not written so."""
+    span = at.span
+    literal = span.source.data[span.start : span.end]
+    if len(literal) > 1 and literal[:1] in {b"'", b'"'} and literal[1:-1] == text.encode("utf-8", "replace"):
+        return Place(span.source, span.start + 1, end=span.end - 1)
+    return at

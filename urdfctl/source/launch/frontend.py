@@ -35,10 +35,15 @@ _SUBSTITUTIONS: dict[str, tuple[str, int]] = {
 """The substitutions that XML and YAML know, by their names in Python, and how many arguments they take."""
 _OF_NODES = {"package": "pkg", "executable": "exec", "name": "name", "namespace": "namespace"}
 _WHOLE = {"eval": "PythonExpression", "command": "Command"}
-_PLAIN = {"log", "set_env", "unset_env", "append_env", "reset_env", "shutdown", "set_parameter", "set_remap"} | {
-    "set_parameters_from_file", "set_ros_log_dir", "set_use_sim_time", "node_container", "load_composable_node",
-    "let_env", "cmd", "reset",
+_PLAIN = {"log", "set_env", "unset_env", "append_env", "reset_env", "shutdown"} | {
+    "set_ros_log_dir", "node_container", "load_composable_node", "let_env", "cmd", "reset",
 }  # fmt: skip
+_FOR_ALL = {
+    "set_parameter": "SetParameter",
+    "set_parameters_from_file": "SetParametersFromFile",
+    "set_remap": "SetRemap",
+    "set_use_sim_time": "SetUseSimTime",
+}
 
 
 class Entity(NamedTuple):
@@ -113,6 +118,8 @@ def _actions(parent: Entity) -> Term:
             term = _ACTIONS[tag](child)
         elif tag in _PLAIN:
             term = Called("LogInfo", child.at)
+        elif tag in _FOR_ALL:
+            term = Called(_FOR_ALL[tag], child.at)
         else:
             term = Missing(child.at)
         if isinstance(term, Called):

@@ -1,0 +1,369 @@
+"""The rules on launch files, on whole small packages; Python, XML and YAML, of ROS 1 and ROS 2."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from textwrap import dedent
+
+import pytest
+from folder import Folder
+
+from urdfctl.lint import Selection, joined
+from urdfctl.load import Loader, Target
+from urdfctl.rules.examples import completed
+from urdfctl.rules.launch import samples
+from urdfctl.rules.launch.samples import (
+    ARM,
+    BROADCASTER,
+    CONTROLLERS,
+    FILE,
+    MANAGER,
+    MANIFEST,
+    PUBLISHER,
+    launched,
+    spawner,
+)
+from urdfctl.settings import Settings
+
+ALL = ("UC6",)
+
+
+def found(
+    folder: Folder, files: Mapping[str, str], *codes: str, distro: str | None = None, path: str | None = None
+) -> list[tuple[str, str, str]]:
+    """The code, severity and text of what is found in the first file and what belongs to it, in order of codes."""
+    folder.write({name: completed(name, dedent(text).strip("\n") + "\n") for name, text in files.items()})
+    settings = Settings(workspace=str(folder.path), distro=distro)
+    linted = Loader(settings, Selection(codes or ALL)).lint(Target(path or next(iter(files))))
+    assert not linted.outcome.crashed
+    told = sorted(joined([linted.outcome], Selection()), key=lambda one: (one.code, one.order))
+    return [(one.code, one.severity.value, one.message) for one in told]
+
+
+def ros1(*nodes: str, controllers: str = "", robot: str = "") -> dict[str, str]:
+    """A package of ROS 1 with a launch file of some nodes, which loads controllers."""
+    load = '<rosparam file="$(find arm)/controllers.yaml" command="load"/>' if controllers else ""
+    return {
+        "arm.launch": f"""
+            <launch>
+              <param name="robot_description" textfile="$(find arm)/arm.urdf"/>
+              {load}
+              {"".join(nodes)}
+            </launch>
+        """,
+        "arm.urdf": robot,
+        "package.xml": "<package><name>arm</name></package>",
+        **({"controllers.yaml": controllers} if controllers else {}),
+    }
+
+
+def test_the_sound_package_is_silent_by_all_rules_for_each_distro(folder: Folder) -> None:
+    for distro in ("humble", "jazzy", "rolling"):
+        assert found(folder, samples.SOUND, "UC", distro=distro) == []
+
+
+# -- what is spawned -------------------------------------------------------------------------------------------------
+
+
+def test_a_controller_is_looked_for_in_the_namespace_of_its_manager(folder: Folder) -> None:
+    there = [part.replace("<node ", '<node namespace="left" ') for part in (MANAGER, ARM)]
+    files = launched(PUBLISHER, *there)
+    assert found(folder, files, "UC601") == [
+        ("UC601", "error", "'arm_controller' is spawned in the namespace '/left', and declared in '/'"),
+    ]
+    anywhere = CONTROLLERS.replace("    controller_manager:", "    /**/controller_manager:")
+    assert found(folder, launched(PUBLISHER, *there, controllers=anywhere), "UC601") == []
+
+
+def test_of_a_name_that_is_like_no_other_the_declared_ones_are_told(folder: Folder) -> None:
+    assert found(folder, launched(MANAGER, spawner(f"gripper {FILE}")), "UC601") == [
+        (
+            "UC601",
+            "error",
+            "'gripper' is spawned, and no file declares it; declared are 'arm_controller', 'joint_state_broadcaster'",
+        ),
+    ]
+
+
+@pytest.mark.parametrize(
+    "nodes",
+    [
+        (spawner("gripper"),),
+        (MANAGER, spawner("gripper -t p/Gripper")),
+        (MANAGER.replace("</node>", '<param name="gripper.type" value="p/Gripper"/></node>'), spawner("gripper")),
+        (MANAGER, '<include file="$(env NOWHERE)"/>', spawner("gripper")),
+        (MANAGER.replace("controllers.yaml", "other.yaml"), spawner("gripper")),
+    ],
+    ids=["no manager", "its type is given", "the manager is told", "something included", "a file that is not there"],
+)
+def test_nothing_is_said_of_controllers_that_something_else_may_declare(folder: Folder, nodes: tuple[str, ...]) -> None:
+    assert found(folder, launched(*nodes), "UC601") == []
+
+
+def test_of_ros_1_what_a_launch_file_loads_is_all_there_is(folder: Folder) -> None:
+    node = '<node name="s" pkg="controller_manager" type="spawner" args="{}"/>'
+    controllers = "arm: {type: position_controllers/JointPositionController, joint: elbow}"
+    assert found(folder, ros1(node.format("arn"), controllers=controllers), "UC601") == [
+        ("UC601", "error", "'arn' is spawned, and no file declares it; declared are 'arm'"),
+    ]
+    assert found(folder, ros1(node.format("arm"), controllers=controllers), "UC601") == []
+
+
+def test_a_spawner_that_only_other_arguments_start_makes_a_warning(folder: Folder) -> None:
+    sometimes = spawner("gripper").replace("<node ", '<node if="$(env WHAT)" ')
+    assert [one[1] for one in found(folder, launched(MANAGER, sometimes), "UC601")] == ["warning"]
+
+
+def test_what_a_command_loads_and_then_activates_is_not_spawned_twice(folder: Folder) -> None:
+    command = '<executable cmd="ros2 control set_controller_state arm_controller active"/>'
+    assert found(folder, launched(MANAGER, ARM, command), "UC602") == []
+    unknown = ARM.replace("<node ", '<node namespace="$(env WHERE)" ')
+    assert found(folder, launched(MANAGER, unknown, ARM), "UC602") == []
+
+
+def test_controllers_that_are_alternatives_are_told_of_in_one_finding(folder: Folder) -> None:
+    gripper = "        gripper:\n          type: p/Gripper\n        arm_controller:"
+    more = CONTROLLERS.replace("        arm_controller:", gripper, 1)
+    nodes = (PUBLISHER, MANAGER, spawner("joint_state_broadcaster"))
+    assert found(folder, launched(*nodes, controllers=more), "UC603") == [
+        ("UC603", "info", "'gripper' and 'arm_controller' are configured, and not spawned by the launch file"),
+    ]
+    elsewhere = spawner("gripper arm_controller").replace("<node ", '<node if="false" ')
+    assert found(folder, launched(*nodes, elsewhere, controllers=more), "UC603") == []
+
+
+# -- the states of joints --------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "inside",
+    [
+        '<param name="source_list" value="x"/>',
+        '<remap from="joint_states" to="other"/>',
+        '<param from="$(env FILE)"/>',
+    ],
+)
+def test_joint_state_publisher_may_be_told_to_publish_something_else(folder: Folder, inside: str) -> None:
+    node = f'<node pkg="joint_state_publisher" exec="joint_state_publisher">{inside}</node>'
+    assert found(folder, launched(MANAGER, BROADCASTER, ARM, node), "UC604") == []
+    assert found(folder, launched(MANAGER, spawner("joint_state_broadcaster --inactive"), node), "UC604") == []
+
+
+@pytest.mark.parametrize("distro", ["noetic", "jazzy"])
+def test_a_launch_file_of_the_other_generation_is_not_judged(folder: Folder, distro: str) -> None:
+    node = '<node name="s" pkg="controller_manager" type="spawner" args="--stopped arm"/>'
+    files = ros1(node, robot='<gazebo><plugin name="c" filename="libgazebo_ros_control.so"/></gazebo>')
+    if distro == "noetic":
+        files = launched(PUBLISHER, spawner("--stopped arm_controller", "spawner.py"))
+    codes = ("UC605", "UC606", "UC607", "UC608", "UC609", "UC610", "UC611", "UC612", "UC613")
+    assert found(folder, files, *codes, distro=distro) == []
+
+
+# -- managers --------------------------------------------------------------------------------------------------------
+
+CONTROL = """
+    <gazebo>
+      <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
+        <parameters>$(find arm)/controllers.yaml</parameters>
+        {}
+      </plugin>
+    </gazebo>
+"""
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        '<node pkg="arm_driver" exec="driver"/>',
+        '<executable cmd="gz sim -r empty.sdf"/>',
+        '<include file="$(env NOWHERE)"/>',
+    ],
+    ids=["a driver", "a simulator", "something included"],
+)
+def test_a_manager_may_run_in_what_is_not_known(folder: Folder, other: str) -> None:
+    assert found(folder, launched(PUBLISHER, ARM, other), "UC605", "UC606") == []
+    strange = spawner(f"arm_controller -c /left/controller_manager {FILE}")
+    if "gz" not in other:
+        assert found(folder, launched(PUBLISHER, MANAGER, strange, other), "UC606") == []
+
+
+def test_without_the_robot_the_spawner_may_be_for_any(folder: Folder) -> None:
+    assert found(folder, launched(ARM), "UC605") == []
+    command = '<executable cmd="ros2 control load_controller arm_controller"/>'
+    assert found(folder, launched(PUBLISHER, command), "UC605") == []
+
+
+def test_the_manager_of_a_simulator_s_plugin_runs_where_the_plugin_says(folder: Folder) -> None:
+    robot = samples.ROBOT.replace("mock_components/GenericSystem", "gz_ros2_control/GazeboSimSystem")
+    left = CONTROL.format("<ros><namespace>left</namespace></ros>")
+    gz = '<executable cmd="gz sim -r empty.sdf"/>'
+    files = {**launched(PUBLISHER, gz, ARM, robot=robot + left)}
+    message = (
+        "the spawner asks '/controller_manager', and the controller manager that runs is '/left/controller_manager'"
+    )
+    assert found(folder, files, "UC605", "UC606") == [("UC606", "error", message)]
+    asked = spawner(f"arm_controller -c /left/controller_manager {FILE}")
+    assert found(folder, launched(PUBLISHER, gz, asked, robot=robot + left), "UC606") == []
+    placed = '<node pkg="gazebo_ros" exec="spawn_entity.py" args="-entity arm -robot_namespace left"/>'
+    assert found(folder, launched(PUBLISHER, gz, placed, ARM, robot=robot + left), "UC606") == []
+    ros1 = '<gazebo><plugin filename="libgazebo_ros_control.so" name="p"/></gazebo>'
+    assert found(folder, launched(PUBLISHER, MANAGER, ARM, robot=samples.ROBOT + ros1), "UC606") == []
+
+
+def test_a_second_manager_in_another_namespace_is_for_another_robot(folder: Folder) -> None:
+    robot = samples.ROBOT.replace("mock_components/GenericSystem", "gz_ros2_control/GazeboSimSystem")
+    manager = MANAGER.replace("<node ", '<node namespace="left" ')
+    assert found(folder, launched(PUBLISHER, manager, robot=robot), "UC607") == []
+    assert [one[1] for one in found(folder, launched(PUBLISHER, MANAGER, robot=robot), "UC607")] == ["error"]
+
+
+# -- the spawner's program and options -------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("distro", "severity"), [(None, ["warning"]), ("humble", ["error"]), ("galactic", []), ("foxy", [])]
+)
+def test_spawner_py_is_told_of_by_distro(folder: Folder, distro: str | None, severity: list[str]) -> None:
+    files = launched(MANAGER, spawner("arm_controller", "spawner.py"))
+    assert [one[1] for one in found(folder, files, "UC608", distro=distro)] == severity
+
+
+def test_the_unspawner_and_the_verbs_of_foxy_are_called_otherwise_too(folder: Folder) -> None:
+    verb = '<executable cmd="ros2 control load_start_controller arm_controller"/>'
+    files = launched(MANAGER, spawner("arm_controller", "unspawner.py"), verb)
+    assert [one[2] for one in found(folder, files, "UC608", distro="jazzy")] == [
+        "humble and later have no 'unspawner.py': it is 'unspawner' there",
+        "galactic and later have no 'load_start_controller': it is 'load_controller --set-state active' there",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("args", "distro", "expected"),
+    [
+        ("--stopped", "jazzy", [("error", "the spawner has no option '--stopped'; '--inactive' says the same")]),
+        ("--stopped", "humble", []),
+        ("--inactive", None, []),
+        ("--inactive", "foxy", [("error", "the spawner has no option '--inactive'")]),
+        ("--controller-manager-time 5", "jazzy", []),
+        ("--wait", "jazzy", [("error", "the spawner has no option '--wait'")]),
+        ("--load-onyl", "jazzy", [("error", "the spawner has no option '--load-onyl'; did you mean '--load-only'?")]),
+        (
+            "-t p/T",
+            None,
+            [
+                (
+                    "warning",
+                    "the spawner has no option '-t' in kilted to rolling; the type belongs in the parameters' file",
+                )
+            ],
+        ),
+        ("--ros-args -r __ns:=/left", "jazzy", []),
+    ],
+)
+def test_options_are_those_of_the_distro(
+    folder: Folder, args: str, distro: str | None, expected: list[tuple[str, str]]
+) -> None:
+    files = launched(MANAGER, spawner(f"arm_controller {args}"))
+    assert [one[1:] for one in found(folder, files, "UC609", distro=distro)] == expected
+
+
+@pytest.mark.parametrize(("distro", "severity"), [(None, "info"), ("kilted", "warning"), ("rolling", "error")])
+def test_parameters_reach_a_controller_by_its_spawner(folder: Folder, distro: str | None, severity: str) -> None:
+    files = launched(MANAGER, BROADCASTER, spawner("arm_controller"))
+    assert [one[1] for one in found(folder, files, "UC610", distro=distro)] == [severity]
+    told = spawner("arm_controller --controller-ros-args '--params-file x.yaml'")
+    assert found(folder, launched(MANAGER, told), "UC610", distro=distro) == []
+    named = CONTROLLERS.replace("TrajectoryController\n", "TrajectoryController\n          params_file: x.yaml\n")
+    assert found(folder, launched(MANAGER, spawner("arm_controller"), controllers=named), "UC610") == []
+
+
+# -- descriptions ----------------------------------------------------------------------------------------------------
+
+BARE = MANAGER.replace('<remap from="~/robot_description" to="/robot_description"/>', "")
+
+
+@pytest.mark.parametrize(
+    ("publisher", "manager", "distro", "expected"),
+    [
+        (PUBLISHER, BARE, "jazzy", []),
+        (
+            "",
+            BARE,
+            "jazzy",
+            [
+                (
+                    "warning",
+                    "nothing in the launch file publishes '/robot_description', which the controller manager waits for",
+                )
+            ],
+        ),
+        (
+            PUBLISHER,
+            BARE,
+            "humble",
+            [
+                (
+                    "error",
+                    "the controller manager gets no robot description: neither as parameter nor by a remapping",
+                )
+            ],
+        ),
+        (PUBLISHER, MANAGER, "humble", []),
+        (PUBLISHER, BARE.replace("</node>", '<param name="robot_description" value="x"/></node>'), "humble", []),
+        (PUBLISHER, BARE.replace("</node>", '<remap from="robot_description" to="/d"/></node>'), None, []),
+        (PUBLISHER, BARE.replace("<node ", '<node namespace="$(env WHERE)" '), "jazzy", []),
+        (
+            PUBLISHER,
+            BARE.replace("</node>", '<remap from="robot_description" to="/d"/></node>'),
+            "humble",
+            [
+                (
+                    "error",
+                    "the controller manager gets no robot description: neither as parameter nor by a remapping",
+                )
+            ],
+        ),
+    ],
+)
+def test_the_manager_needs_a_description(
+    folder: Folder, publisher: str, manager: str, distro: str | None, expected: list[tuple[str, str]]
+) -> None:
+    files = launched(publisher, manager)
+    assert [one[1:] for one in found(folder, files, "UC611", distro=distro)] == expected
+
+
+def test_a_publisher_that_something_unknown_is_given_may_publish_anything(folder: Folder) -> None:
+    publisher = PUBLISHER.replace("<node ", '<node if="$(env WHAT)" namespace="left" ')
+    assert [one[1] for one in found(folder, launched(publisher, BARE), "UC611", distro="jazzy")] == ["warning"]
+    nowhere = '<include file="$(env NOWHERE)"/>'
+    assert found(folder, launched(BARE, nowhere), "UC611", distro="jazzy") == []
+    everywhere = '<set_remap from="robot_description" to="x"/>'
+    assert found(folder, launched(everywhere, PUBLISHER, BARE), "UC611", distro="humble") == []
+
+
+def test_a_simulation_that_runs_or_is_waited_for_longer_is_right(folder: Folder) -> None:
+    gz = '<executable cmd="gz sim {} empty.sdf"/>'
+    assert found(folder, launched(gz.format("-r"), ARM), "UC612") == []
+    patient = spawner(f"arm_controller --switch-timeout 60 {FILE}")
+    assert found(folder, launched(gz.format(""), patient), "UC612") == []
+    assert [one[0] for one in found(folder, launched(gz.format("-v4"), ARM), "UC612")] == ["UC612"]
+
+
+def test_the_simulated_robot_s_description_is_looked_for_upwards(folder: Folder) -> None:
+    plugin = '<gazebo><plugin name="c" filename="libgazebo_ros_control.so">{}</plugin></gazebo>'
+    there = plugin.format("<robotNamespace>/arm</robotNamespace>")
+    assert found(folder, ros1(robot=there), "UC613") == []
+    assert found(folder, ros1(robot=plugin.format("")), "UC613") == []
+    below = {**ros1(robot=plugin.format("<robotNamespace>/</robotNamespace>"))}
+    below["arm.launch"] = (
+        below["arm.launch"].replace("<param ", '<group ns="x"><param ').replace('urdf"/>', 'urdf"/></group>')
+    )
+    assert [one[2] for one in found(folder, below, "UC613")] == [
+        "the robot description is in '/x', and the simulated robot's manager looks for it in '/'",
+    ]
+    below["arm.launch"] = below["arm.launch"].replace("<group", '<group if="$(env WHAT)"')
+    assert found(folder, below, "UC613") == []
+
+
+def test_the_package_of_the_examples_is_whole() -> None:
+    assert all(f"<exec_depend>{name}<" in MANIFEST for name in ("controller_manager", "xacro"))

@@ -1,0 +1,41 @@
+"""UC603."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rules.common import in_words
+from urdfctl.rules.launch.common import is_sure, spawners
+from urdfctl.rules.launch.samples import BROADCASTER, CONTROLLERS, MANAGER, PUBLISHER, SOUND, launched
+
+
+@rule(
+    "UC603",
+    severity=Severity.INFO,
+    authority="ros2_control controller_manager.cpp load_controller(): a controller is loaded when a spawner asks for it; "
+    "likewise ros_control's controller_manager",
+    bad=launched(
+        PUBLISHER,
+        MANAGER,
+        BROADCASTER,
+        controllers=CONTROLLERS.replace("    arm_controller:", "    «arm_controller»:", 1),
+    ),
+    good=SOUND,
+)
+def controller_not_spawned(project: Project) -> Iterator[Finding]:
+    """A controller is configured, and the launch file that loads its configuration does not spawn it.
+
+    The manager loads only what a spawner, or `ros2 control load_controller`, asks for. That is all right where another
+    launch file does, or where the file lists alternatives.
+    """
+    launch, controllers = project.launch, project.controllers
+    if launch is None or controllers is None or not launch.spawns or not is_sure(launch):
+        return
+    spawned = {name.rpartition("/")[2] for spawn in spawners(launch) for name, _ in spawn.names}
+    left = [c for c in controllers.controllers if c.declared_at and c.type and c.name not in spawned]
+    if left and left[0].declared_at:
+        names = in_words(dict.fromkeys(controller.name for controller in left))
+        verb = "are" if len({controller.name for controller in left}) > 1 else "is"
+        note = Note("the spawner is here", launch.spawns[0].at)
+        yield Finding(left[0].declared_at, f"{names} {verb} configured, and not spawned by the launch file", (note,))

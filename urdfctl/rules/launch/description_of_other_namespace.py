@@ -1,0 +1,66 @@
+"""UC613."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS1
+from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rules.common import is_known
+from urdfctl.rules.launch.common import launch_of
+from urdfctl.rules.simulation.common import control_plugins, namespace_of
+
+
+def _robot(namespace: str) -> str:
+    return f"""
+        <gazebo>
+          <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
+            <robotNamespace>{namespace}</robotNamespace>
+          </plugin>
+        </gazebo>
+    """
+
+
+def _files(namespace: str) -> dict[str, str]:
+    return {
+        "arm.launch": """
+            <launch>
+              <group ns="arm">
+                «<param name="robot_description" textfile="$(find arm)/arm.urdf"/>»
+              </group>
+            </launch>
+        """,
+        "arm.urdf": _robot(namespace),
+        "package.xml": "<package><name>arm</name></package>",
+    }
+
+
+@rule(
+    "UC613",
+    severity=Severity.ERROR,
+    distros=ROS1,
+    authority="gazebo_ros_control gazebo_ros_control_plugin.cpp getURDF(): searchParam() from robotNamespace upwards: "
+    "'gazebo_ros_control plugin is waiting for model URDF in parameter [robot_description] on the ROS param server.'",
+    bad=_files("/left"),
+    good={name: text.replace("«", "").replace("»", "") for name, text in _files("/arm").items()},
+)
+def description_of_other_namespace(project: Project) -> Iterator[Finding]:
+    """The robot description is in another namespace than the simulated robot's.
+
+    gazebo_ros_control looks for it in `<robotNamespace>` and the namespaces around that, and waits until it is there.
+    """
+    launch = launch_of(project, 1)
+    hosts = [one for one in control_plugins(project) if one.library == "gazebo_ros_control"]
+    setting = hosts[0].setting("robotNamespace") if len(hosts) == 1 else None
+    if launch is None or setting is None or not is_known(setting.text) or hosts[0].setting("robotParam"):
+        return
+    ours = namespace_of(setting.text)
+    described = [one for one in launch.descriptions if one.sure and one.namespace is not None]
+    if not launch.complete or not described or len(described) < len(launch.descriptions):
+        return
+    if not any(f"{ours}/".startswith(f"{namespace_of(one.namespace or '')}/") for one in described):
+        theirs = namespace_of(described[0].namespace or "")
+        message = (
+            f"the robot description is in '{theirs}', and the simulated robot's manager looks for it in '{ours or '/'}'"
+        )
+        yield Finding(described[0].at, message, (Note("the plugin says so here", setting.at),))

@@ -1,0 +1,49 @@
+"""UC607."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS2
+from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rules.launch.common import ROS_2, launch_of, manager_nodes
+from urdfctl.rules.launch.samples import ARM, BROADCASTER, PUBLISHER, ROBOT, SOUND, launched
+from urdfctl.rules.simulation.common import IN_GAZEBO, components, simulator_of
+
+_MANAGER = """
+      «<node pkg="controller_manager" exec="ros2_control_node">»
+        <param from="$(find-pkg-share arm)/controllers.yaml"/>
+        <remap from="~/robot_description" to="/robot_description"/>
+      </node>"""
+_SIMULATED = ROBOT.replace("mock_components/GenericSystem", "gz_ros2_control/GazeboSimSystem")
+
+
+@rule(
+    "UC607",
+    severity=Severity.ERROR,
+    distros=ROS2,
+    authority="ros2_control hardware_interface resource_manager.cpp: 'According to the loaded plugin descriptions the class "
+    "gz_ros2_control/GazeboSimSystem with base class type hardware_interface::SystemInterface does not exist.'",
+    bad=launched(PUBLISHER, _MANAGER, BROADCASTER, ARM, robot=_SIMULATED),
+    good=SOUND,
+)
+def manager_beside_simulator(project: Project) -> Iterator[Finding]:
+    """ros2_control_node is started for a robot whose hardware is the simulator's.
+
+    That hardware lives in the simulator's process, and only the manager of the simulator's plugin can load it: a
+    second manager finds no such class, and ends. In a simulation ros2_control_node is not started.
+    """
+    launch = launch_of(project, ROS_2)
+    if launch is None or launch.description is None:
+        return
+    simulated = [control for control in components(project) if simulator_of(project, control) in IN_GAZEBO]
+    if not simulated:
+        return
+    hardware = simulated[0]
+    where = IN_GAZEBO[simulator_of(project, hardware) or ""]
+    for node in manager_nodes(launch):
+        if node.sure and node.namespace == (launch.description.namespace or ""):
+            message = (
+                f"ros2_control_node cannot load '{hardware.plugin}': {where} runs that hardware, with its own manager"
+            )
+            yield Finding(node.at, message, (Note("the hardware is named here", hardware.at),))

@@ -1,0 +1,57 @@
+"""UC610."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import since
+from urdfctl.model.controllers import Controller
+from urdfctl.model.launch import Spawn
+from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rules.launch.common import ROS_2, is_spawner, launch_of
+from urdfctl.rules.launch.samples import BROADCASTER, MANAGER, PUBLISHER, SOUND, launched, spawner
+
+_REFUSING = ("lyrical", "rolling")
+
+
+@rule(
+    "UC610",
+    severity=Severity.WARNING,
+    distros=since("jazzy"),
+    options=("--distro=jazzy",),
+    authority="ros2_control #1694 (jazzy): parameters of controllers are given to the spawner; #3016 (lyrical): the manager "
+    "no longer hands its own on: 'Length of parameter 'joints' is '0' but must be greater than '0''",
+    bad=launched(PUBLISHER, MANAGER, BROADCASTER, spawner("«arm_controller»")),
+    good=SOUND,
+)
+def parameters_not_given_to_controller(project: Project) -> Iterator[Finding]:
+    """The parameters of a controller are given to the manager, and not to its spawner.
+
+    Since jazzy the spawner's `--param-file` is the way to give them; jazzy and kilted still hand on what the manager was
+    given. From lyrical on the controller gets none: it is refused where one is required, and else does what its defaults
+    say.
+    """
+    launch, controllers = launch_of(project, ROS_2), project.controllers
+    if launch is None or controllers is None:
+        return
+    severity = Severity.ERROR if set(project.distros) <= set(_REFUSING) else None
+    severity = Severity.INFO if project.distro is None else severity
+    for spawn in launch.spawns:
+        if not is_spawner(spawn) or not spawn.complete or spawn.files or _is_told(spawn):
+            continue
+        for name, at in spawn.names:
+            controller = controllers.controller(name.rpartition("/")[2])
+            if controller is not None and _needs_file(controller):
+                message = f"the spawner of '{name}' is given no --param-file with its parameters"
+                notes = (Note("they are here", controller.sections[0].at),)
+                yield Finding(at, message, notes, severity=severity)
+
+
+def _is_told(spawn: Spawn) -> bool:
+    return any(option.name in {"-p", "--param-file", "--controller-ros-args"} for option in spawn.options)
+
+
+def _needs_file(controller: Controller) -> bool:
+    """Whether it has parameters in a section of its own, and the manager is told of no file for it."""
+    own = [parameter.name for parameter in controller.own if parameter.name != "type"]
+    return bool(own and controller.sections and not controller.parameter_files)

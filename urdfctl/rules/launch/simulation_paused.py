@@ -1,0 +1,37 @@
+"""UC612."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS2
+from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rules.launch.common import ROS_2, launch_of
+from urdfctl.rules.launch.samples import ARM, BROADCASTER, PUBLISHER, SOUND, launched
+
+_HOW = {"gz": "'-r' in gz_args starts it", "gazebo-classic": "'pause' is 'false' to start it"}
+
+
+@rule(
+    "UC612",
+    severity=Severity.WARNING,
+    distros=ROS2,
+    authority="gz sim --help: '-r: Run simulation on start'; ros2_control: 'Switch controller timed out after 5.000000 "
+    "seconds!' (gz_ros2_control#421)",
+    bad=launched(PUBLISHER, '\n      «<executable cmd="gz sim empty.sdf"/>»', BROADCASTER, ARM),
+    good=SOUND,
+)
+def simulation_paused(project: Project) -> Iterator[Finding]:
+    """The simulation is started paused, and controllers are spawned in it.
+
+    In a paused simulation time stands still, and the manager of its plugin is not updated: no controller is activated
+    before somebody presses play, and the spawner gives up after five seconds.
+    """
+    launch = launch_of(project, ROS_2)
+    if launch is None:
+        return
+    waiting = [spawn for spawn in launch.spawns if spawn.sure and spawn.active and not spawn.option("--switch-timeout")]
+    for simulation in launch.simulations:
+        if simulation.paused and simulation.sure and waiting:
+            message = f"the simulation is started paused, and no controller can be activated in it; {_HOW[simulation.simulator]}"
+            yield Finding(simulation.at, message, (Note("controllers are spawned here", waiting[0].at),))

@@ -1,0 +1,49 @@
+"""UC608."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS2, since
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.common import replaced, severity_where
+from urdfctl.rules.launch.common import ROS_2, launch_of, spawners
+from urdfctl.rules.launch.samples import ARM, BROADCASTER, MANAGER, PUBLISHER, SOUND, launched
+
+_GONE = {
+    "spawner.py": (since("humble"), "spawner"),
+    "unspawner.py": (since("humble"), "unspawner"),
+    "load_start_controller": (since("galactic"), "load_controller --set-state active"),
+    "load_configure_controller": (since("galactic"), "load_controller --set-state inactive"),
+}
+"""Programs and verbs, the distros that have them no more, and what they are called there."""
+
+
+@rule(
+    "UC608",
+    severity=Severity.ERROR,
+    distros=since("galactic"),
+    options=("--distro=humble",),
+    authority="ros2_control controller_manager/setup.cfg: console_scripts spawner, unspawner; galactic: ''spawner.py' is "
+    "deprecated, please use 'spawner' (without .py extension)'; ros2controlcli: verbs of foxy",
+    bad=launched(PUBLISHER, MANAGER, BROADCASTER.replace('"spawner"', '"«spawner.py»"'), ARM),
+    good=SOUND,
+)
+def spawner_program_gone(project: Project) -> Iterator[Finding]:
+    """A launch file calls a program that loads controllers by a name of foxy.
+
+    spawner.py lost its ending in galactic, and is not installed any more since humble: the launch ends with
+    'executable not found'. The verbs of `ros2 control` that load and start are one verb with an option since galactic.
+    """
+    launch = launch_of(project, ROS_2)
+    if launch is None:
+        return
+    programs = [spawn.program for spawn in spawners(launch) if spawn.program is not None]
+    programs += [node.executable for node in launch.nodes if node.executable.text == "unspawner.py"]
+    for program in programs:
+        gone, became = _GONE.get(program.text, ((), ""))
+        if set(gone) & set(project.distros):
+            message = f"{gone[0]} and later have no '{program.text}': it is '{became}' there"
+            fix = replaced(program.at, program.text, became)
+            known = set(project.distros) != set(ROS2)
+            yield Finding(program.at, message, (), fix, severity_where(project, gone) if known else Severity.WARNING)

@@ -1,0 +1,44 @@
+"""UC605."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS2
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.launch.common import (
+    ROS_2,
+    hosts_no_manager,
+    is_spawner,
+    is_sure,
+    launch_of,
+    managers,
+    state_publishers,
+)
+from urdfctl.rules.launch.samples import ARM, BROADCASTER, PUBLISHER, SOUND, launched
+
+
+@rule(
+    "UC605",
+    severity=Severity.WARNING,
+    distros=ROS2,
+    whole_robot=True,
+    authority="ros2_control spawner.py: 'waiting for service /controller_manager/list_controllers to become available...'",
+    bad=launched(PUBLISHER, BROADCASTER.replace("joint_state_broadcaster", "«joint_state_broadcaster»"), ARM),
+    good=SOUND,
+)
+def spawner_without_manager(project: Project) -> Iterator[Finding]:
+    """Controllers are spawned, and nothing that the launch file starts is a controller manager.
+
+    The spawner waits for the manager's services, for ever where no timeout is given. The manager is the node
+    ros2_control_node of the package controller_manager, or in a simulation the plugin of gz or Gazebo.
+    """
+    launch = launch_of(project, ROS_2)
+    if launch is None or project.robot is None or not is_sure(launch) or not state_publishers(launch):
+        return
+    if launch.simulations or managers(project, launch) or not all(hosts_no_manager(node) for node in launch.nodes):
+        return
+    first = next((spawn for spawn in launch.spawns if is_spawner(spawn)), None)
+    if first is not None:
+        at = first.names[0][1] if first.names else first.at
+        yield Finding(at, "controllers are spawned, and the launch file starts no controller manager")
