@@ -11,6 +11,7 @@ import re
 import shutil
 from collections import Counter
 from collections.abc import Iterable
+from itertools import permutations
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -116,6 +117,8 @@ def pattern(data: bytes, edits: Iterable[Edit]) -> bytes:
     for group in groups:
         start, end = group[0].start, max(edit.end for edit in group)
         made = [data[start : edit.start] + edit.text + data[edit.end : end] for edit in group]
+        if start == end:  # what is inserted at one place may all be, one run after the other
+            made = [b"".join(some) for n in range(1, len(group) + 1) for some in permutations(made, n)]
         parts += [re.escape(data[position:start]), b"(?:", b"|".join(map(re.escape, [data[start:end], *made])), b")"]
         position = end
     return b"".join([*parts, re.escape(data[position:])])
@@ -125,8 +128,8 @@ def test_the_pattern_admits_what_the_edits_make_and_nothing_else() -> None:
     edits = [Edit(1, 2, b"X"), Edit(3, 3, b"Y"), Edit(3, 3, b"Z"), Edit(4, 6, b"")]
     admitted = [
         text
-        for text in (b"abcdefg", b"aXcdefg", b"aXcYdg", b"abcZdefg")
+        for text in (b"abcdefg", b"aXcdefg", b"aXcYdg", b"abcZdefg", b"abcZYdefg")
         if re.fullmatch(pattern(b"abcdefg", edits), text)
     ]
-    assert len(admitted) == 4
-    assert not any(re.fullmatch(pattern(b"abcdefg", edits), text) for text in (b"abcdef", b"aXXcdefg", b"abcYZdefg"))
+    assert len(admitted) == 5
+    assert not any(re.fullmatch(pattern(b"abcdefg", edits), text) for text in (b"abcdef", b"aXXcdefg", b"abcYYdefg"))

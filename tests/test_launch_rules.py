@@ -361,8 +361,156 @@ def test_the_simulated_robot_s_description_is_looked_for_upwards(folder: Folder)
     assert [one[2] for one in found(folder, below, "UC613")] == [
         "the robot description is in '/x', and the simulated robot's manager looks for it in '/'",
     ]
-    below["arm.launch"] = below["arm.launch"].replace("<group", '<group if="$(env WHAT)"')
+    below["arm.launch"] = below["arm.launch"].replace("<group", '<include file="$(env NOWHERE)"/><group')
     assert found(folder, below, "UC613") == []
+
+
+# -- packages --------------------------------------------------------------------------------------------------------
+
+
+def without(*names: str) -> str:
+    """The manifest of the examples without some dependencies."""
+    text = MANIFEST
+    for name in names:
+        text = text.replace(f"<exec_depend>{name}</exec_depend>", "")
+    return text
+
+
+def test_what_a_launch_file_needs_is_told_once_and_mended_in_the_manifest(folder: Folder) -> None:
+    files = {**samples.SOUND, "package.xml": without("xacro", "joint_trajectory_controller", "controller_manager")}
+    assert found(folder, files, "UC614") == [
+        ("UC614", "warning", "'controller_manager' is used by a launch file, and is no <exec_depend>"),
+        ("UC614", "warning", "'joint_trajectory_controller' is used by a launch file, and is no <exec_depend>"),
+        ("UC614", "info", "'xacro' is used by a launch file, and is no <exec_depend>"),
+    ]
+    linted = Loader(Settings(), Selection(("UC614",))).lint(Target("arm.launch.xml"))
+    fix = next(one.fix for one in linted.outcome.diagnostics if "trajectory" in one.message)
+    assert fix is not None
+    text = (folder.path / "package.xml").read_bytes()
+    (edit,) = fix.edits
+    mended = text[: edit.start] + edit.text.encode() + text[edit.end :]
+    assert mended.endswith(b"  <exec_depend>joint_trajectory_controller</exec_depend>\n</package>\n")
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        "<depend>ros2_controllers</depend><exec_depend>ros2_control</exec_depend>",
+        "<exec_depend>arm_meta</exec_depend>",
+        "<exec_depend>moveit</exec_depend>",
+    ],
+    ids=["by metapackages", "by a package among the sources", "by nearly everything"],
+)
+def test_a_package_may_come_with_another(folder: Folder, more: str) -> None:
+    lacking = without("joint_trajectory_controller", "joint_state_broadcaster", "controller_manager")
+    files = {**samples.SOUND, "package.xml": lacking.replace("</package>", f"{more}</package>")}
+    inner = "".join(
+        f"<depend>{name}</depend>"
+        for name in ("joint_trajectory_controller", "controller_manager", "joint_state_broadcaster", "arm")
+    )
+    files["src/meta/package.xml"] = f"<package><name>arm_meta</name>{inner}<!-- <depend>x</depend> --></package>"
+    assert found(folder, files, "UC614") == []
+
+
+def test_a_manifest_of_the_first_format_has_another_word_for_it(folder: Folder) -> None:
+    files = {**samples.SOUND, "package.xml": "<package><name>arm</name></package>"}
+    messages = [one[2] for one in found(folder, files, "UC614")]
+    assert "'controller_manager' is used by a launch file, and is no <run_depend>" in messages
+
+
+def test_without_a_manifest_that_can_be_read_nothing_is_missed_in_it(folder: Folder) -> None:
+    files = {**samples.SOUND, "package.xml": "<project><name>arm</name></project>"}
+    assert found(folder, files, "UC614", "UC615") == []
+
+
+SETUP = """
+    from setuptools import setup
+    from glob import glob
+    import os
+    package_name = 'arm'
+    setup(name=package_name, data_files=[
+        ('share/' + package_name, ['package.xml']),
+        {}
+    ])
+"""
+
+
+@pytest.mark.parametrize(
+    ("build", "text", "expected"),
+    [
+        ("CMakeLists.txt", "project(arm)\ninstall(DIRECTORY launch DESTINATION share/arm)", True),
+        ("CMakeLists.txt", "project(arm)\ninstall(FILES controllers.yaml arm.urdf DESTINATION share/arm)", False),
+        ("CMakeLists.txt", "foreach(d launch)\ninstall(DIRECTORY ${d} DESTINATION share/arm)\nendforeach()", False),
+        ("CMakeLists.txt", "install(DIRECTORY ${FOLDERS} DESTINATION share/arm)", False),
+        ("CMakeLists.txt", "ament_auto_package(INSTALL_TO_SHARE config)", False),
+        ("setup.py", SETUP.format(""), True),
+        ("setup.py", SETUP.format("(os.path.join('share', package_name), glob('*.yaml') + ['arm.urdf'])"), False),
+        ("setup.py", SETUP.format("(os.path.join('share', package_name), ['controllers.yaml', 'arm.urdf'])"), False),
+        ("setup.py", SETUP.format("(os.path.join('share', package_name), glob('*.*'))"), False),
+        ("setup.py", SETUP.format("(os.path.join('share', package_name), found())"), False),
+        ("setup.py", SETUP.format("*more"), False),
+        ("setup.py", "setup(data_files=listed)", False),
+        ("setup.py", "setup(", False),
+    ],
+)
+def test_what_is_installed_is_only_judged_where_all_of_it_is_said(
+    folder: Folder, build: str, text: str, expected: bool
+) -> None:
+    kind = "ament_python" if build == "setup.py" else "ament_cmake"
+    manifest = MANIFEST.replace("</package>", f"<export><build_type>{kind}</build_type></export></package>")
+    files = {**samples.SOUND, "package.xml": manifest, build: text}
+    told = [one[2] for one in found(folder, files, "UC615")]
+    assert bool(told) == expected
+    assert all(build in message for message in told)
+
+
+def test_of_a_package_that_installs_nothing_each_file_is_told(folder: Folder) -> None:
+    manifest = MANIFEST.replace("</package>", "<export><build_type>ament_cmake</build_type></export></package>")
+    files = {**samples.SOUND, "package.xml": manifest, "CMakeLists.txt": "install(FILES x DESTINATION share/arm)"}
+    include = '<include file="$(find-pkg-share arm)/nowhere.launch.xml"/>'
+    files["arm.launch.xml"] = files["arm.launch.xml"].replace("</launch>", f"{include}</launch>")
+    assert {one[2] for one in found(folder, files, "UC615")} == {
+        "'arm.urdf' is not installed: CMakeLists.txt does not name 'arm.urdf'",
+        "'controllers.yaml' is not installed: CMakeLists.txt does not name 'controllers.yaml'",
+    }
+
+
+def test_a_file_of_a_package_without_build_type_need_not_be_installed(folder: Folder) -> None:
+    assert found(folder, {**samples.SOUND, "CMakeLists.txt": "project(arm)"}, "UC615") == []
+
+
+def test_a_file_that_is_not_there_is_told_of_unless_it_may_be_made(folder: Folder) -> None:
+    include = '<include file="$(find-pkg-share arm)/{}"/>'
+    assert found(folder, launched(include.format("other.launch.xml")), "UC616") == [
+        ("UC616", "error", "no such file: 'arm/other.launch.xml'"),
+    ]
+    sometimes = include.format("other.launch.xml").replace("<include", '<include if="$(env WHAT)"')
+    assert [one[1] for one in found(folder, launched(sometimes), "UC616")] == ["warning"]
+    make = "add_custom_command(OUTPUT other.launch.xml COMMAND make_it)"
+    files = {**launched(include.format("other.launch.xml")), "CMakeLists.txt": make}
+    assert found(folder, files, "UC616") == []
+    (folder.path / "CMakeLists.txt").unlink()
+    assert found(folder, launched('<include file="/nowhere/else.launch.xml"/>'), "UC616") == []
+    (folder.path / "package.xml").unlink()
+    files = launched(f'<include file="{folder.path}/other.launch.xml"/>')
+    del files["package.xml"]
+    assert found(folder, files, "UC616") == [("UC616", "error", f"no such file: '{folder.path}/other.launch.xml'")]
+
+
+def test_an_argument_that_hangs_on_the_file_s_name_is_told(folder: Folder) -> None:
+    publisher = PUBLISHER.replace("arm.urdf'", "arm.urdfprefix:=left_'")
+    assert [one[2] for one in found(folder, launched(publisher), "UC617")] == [
+        "there is no blank before 'prefix:=' in this command",
+    ]
+
+
+def test_an_included_file_that_takes_all_arguments_is_given_those_that_it_has(folder: Folder) -> None:
+    include = '<include file="$(find arm)/inner.launch" pass_all_args="true"><arg name="gui" value="1"/></include>'
+    files = {**ros1(include), "inner.launch": '<launch><group><arg name="gui" default="0"/></group></launch>'}
+    assert found(folder, files, "UC618") == []
+    elsewhere = include.replace("<include", '<include if="false"')
+    files = {**ros1(elsewhere), "inner.launch": "<launch/>"}
+    assert found(folder, files, "UC618") == []
 
 
 def test_the_package_of_the_examples_is_whole() -> None:

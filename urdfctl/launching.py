@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from urdfctl.model.build_launch import Sources, is_of_ros2, launch_of
+from urdfctl.model.build_package import package_around
 from urdfctl.model.launch import Launch, Word
 from urdfctl.source.dom import Document, Element
 from urdfctl.source.files import FileProblem, Files
@@ -32,7 +33,8 @@ def read_launch(
     reader = _Reader(path, files, packages, environ)
     launch = reader.ros1(arguments) if reader.is_roslaunch() else reader.ros2(arguments)
     if launch is not None:
-        launch = launch._replace(packages=tuple(reader.named))
+        named = (*launch.packages, *reader.named)
+        launch = launch._replace(packages=named, package=package_around(packages, reader.tree))
     return Launched(launch, files, tuple(reader.problems))
 
 
@@ -123,7 +125,9 @@ class _Reader:
     def locate(self, path: str) -> tuple[str, bool | None]:
         """Where a file lies in the sources, and whether it is there; None where nobody may look."""
         found = self.packages.source_of(path)
-        return found, os.path.isfile(found) if self.files.may_read(found) else None
+        if not self.files.may_read(found):
+            return found, None
+        return found, os.path.isfile(found) or (None if self.packages.may_be_made(found) else False)
 
     def find(self, package: str, at: Place) -> str | None:
         """The folder of a package that is named at a place; None where it is not among the sources."""

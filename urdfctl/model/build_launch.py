@@ -80,6 +80,7 @@ def launch_of(path: str, arguments: Mapping[str, str], sources: Sources) -> Laun
         simulations=tuple(builder.simulations),
         references=tuple(builder.references),
         packages=tuple(builder.packages),
+        strays=tuple(builder.strays),
     )
 
 
@@ -112,6 +113,7 @@ class _Builder:
         self.simulations: list[Simulation] = []
         self.references: list[Reference] = []
         self.packages: list[Word] = []
+        self.strays: list[Word] = []
         self.complete = True
         self._includes = 0
         self._remapped = False
@@ -189,6 +191,10 @@ class _Builder:
         if document is None or document.documentElement is None:
             self.complete = self.complete and not scope.held
             return
+        declared = {one.attrs.get("name") for one in _all(document.documentElement) if one.tagName == "arg"}
+        for child in element.elements():
+            if child.tagName == "arg" and child.attrs.get("name") not in declared and scope.held:
+                self.strays.append(Word(child.attrs.get("name", ""), child.at["name"]))
         inner = _Scope(path, scope.namespace, arguments, scope.sure, scope.depth + 1, held=scope.held)
         self.walk(document.documentElement, inner)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from urdfctl.model.controllers import FileReference
+from urdfctl.model.package import Package
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
 
@@ -133,7 +134,9 @@ class Launch(NamedTuple):
     """One launch file, with all that it includes. Not `complete`: an included file could not be read, so something may
     be done that is not listed.
 
-    `elsewhere` are the spawners that run only where other arguments are given. `packages` are those that it names.
+    `elsewhere` are the spawners that run only where other arguments are given. `packages` are those that it names,
+    `package` is the one that it lies in. `strays` are the arguments given to included files of ROS 1 that have none of
+    the name.
     """
 
     path: str
@@ -147,6 +150,8 @@ class Launch(NamedTuple):
     simulations: tuple[Simulation, ...] = ()
     references: tuple[Reference, ...] = ()
     packages: tuple[Word, ...] = ()
+    package: Package | None = None
+    strays: tuple[Word, ...] = ()
 
     @property
     def started(self) -> tuple[str, ...] | None:

@@ -13,6 +13,11 @@ from typing import NamedTuple
 
 _INSTALL = r"(?si)\binstall\s*\(\s*(DIRECTORY|FILES|PROGRAMS)\s+([^)]*)\)"
 _PROJECT = r"(?i)\bproject\s*\(\s*([\w.-]+)"
+_ANY_INSTALL = r"(?si)\binstall\s*(\()([^)]*)\)"
+_NOT_PLAIN = (
+    r"(?i)\b(?:foreach|add_subdirectory|include|function|macro|execute_process|ament_auto_package|catkin_install_python"
+    r"|xacro_add_\w+|add_custom_command|add_custom_target|configure_file|install_\w+|\w+_install\w*)\s*\(|INSTALL_TO_SHARE|\bGLOB"
+)
 _COMMENT = r"#[^\n]*"
 _PIECE = r'"([^"]*)"|(\S+)'
 _MAX_CHARACTERS = 1 << 20
@@ -28,9 +33,19 @@ class Installed(NamedTuple):
 class InstallMap:
     """The install rules of one package."""
 
-    def __init__(self, folder: str, rules: list[Installed]) -> None:
+    def __init__(self, folder: str, rules: list[Installed], *, whole: bool = False, makes: bool = False) -> None:
         self.folder = folder
         self.rules = rules
+        self.whole = whole
+        """Whether these are surely all."""
+        self.makes = makes
+        """Whether building may make files that are not among the sources."""
+
+    def installs(self, source: str) -> bool | None:
+        """Whether a file of the sources is installed, by its path in the package; None where that is not sure."""
+        if any(source == rule.source or source.startswith(rule.source.rstrip("/") + "/") for rule in self.rules):
+            return True
+        return False if self.whole else None
 
     def source_of(self, relative: str) -> str | None:
         """The existing source file that is installed at a path relative to share/<package>; None where none is."""
@@ -48,7 +63,9 @@ def read_install_map(folder: str, package: str) -> InstallMap:
     """The install rules of the package in a folder; none where it has no build files."""
     cmake = _read(os.path.join(folder, "CMakeLists.txt"))
     setup = _read(os.path.join(folder, "setup.py"))
-    return InstallMap(folder, [*_from_cmake(cmake, package), *_from_setup(setup, folder, package)])
+    rules = [*_from_cmake(cmake, package), *_from_setup(setup, folder, package)]
+    plain = _is_plain_cmake(cmake, package) if cmake else _is_plain_setup(setup, package)
+    return InstallMap(folder, rules, whole=plain and bool(cmake) != bool(setup), makes=bool(cmake) and not plain)
 
 
 def _read(path: str) -> str:
@@ -75,6 +92,14 @@ def _from_cmake(text: str, package: str) -> Iterator[Installed]:
             if source.isupper() and source.isalpha():
                 break
             yield _installed(kind.upper(), target, source)
+
+
+def _is_plain_cmake(text: str, package: str) -> bool:
+    """Whether all that a CMakeLists.txt installs is said in words: no loops, no macros, no unknown variables."""
+    text = re.sub(_COMMENT, "", text)
+    if re.search(_NOT_PLAIN, text):
+        return False
+    return not any("${" in _substituted(body, package) for _, body in re.findall(_ANY_INSTALL, text))
 
 
 def _substituted(body: str, project: str) -> str:
@@ -120,6 +145,32 @@ def _from_setup(text: str, folder: str, package: str) -> Iterator[Installed]:
             if target is not None:
                 for source in _sources_of(node.elts[1], package):
                     yield from _matching(folder, target, source)
+
+
+def _is_plain_setup(text: str, package: str) -> bool:
+    """Whether setup.py lists all its data files as texts and patterns."""
+    try:
+        tree = ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError):
+        return False
+    given = [
+        keyword.value
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Call)
+        for keyword in node.keywords
+        if keyword.arg == "data_files"
+    ]
+    if len(given) != 1 or not isinstance(given[0], ast.List):
+        return False
+    return all(isinstance(pair, ast.Tuple) and _is_plain_pair(pair.elts, package) for pair in given[0].elts)
+
+
+def _is_plain_pair(pair: list[ast.expr], package: str) -> bool:
+    if len(pair) != 2 or _text_of(pair[0], package) is None:  # noqa: PLR2004 (where to, and which)
+        return False
+    if isinstance(pair[1], ast.List):
+        return all(_text_of(element, package) is not None for element in pair[1].elts)
+    return isinstance(pair[1], ast.Call) and bool(pair[1].args) and _text_of(pair[1].args[0], package) is not None
 
 
 def _matching(folder: str, target: str, pattern: str) -> Iterator[Installed]:

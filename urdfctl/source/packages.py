@@ -180,6 +180,17 @@ class Packages:
                 return self._index.install_map(folder, name).source_of(relative) or path
         return path
 
+    def install_map(self, folder: str, name: str) -> InstallMap:
+        """What a source package installs where."""
+        return self._index.install_map(folder, name)
+
+    def may_be_made(self, path: str) -> bool:
+        """Whether a file of a source package that is not there may be made when the package is built."""
+        return any(
+            path.startswith(folder + os.sep) and self._index.install_map(folder, name).makes
+            for name, folder in self._found.items()
+        )
+
     def _from_environment(self, name: str) -> str | None:
         for prefix in self._index.prefixes("AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "CMAKE_PREFIX_PATH"):
             share = os.path.join(prefix, "share", name)

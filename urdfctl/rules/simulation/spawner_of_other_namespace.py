@@ -24,7 +24,7 @@ from urdfctl.rules.simulation.common import control_plugins, namespace_of
               </plugin>
             </gazebo>
         """,
-        "package.xml": "<package><name>arm</name></package>",
+        "package.xml": "<package><name>arm</name><exec_depend>controller_manager</exec_depend></package>",
         "arm.launch": """
             <launch>
               <param name="robot_description" textfile="$(find arm)/robot.urdf"/>
@@ -40,7 +40,7 @@ from urdfctl.rules.simulation.common import control_plugins, namespace_of
               </plugin>
             </gazebo>
         """,
-        "package.xml": "<package><name>arm</name></package>",
+        "package.xml": "<package><name>arm</name><exec_depend>controller_manager</exec_depend></package>",
         "arm.launch": """
             <launch>
               <param name="robot_description" textfile="$(find arm)/robot.urdf"/>

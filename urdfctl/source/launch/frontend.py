@@ -159,7 +159,7 @@ def _node(entity: Entity) -> Called:
 
 def _parameter(entity: Entity) -> Term:
     if "from" in entity.attributes:
-        return Called("ParameterFile", entity.at, [_text(entity, "from")])
+        return Called("ParameterFile", entity.attributes["from"].at, [_text(entity, "from")])
     table = Table(entity.at)
     table.put(entity.attributes.get("name") or Missing(entity.at), _text(entity, "value"))
     return table

@@ -1,0 +1,77 @@
+"""Reads what a package's manifest and build files say of it."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Iterator
+from functools import partial
+
+from urdfctl.model.package import Package
+from urdfctl.model.parts import text_of
+from urdfctl.source.dom import Document, Element
+from urdfctl.source.packages import PackageNotFound, Packages
+
+_RUNNING = ("depend", "exec_depend", "run_depend", "build_export_depend")
+_MOST_MANIFESTS = 300
+_DEPEND = re.compile(r"<(?:depend|exec_depend|run_depend)\b[^>]*>\s*([^<\s]+)\s*<")
+_COMMENT = re.compile(r"(?s)<!--.*?-->")
+
+
+def package_around(packages: Packages, tree: Callable[[str], Document | None]) -> Package | None:
+    """The package that a file lies in; None where it lies in none whose manifest can be read."""
+    folder = packages.own()
+    document = tree(os.path.join(folder, "package.xml")) if folder else None
+    root = document.documentElement if document else None
+    if folder is None or root is None or root.tagName != "package":
+        return None
+    name = next(_texts(root, "name"), "")
+    running = frozenset(text for tag in _RUNNING for text in _texts(root, tag))
+    built = " ".join(_texts(root, "buildtool_depend"))
+    exported = (inner for one in root.elements() if one.tagName == "export" for inner in one.elements())
+    kind = " ".join(text_of(one).value for one in exported if one.tagName == "build_type")
+    ros = 2 if "ament" in built + kind else 1 if "catkin" in built + kind else None
+    return Package(
+        name,
+        folder,
+        root.at,
+        ros,
+        running,
+        partial(_reaches, packages, running),
+        partial(_installs, packages, folder, name),
+        "setup.py" if "python" in kind else "CMakeLists.txt",
+        "run_depend" if root.attrs.get("format", "1") == "1" else "exec_depend",
+    )
+
+
+def _texts(root: Element, tag: str) -> Iterator[str]:
+    for element in root.elements():
+        if element.tagName == tag:
+            yield text_of(element).value
+
+
+def _installs(packages: Packages, folder: str, name: str, path: str) -> bool | None:
+    relative = os.path.relpath(path, folder)
+    return packages.install_map(folder, name).installs(relative) if not relative.startswith(os.pardir) else None
+
+
+def _reaches(packages: Packages, running: frozenset[str], name: str) -> bool:
+    """Whether some packages need another, by those among the sources."""
+    seen = set(running)
+    pending = sorted(running)
+    while pending and len(seen) < _MOST_MANIFESTS:
+        if name in seen:
+            return True
+        new = _needed_by(packages, pending.pop()) - seen
+        seen |= new
+        pending += sorted(new)
+    return name in seen
+
+
+def _needed_by(packages: Packages, name: str) -> set[str]:
+    try:
+        manifest = os.path.join(packages.find(name), "package.xml")
+        with open(manifest, encoding="utf-8", errors="replace") as file:
+            return set(_DEPEND.findall(_COMMENT.sub("", file.read(65536))))
+    except (PackageNotFound, OSError):
+        return set()

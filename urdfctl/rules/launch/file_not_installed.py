@@ -1,0 +1,68 @@
+"""UC615."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.model.launch import Launch
+from urdfctl.model.package import Package
+from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rules.launch.common import ROS_2, launch_of
+from urdfctl.rules.launch.samples import MANIFEST, SOUND
+from urdfctl.source.span import Place
+
+_MANIFEST = MANIFEST.replace("</package>", "<export><build_type>ament_cmake</build_type></export></package>")
+
+
+def _files(folders: str, mark: str = "") -> dict[str, str]:
+    launch = SOUND["arm.launch.xml"].replace("share arm)/controllers.yaml", "share arm)/config/controllers.yaml")
+    if mark:
+        launch = launch.replace(f'param from="{mark}"', f'param from="«{mark}»"').replace(f"-p {mark}", f"-p «{mark}»")
+    return {
+        "launch/arm.launch.xml": launch.replace("arm)/arm.urdf", "arm)/urdf/arm.urdf"),
+        "config/controllers.yaml": SOUND["controllers.yaml"],
+        "urdf/arm.urdf": SOUND["arm.urdf"],
+        "package.xml": _MANIFEST,
+        "CMakeLists.txt": f"""
+            cmake_minimum_required(VERSION 3.8)
+            project(arm)
+            find_package(ament_cmake REQUIRED)
+            install(DIRECTORY {folders} DESTINATION share/${{PROJECT_NAME}})
+            ament_package()
+        """,
+    }
+
+
+@rule(
+    "UC615",
+    severity=Severity.ERROR,
+    authority="ament_index_python get_package_share_directory(): <prefix>/share/<package>, where only install() rules and "
+    "data_files of setup.py put files",
+    bad=_files("launch urdf", "$(find-pkg-share arm)/config/controllers.yaml"),
+    good=_files("launch urdf config"),
+)
+def file_not_installed(project: Project) -> Iterator[Finding]:
+    """A launch file uses a file of its package that the package does not install.
+
+    `ros2 launch` looks in the installed package: there is only what `install()` in CMakeLists.txt, or `data_files` in
+    setup.py names. In the sources all looks well.
+    """
+    launch = launch_of(project, ROS_2)
+    package = launch.package if launch else None
+    if launch is None or package is None or package.ros != ROS_2:
+        return
+    for path, at in _own(launch, package):
+        if package.installs(path) is False:
+            inner = path.removeprefix(package.folder).lstrip("/")
+            folder = inner.rpartition("/")[0]
+            what = f"the folder '{folder}'" if folder else f"'{inner}'"
+            message = f"'{inner}' is not installed: {package.build_file} does not name {what}"
+            yield Finding(at, message, (Note("the package is described here", package.at),))
+
+
+def _own(launch: Launch, package: Package) -> Iterator[tuple[str, Place]]:
+    """The files of the package that the launch file surely uses."""
+    for reference in launch.references:
+        path = reference.file.path
+        if path and reference.sure and reference.file.exists and path.startswith(f"{package.folder}/"):
+            yield path, reference.file.at

@@ -1,0 +1,102 @@
+"""UC614."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.model.launch import Launch
+from urdfctl.model.package import Package
+from urdfctl.rule import Edit, Finding, Fix, Note, Project, Severity, rule
+from urdfctl.rules.launch.samples import MANIFEST, SOUND
+from urdfctl.source.span import Place, SourceSpan
+
+_LACKING = MANIFEST.replace("<exec_depend>xacro</exec_depend>", "").replace(
+    '<package format="3">', '«<package format="3">»'
+)
+_TOLD = frozenset(
+    "xacro robot_state_publisher joint_state_publisher joint_state_publisher_gui controller_manager gazebo_ros ros_gz_sim "
+    "ros_ign_gazebo ros_gz_bridge gazebo_ros_control gazebo_ros2_control gz_ros2_control".split()
+)
+"""What control needs, besides the controllers: of other packages nothing is told."""
+_BRINGS = {
+    "ros2_control": "controller_manager",
+    "ros_control": "controller_manager",
+    "gazebo_ros_control": "controller_manager gazebo_ros",
+    "gazebo_ros2_control": "controller_manager gazebo_ros",
+    "gz_ros2_control": "controller_manager",
+    "ign_ros2_control": "controller_manager",
+    "gazebo_ros_pkgs": "gazebo_ros",
+    "ros_gz": "ros_gz_sim ros_gz_bridge",
+    "joint_state_publisher_gui": "joint_state_publisher",
+    "joint_state_publisher": "xacro",
+    "urdf_launch": "robot_state_publisher joint_state_publisher joint_state_publisher_gui xacro",
+}
+"""Packages that bring others with them."""
+_EVERYTHING = ("desktop", "desktop_full", "robot", "viz", "simulators", "moveit", "ros_base")
+_CONTROLLERS = ("ros_controllers", "ros2_controllers")
+
+
+@rule(
+    "UC614",
+    severity=Severity.WARNING,
+    authority="REP 149: <exec_depend> declares what is needed at run time, and rosdep installs that; "
+    "ament_index: 'package 'xacro' not found, searching: ...'",
+    bad={**SOUND, "package.xml": _LACKING},
+    good=SOUND,
+)
+def package_not_in_manifest(project: Project) -> Iterator[Finding]:
+    """A launch file uses a package that its own package does not declare to need.
+
+    `rosdep install` then leaves it out, and the robot starts only on computers where somebody has installed it by hand.
+    Looked at are the packages that control needs: of the controllers that are spawned, their manager, the simulator, the
+    publishers of states, and xacro.
+    """
+    launch = project.launch
+    package = launch.package if launch else None
+    if launch is None or package is None:
+        return
+    told: set[str] = set()
+    for name, at, severity in _used(project, launch, package):
+        if name and name not in told and not _is_needed(name, package):
+            told.add(name)
+            message = f"'{name}' is used by a launch file, and is no <{package.tag}>"
+            yield Finding(package.at, message, (Note("it is used here", at),), _fix(package, name), severity)
+
+
+def _used(project: Project, launch: Launch, package: Package) -> Iterator[tuple[str, Place, Severity]]:
+    """The packages that the package's own launch files surely use, each with its place: without a controller nothing
+    moves, the rest is soon seen."""
+    for spawn in launch.spawns:
+        for name, at in spawn.names if package.holds(spawn.at) else ():
+            yield _of_controller(project, name), at, Severity.WARNING
+    for word in (*(node.package for node in launch.nodes if node.sure), *launch.packages):
+        if word.text in _TOLD and package.holds(word.at):
+            severity = Severity.WARNING if word.text == "controller_manager" else Severity.INFO
+            yield word.text, word.at, severity
+    for described in launch.descriptions:
+        if (described.command or "").startswith("xacro") and described.sure and package.holds(described.at):
+            yield "xacro", described.at, Severity.INFO
+
+
+def _of_controller(project: Project, name: str) -> str:
+    """The package of a spawned controller's type; empty where it is not known."""
+    found = project.controllers.controller(name.rpartition("/")[2]) if project.controllers else None
+    kind = found.type.text if found and found.type else ""
+    known = (project.catalog.controller(kind, distro) for distro in project.distros) if kind else ()
+    return next((one.package for one in known if one), "")
+
+
+def _is_needed(name: str, package: Package) -> bool:
+    declared = package.dependencies
+    if name == package.name or name in declared or package.reaches(name) or set(_EVERYTHING) & declared:
+        return True
+    if name.endswith(("_controller", "_controllers", "_broadcaster")) and set(_CONTROLLERS) & declared:
+        return True
+    return any(name in brought.split() and package.reaches(bringing) for bringing, brought in _BRINGS.items())
+
+
+def _fix(package: Package, name: str) -> Fix:
+    element = f"<{package.tag}>{name}</{package.tag}>"
+    source, end = package.at.source, package.at.closing or package.at.start
+    edit = Edit(SourceSpan(source, end, end), f"  {element}\n")
+    return Fix(f"add {element}", (edit,))

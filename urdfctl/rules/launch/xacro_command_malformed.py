@@ -1,0 +1,38 @@
+"""UC617."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.launch.common import ROS_2, launch_of
+from urdfctl.rules.launch.samples import ARM, BROADCASTER, MANAGER, PUBLISHER, SOUND, launched
+
+_BAD = "«$(command 'xacro$(find-pkg-share arm)/arm.urdf')»"
+_GLUED = r"\.(?:xacro|urdf)(?=\w+:=)"
+
+
+@rule(
+    "UC617",
+    severity=Severity.ERROR,
+    authority="launch substitutions/command.py: the parts are put together as they are, and split like a shell does: "
+    "'executed command failed' or 'file not found'",
+    bad=launched(
+        PUBLISHER.replace("$(command 'xacro $(find-pkg-share arm)/arm.urdf')", _BAD), MANAGER, BROADCASTER, ARM
+    ),
+    good=SOUND,
+)
+def xacro_command_malformed(project: Project) -> Iterator[Finding]:
+    """A blank is missing in the command that makes the robot description.
+
+    The parts of `Command([...])` are put together without anything between them: `xacro` and the file become one word,
+    or the file and the argument behind it.
+    """
+    launch = launch_of(project, ROS_2)
+    for described in launch.descriptions if launch else ():
+        command = described.command or ""
+        if re.match(r"xacro[^\s.]*/", command):
+            yield Finding(described.at, "there is no blank between 'xacro' and the file in this command")
+        elif glued := re.search(_GLUED + r"(\w+:=)", command):
+            yield Finding(described.at, f"there is no blank before '{glued.group(1)}' in this command")
