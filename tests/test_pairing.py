@@ -319,4 +319,21 @@ def test_a_launch_file_that_another_includes_is_not_linted_by_itself(folder: Fol
     outer = '<launch><include file="$(find p)/launch/l.launch"><arg name="ns" value="x"/></include></launch>'
     folder.write({**PACKAGE, "p/launch/outer.launch": outer})
     found = targets(folder, "p")
-    assert [target["launch"] for target in found] == [None, "p/launch/outer.launch"]
+    assert [target["launch"] for target in found] == ["p/launch/outer.launch"]
+
+
+def test_a_robot_that_a_launch_file_brings_is_not_linted_again_by_itself(folder: Folder) -> None:
+    folder.write(PACKAGE)
+    assert [target["launch"] for target in targets(folder, "p")] == ["p/launch/l.launch"]
+    assert [target["launch"] for target in targets(folder, "p", "p/r.urdf")] == [None, "p/launch/l.launch"]
+    assert [target["launch"] for target in targets(folder, "p", "side:=left")] == [None, "p/launch/l.launch"]
+
+
+def test_a_launch_file_that_is_at_fault_is_told_of_though_it_starts_no_controllers(folder: Folder) -> None:
+    launch = (
+        '<launch><include file="$(find p)/launch/nowhere.launch"/><rosparam command="load" file="a.yaml"/></launch>'
+    )
+    folder.write({**PACKAGE, "p/launch/l.launch": launch})
+    assert (
+        "p/launch/l.launch:1:24: error UC616 no such file: 'p/launch/nowhere.launch'" in folder.run("lint", "p").stdout
+    )

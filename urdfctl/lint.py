@@ -80,7 +80,8 @@ class Outcome(NamedTuple):
 class Linted(NamedTuple):
     """What became of one robot. `links` tells how many links it has, None where there is none; `robot` is its name;
     `library` tells that the file holds macros that nothing calls; `files` are those that were read for it,
-    `controllers` those that configure controllers, `launch` the launch file that told which belong together."""
+    `controllers` those that configure controllers, `launch` the launch file that told which belong together,
+    `arguments` what the description was given."""
 
     path: str
     ros: int | None
@@ -95,6 +96,7 @@ class Linted(NamedTuple):
     outcome: Outcome
     controllers: tuple[str, ...] = ()
     launch: str | None = None
+    arguments: tuple[tuple[str, str], ...] = ()
 
 
 def lint(

@@ -120,7 +120,8 @@ class Loader:
             expansion = expansion_of(expander, path, arguments)
         project = self._project(path, expansion, expander, target.controllers, launched)
         root = expansion.document.documentElement if expansion.document else None
-        return self._seen(project, (expander.files, launched), root)
+        seen = self._seen(project, (expander.files, launched), root)
+        return seen._replace(linted=seen.linted._replace(arguments=tuple(arguments.items())))
 
     def _launched(self, path: str, target: Target) -> Launched | None:
         launch = path if is_launch(path) else target.launch and os.path.abspath(target.launch)

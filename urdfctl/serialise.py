@@ -16,7 +16,8 @@ def linted_to_json(linted: Linted) -> dict[str, Any]:
 def linted_from_json(data: dict[str, Any]) -> Linted:
     """The linted robot that plain data stands for."""
     files = {"files": tuple(data["files"]), "controllers": tuple(data["controllers"])}
-    return Linted(**{**data, **files, "outcome": outcome_from_json(data["outcome"])})
+    arguments = tuple((name, value) for name, value in data["arguments"])
+    return Linted(**{**data, **files, "arguments": arguments, "outcome": outcome_from_json(data["outcome"])})
 
 
 def outcome_to_json(outcome: Outcome) -> dict[str, Any]:

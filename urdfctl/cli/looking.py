@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from itertools import product
 from typing import NamedTuple
 
@@ -56,15 +56,18 @@ def look_at(found: Found, arguments: tuple[tuple[str, str], ...], settings: Sett
         return zip(targets, watched(found, len(targets)), strict=True)
 
     told_of = wanted.config.robots
-    targets, kept = targets_of(found, arguments, told_of)
+    pairs = list(zip(*targets_of(found, arguments, told_of), strict=True))
     if wanted.shard is not None:
         from urdfctl.shards import share
 
         mine = share(found, wanted.shard, [robot.files for robot in told_of])
         found = found.among(mine)
-        pairs = [pair for pair in zip(targets, kept, strict=True) if os.path.abspath(pair[0].path) in mine]
-        targets, kept = [target for target, _ in pairs], [keep for _, keep in pairs]
-    all_kept = [pair for pair, keep in zip(linted(targets), kept, strict=True) if keep(pair[1])]
+        pairs = [pair for pair in pairs if os.path.abspath(pair[0].path) in mine]
+    launched = [pair for pair in linted([target for target, keep in pairs if keep is _has_controllers]) if _tells(pair)]
+    brought = {(one.path, one.arguments) for _, one in launched if one.controllers}
+    pairs = [pair for pair in pairs if pair[1] is not _has_controllers and not _is_brought(*pair, brought)]
+    looked = zip(linted([target for target, _ in pairs]), pairs, strict=True)
+    all_kept = [one for one, (_, keep) in looked if keep(one[1])] + launched
     read = {file for _, one in all_kept for file in one.files}
     all_kept += linted([Target(path) for path in found.controllers if os.path.abspath(path) not in read])
     read |= {os.path.abspath(path) for path in found.controllers}
@@ -104,6 +107,19 @@ def _always(_: Linted) -> bool:
 
 def _has_controllers(linted: Linted) -> bool:
     return bool(linted.controllers)
+
+
+def _tells(launched: tuple[Target, Linted]) -> bool:
+    """Whether a launch file that is found in a folder has something to do with controllers, or is itself at fault."""
+    linted = launched[1]
+    return _has_controllers(linted) or any(one.code.startswith("UC6") for one in linted.outcome.diagnostics)
+
+
+def _is_brought(
+    target: Target, keep: Callable[[Linted], bool], brought: Collection[tuple[str, tuple[tuple[str, str], ...]]]
+) -> bool:
+    """Whether launch files have brought a robot that is found in a folder already, with the same arguments."""
+    return keep is _is_robot and (os.path.abspath(target.path), target.arguments) in brought
 
 
 def _is_robot(linted: Linted) -> bool:

@@ -236,6 +236,8 @@ class _Builder:
 
     def _reference(self, written: str, at: Place, path: str | None, use: str, *, sure: bool) -> FileReference:
         located, exists = self.sources.locate(path) if path else (None, None)
+        if path and not path.startswith("/"):
+            exists = None  # where it lies hangs on the folder that roslaunch is started in
         reference = FileReference(written, at, located, exists)
         if located is not None:
             self.references.append(Reference(reference, use, None, sure))
