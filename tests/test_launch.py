@@ -96,6 +96,7 @@ def test_each_name_has_its_place() -> None:
             (("a", "1"), ("b", "x")),
         ),
         ('command="xacro $(find p)/r.xacro"', "/p/r.xacro", ()),
+        ("command=\"xacro '$(find p)/r.xacro' at:='0 0 1'\"", "/p/r.xacro", (("at", "0 0 1"),)),
         ('command="$(find xacro)/xacro.py $(find p)/r.xacro"', "/p/r.xacro", ()),
         ('command="rosrun xacro xacro $(find p)/r.xacro"', "/p/r.xacro", ()),
         ('command="cat $(find p)/r.urdf"', "/p/r.urdf", ()),
@@ -109,6 +110,14 @@ def test_a_description_names_a_file_and_arguments(
 ) -> None:
     (description,) = launch(f'<param name="robot_description" {param}/>').descriptions
     assert (description.file.path, description.arguments, description.namespace) == (path, arguments, "")
+
+
+def test_a_description_of_another_name_counts_where_none_has_the_usual_one() -> None:
+    usual = '<param name="robot_description" textfile="$(find p)/r.urdf"/>'
+    box = '<param name="box_description" textfile="$(find p)/box.urdf"/>'
+    found = launch(box + '<param name="long_description" value="x"/>').descriptions
+    assert [one.file.path for one in found] == ["/p/box.urdf"]
+    assert [one.file.path for one in launch(box + usual).descriptions] == ["/p/r.urdf"]
 
 
 def test_two_descriptions_are_no_one_robot() -> None:

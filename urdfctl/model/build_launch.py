@@ -25,6 +25,7 @@ from urdfctl.source.dom import Document, Element
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
 
+_DESCRIPTION = "robot_description"
 _MOST_DEPTH = 16
 _MOST_INCLUDES = 200
 _SIMULATOR_ALONE = ("gazebo_ros", "gazebo_worlds")
@@ -71,7 +72,7 @@ def launch_of(path: str, arguments: Mapping[str, str], sources: Sources) -> Laun
     return Launch(
         path,
         1,
-        tuple(builder.descriptions),
+        tuple(builder.descriptions or builder.others),
         tuple(builder.loads),
         tuple(builder.spawns),
         complete=builder.complete,
@@ -106,6 +107,8 @@ class _Builder:
     def __init__(self, sources: Sources) -> None:
         self.sources = sources
         self.descriptions: list[Description] = []
+        self.others: list[Description] = []
+        """Those under another name than robot_description; they count where none has that."""
         self.loads: list[ParameterLoad] = []
         self.spawns: list[Spawn] = []
         self.elsewhere: list[Spawn] = []
@@ -208,7 +211,8 @@ class _Builder:
 
     def _param(self, element: Element, scope: _Scope, texts: Substitutions) -> None:
         name = joined(scope.namespace, texts.resolve(element.attrs.get("name", "")))
-        if name.rpartition("/")[2] != "robot_description":
+        last = name.rpartition("/")[2]
+        if last != _DESCRIPTION and not (last.endswith("_description") and _makes_urdf(element)):
             return
         path: str | None = None
         arguments: tuple[tuple[str, str], ...] | None = ()
@@ -221,7 +225,8 @@ class _Builder:
         reference = self._reference(written, element.at[source], path, "description", sure=scope.sure)
         names = tuple(Word(one, element.at[source]) for one in re.findall(r"(\w+):=", written))
         namespace = _known(name.rpartition("/")[0])
-        self.descriptions.append(Description(reference, arguments, namespace, element.at, scope.sure, names, written))
+        made = Description(reference, arguments, namespace, element.at, scope.sure, names, written)
+        (self.descriptions if last == _DESCRIPTION else self.others).append(made)
 
     def _rosparam(self, element: Element, scope: _Scope, texts: Substitutions) -> None:
         if "file" not in element.attrs or element.attrs.get("command", "load") != "load":
@@ -316,6 +321,12 @@ class _Builder:
         program = Word(element.attrs.get("type", ""), element.at["type"])
         spawn = Spawn(tuple(names), _known(namespace), at, active, scope.sure, complete, program=program)
         (self.spawns if scope.held else self.elsewhere).append(spawn._replace(options=tuple(options)))
+
+
+def _makes_urdf(element: Element) -> bool:
+    """Whether a parameter's value comes from xacro, or a URDF file."""
+    command = element.attrs.get("command", "")
+    return "xacro" in command or element.attrs.get("textfile", "").endswith(".urdf")
 
 
 def _known(text: str) -> str | None:

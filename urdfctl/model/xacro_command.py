@@ -8,12 +8,12 @@ import re
 from urdfctl.source.opaque import UNKNOWN
 
 _XACRO = ("xacro", "xacro.py")
-_WORDS = r"'[^']*'|\"[^\"]*\"|\S+"
+_WORDS = r"(?:'[^']*'|\"[^\"]*\"|[^\s'\"]|['\"])+"
 
 
 def of_command(command: str) -> tuple[str | None, tuple[tuple[str, str], ...] | None]:
     """The file that a command prints or expands, and the arguments it gives to xacro."""
-    words = [re.sub(r"^(['\"])(.*)\1$", r"\2", word) for word in re.findall(_WORDS, command)]
+    words = [re.sub(r"(['\"])(.*?)\1", r"\2", word) for word in re.findall(_WORDS, command)]
     for run in (["rosrun", "xacro"], ["ros2", "run", "xacro"]):
         words = words[len(run) :] if words[: len(run)] == run else words
     if not words or os.path.basename(words[0]) not in (*_XACRO, "cat"):
