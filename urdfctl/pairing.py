@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from urdfctl.model.build_controllers import Loaded, controllers_of, form_of
-from urdfctl.model.controllers import Controllers, FileReference
+from urdfctl.model.controllers import Controllers, FileReference, MoveItController
 from urdfctl.model.launch import Launch
 from urdfctl.model.robot import Robot
 from urdfctl.source.files import FileProblem, Files
@@ -17,6 +17,7 @@ from urdfctl.source.span import Place, SourceText
 from urdfctl.source.yaml import YamlFile, read_yaml
 
 _MOST_BYTES_WITH_TABS = 1 << 20
+_OF_MOVEIT, _MOVEIT = "ros2_controllers.yaml", "moveit_controllers.yaml"
 _NOT_TOLD = (ProblemKind.FILE_NOT_FOUND, ProblemKind.OUTSIDE_WORKSPACE)
 """A file that something names and that is not there is a fact of what names it; rules tell it."""
 
@@ -29,6 +30,7 @@ class Read(NamedTuple):
     references: tuple[FileReference, ...]
     problems: tuple[Problem, ...]
     whole: bool = True
+    moveit: tuple[MoveItController, ...] = ()
 
     @property
     def form(self) -> int | None:
@@ -38,7 +40,8 @@ class Read(NamedTuple):
 
     def model(self, ros: int | None, started: Sequence[str] | None) -> Controllers:
         """What the files say to a generation of ROS."""
-        return controllers_of(self.files, ros, started, self.references)._replace(whole=self.whole)
+        made = controllers_of(self.files, ros, started, self.references)
+        return made._replace(whole=self.whole, moveit=self.moveit)
 
 
 def read_controllers(paths: Iterable[str], robot: Robot | None, launch: Launch | None, files: Files) -> Read | None:
@@ -69,8 +72,21 @@ class _Reader:
     def read(self) -> Read | None:
         used = {loaded.yaml.source.path for loaded in self._loaded}
         problems = [p for path, tree in self._trees.items() if path in used for p in tree.problems]
-        found = Read(tuple(self._loaded), tuple(self._references), (*self._problems, *problems), self.whole)
+        moveit = tuple(self._moveit(used))
+        found = Read(tuple(self._loaded), tuple(self._references), (*self._problems, *problems), self.whole, moveit)
         return found if found.files or found.references or found.problems or not self.whole else None
+
+    def _moveit(self, used: Iterable[str]) -> Iterator[MoveItController]:
+        """What is configured for MoveIt beside one of the files, as its setup assistant and its builder have it."""
+        for folder in sorted({os.path.dirname(path) for path in used if os.path.basename(path) == _OF_MOVEIT}):
+            path = os.path.join(folder, _MOVEIT)
+            if os.path.isfile(path):
+                from urdfctl.model.moveit import moveit_controllers
+
+                try:
+                    yield from moveit_controllers(self._tree(path))
+                except FileProblem:
+                    continue
 
     def named(self, path: str) -> None:
         """A file that the user names: it has to be there."""

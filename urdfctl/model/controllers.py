@@ -143,6 +143,18 @@ class Controller(NamedTuple):
         return self.name if self.namespace is None else f"{self.namespace}/{self.name}"
 
 
+class MoveItController(NamedTuple):
+    """A controller that moveit_controllers.yaml names: its `section`, None where nothing describes it, and what is
+    `lacking` of what MoveIt needs to know; `joints` are those that it is sent; `first` is its first setting."""
+
+    name: Key
+    section: Key | None
+    lacking: tuple[str, ...]
+    type: str | None
+    joints: tuple[Key, ...]
+    first: Place | None
+
+
 class FileReference(NamedTuple):
     """A controllers' file that something names: `path` is where it lies, None where only the running system can tell;
     `exists` whether a file is there, None where nobody looked."""
@@ -172,7 +184,8 @@ class Controllers(NamedTuple):
 
     `others` are sections that no manager and no controller of these files reads: other nodes, other settings, or a name
     that is misspelt. `references` are the files that the robot itself or a launch file names. Not `whole`: other files
-    may be loaded too, by a launch file whose conditions are not known.
+    may be loaded too, by a launch file whose conditions are not known. `moveit` are those that MoveIt, configured
+    beside one of the files, sends trajectories to.
     """
 
     files: tuple[ControllersFile, ...]
@@ -181,6 +194,7 @@ class Controllers(NamedTuple):
     others: tuple[Section, ...] = ()
     references: tuple[FileReference, ...] = ()
     whole: bool = True
+    moveit: tuple[MoveItController, ...] = ()
 
     @property
     def complete(self) -> bool:

@@ -71,6 +71,12 @@ def _launch() -> Rules:
     return RULES
 
 
+def _moveit() -> Rules:
+    from urdfctl.rules.moveit import RULES
+
+    return RULES
+
+
 def _migration() -> Rules:
     from urdfctl.rules.migration import RULES
 
@@ -116,6 +122,7 @@ FAMILIES = (
     Family("UC4", _claims, lambda project: project.controllers is not None),
     Family("UC5", _simulation, _loads_plugins),
     Family("UC6", _launch, lambda project: project.launch is not None),
+    Family("UC6", _moveit, lambda project: bool(project.controllers and project.controllers.moveit)),
     Family("UC7", _migration, _may_move_on),
     Family("UC9", _smoke, lambda _: False),
 )

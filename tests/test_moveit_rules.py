@@ -1,0 +1,100 @@
+"""The rules on what MoveIt is told of the controllers: moveit_controllers.yaml beside ros2_controllers.yaml."""
+
+from __future__ import annotations
+
+from textwrap import dedent
+
+import pytest
+from folder import Folder
+
+from urdfctl.lint import Selection
+from urdfctl.load import Loader, Target
+from urdfctl.rules.moveit.samples import CONTROLLERS, configured
+from urdfctl.settings import Settings
+
+SECTION = """arm_controller:
+        type: FollowJointTrajectory
+        action_ns: follow_joint_trajectory
+        default: true
+        joints: [shoulder, elbow]"""
+
+
+def found(folder: Folder, old: str = "", new: str = "", controllers: str = CONTROLLERS) -> list[tuple[str, str, str]]:
+    """The code, severity and text of what is found where something is written otherwise."""
+    files = {**configured(old, new), "ros2_controllers.yaml": controllers}
+    folder.write({name: dedent(text) for name, text in files.items()})
+    linted = Loader(Settings(), Selection(("UC65",))).lint(Target("ros2_controllers.yaml"))
+    return [(one.code, one.severity.value, one.message) for one in linted.outcome.diagnostics]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        (SECTION, "", "MoveIt is told to use 'arm_controller', and nothing describes it here"),
+        ("default: true", "default: false", None),
+        ("type: FollowJointTrajectory", "", "MoveIt leaves 'arm_controller' out: it is not told its 'type'"),
+        ("joints: [shoulder, elbow]", "", "MoveIt leaves 'arm_controller' out: it is not told its 'joints'"),
+        (
+            SECTION,
+            "arm_controller: 1",
+            "MoveIt leaves 'arm_controller' out: it is not told its 'type', 'action_ns' and",
+        ),
+    ],
+)
+def test_moveit_needs_a_type_an_action_and_joints(folder: Folder, old: str, new: str, message: str | None) -> None:
+    told = [one[2] for one in found(folder, old, new)]
+    assert [one[: len(message or "")] for one in told] == ([message] if message else [])
+
+
+def test_the_action_that_the_setup_assistant_leaves_out_is_added(folder: Folder) -> None:
+    assert found(folder, "action_ns: follow_joint_trajectory", "") == [
+        ("UC651", "error", "MoveIt leaves 'arm_controller' out: it is not told its 'action_ns'"),
+    ]
+    linted = Loader(Settings(), Selection(("UC651",))).lint(Target("ros2_controllers.yaml"))
+    fix = linted.outcome.diagnostics[0].fix
+    assert fix is not None
+    assert [edit.text for edit in fix.edits] == ["action_ns: follow_joint_trajectory\n    "]
+
+
+def test_a_name_that_no_file_declares_is_told(folder: Folder) -> None:
+    incomplete, unknown = found(folder, "controller_names: [arm_controller]", "controller_names: [hand]")
+    assert incomplete == ("UC651", "error", "MoveIt is told to use 'hand', and nothing describes it here")
+    declared = "declared are 'joint_state_broadcaster' and 'arm_controller'"
+    message = f"MoveIt is told to use 'hand', which no file declares; {declared}"
+    assert unknown == ("UC652", "warning", message)
+    nothing = "other: {ros__parameters: {x: 1}}"
+    assert [one[0] for one in found(folder, "[arm_controller]", "[hand]", nothing)] == ["UC651"]
+
+
+def test_joints_that_are_left_out_are_told_where_partial_goals_are_refused(folder: Folder) -> None:
+    assert found(folder, "joints: [shoulder, elbow]", "joints: [shoulder]") == [
+        ("UC653", "warning", "MoveIt sends 'arm_controller' no 'elbow': it refuses trajectories that leave joints out"),
+    ]
+    partial = CONTROLLERS + "        allow_partial_joints_goal: true\n"
+    assert found(folder, "joints: [shoulder, elbow]", "joints: [shoulder]", partial) == []
+    gripper = found(folder, "type: FollowJointTrajectory", "type: GripperCommand")
+    assert gripper == []
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "[]",
+        "moveit_simple_controller_manager: 1",
+        "moveit_simple_controller_manager: {controller_names: x}",
+        "a: [",
+    ],
+)
+def test_what_is_no_configuration_of_moveit_says_nothing(folder: Folder, text: str) -> None:
+    folder.write({"ros2_controllers.yaml": dedent(CONTROLLERS), "moveit_controllers.yaml": text})
+    linted = Loader(Settings(), Selection(("UC65",))).lint(Target("ros2_controllers.yaml"))
+    assert linted.outcome.diagnostics == []
+
+
+def test_a_configuration_outside_of_the_workspace_is_not_read(folder: Folder) -> None:
+    folder.write({"outside.yaml": "a: 1", "in/ros2_controllers.yaml": dedent(CONTROLLERS)})
+    (folder.path / "in/moveit_controllers.yaml").symlink_to(folder.path / "outside.yaml")
+    settings = Settings(workspace=str(folder.path / "in"))
+    linted = Loader(settings, Selection()).lint(Target("in/ros2_controllers.yaml"))
+    assert [path.rpartition("/")[2] for path in linted.files] == ["ros2_controllers.yaml"]
