@@ -513,5 +513,23 @@ def test_an_included_file_that_takes_all_arguments_is_given_those_that_it_has(fo
     assert found(folder, files, "UC618") == []
 
 
+def test_joints_that_a_package_lists_for_a_driver_are_the_robot_s(folder: Folder) -> None:
+    def told(listed: str) -> list[str]:
+        files = {"urdf/arm.urdf": "<link name='x'/>", "config/joint_names_arm.yaml": listed}
+        return [one[2] for one in found(folder, files, "UC619")]
+
+    assert told("controller_joint_names: [shoulder, elbov]") == [
+        "'elbov' is listed for the robot's driver, and the robot has no such joint; did you mean 'elbow'?",
+    ]
+    assert told("controller_joint_names: ['', shoulder, elbow]") == []
+    assert told("controller_joint_names: [a, b, elbow]") == []
+    assert told("controller_joint_names: {a: 1}") == []
+    assert told("[1, 2]") == []
+    (folder.path / "config/joint_names_arm.yaml").unlink()
+    (folder.path / "config/joint_names_arm.yaml").symlink_to("/etc/hostname")
+    files = {"urdf/arm.urdf": "<link name='x'/>"}
+    assert found(folder, files, "UC619") == []
+
+
 def test_the_package_of_the_examples_is_whole() -> None:
     assert all(f"<exec_depend>{name}<" in MANIFEST for name in ("controller_manager", "xacro"))

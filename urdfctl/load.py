@@ -165,7 +165,8 @@ class Loader:
             *(read.problems if read else ()),
         )
         project = Project(robot, path, problems=problems, complete=expansion.complete, library=expansion.library)
-        project = project._replace(influence=expander.definitions().influence_on)
+        listed = _listed_joints(path, expander.files)
+        project = project._replace(influence=expander.definitions().influence_on, listed=listed)
         return self._judged(project, evidence, read, launch)
 
     def _judged(self, project: Project, evidence: Evidence, read: Read | None, launch: Launch | None) -> Project:
@@ -244,6 +245,18 @@ def _read_controllers(paths: Sequence[str], robot: Robot | None, launch: Launch 
     from urdfctl.pairing import read_controllers
 
     return read_controllers(paths, robot, launch, files)
+
+
+def _listed_joints(path: str, files: Files) -> tuple[tuple[str, Place], ...]:
+    """The joints that a support package of ROS-Industrial lists for a robot: those of urdf/arm.xacro in
+    config/joint_names_arm.yaml."""
+    folder, name = os.path.split(path)
+    file = os.path.join(os.path.dirname(folder), "config", f"joint_names_{name.partition('.')[0]}.yaml")
+    if not os.path.isfile(file):
+        return ()
+    from urdfctl.pairing import listed_joints
+
+    return tuple(listed_joints(file, files))
 
 
 def expansion_of(expander: Expander, path: str, arguments: Mapping[str, str]) -> Expansion:

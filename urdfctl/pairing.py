@@ -4,7 +4,8 @@ file loads."""
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
+from collections.abc import Sequence as Several
 from typing import NamedTuple
 
 from urdfctl.model.build_controllers import Loaded, controllers_of, form_of
@@ -14,7 +15,7 @@ from urdfctl.model.robot import Robot
 from urdfctl.source.files import FileProblem, Files
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import Place, SourceText
-from urdfctl.source.yaml import YamlFile, read_yaml
+from urdfctl.source.yaml import Mapping, Scalar, Sequence, YamlFile, read_yaml
 
 _MOST_BYTES_WITH_TABS = 1 << 20
 _OF_MOVEIT, _MOVEIT = "ros2_controllers.yaml", "moveit_controllers.yaml"
@@ -38,7 +39,7 @@ class Read(NamedTuple):
         forms = {form for loaded in self.files if (form := form_of(loaded.yaml)) is not None}
         return forms.pop() if len(forms) == 1 else None
 
-    def model(self, ros: int | None, started: Sequence[str] | None) -> Controllers:
+    def model(self, ros: int | None, started: Several[str] | None) -> Controllers:
         """What the files say to a generation of ROS."""
         made = controllers_of(self.files, ros, started, self.references)
         return made._replace(whole=self.whole, moveit=self.moveit)
@@ -58,6 +59,19 @@ def read_controllers(paths: Iterable[str], robot: Robot | None, launch: Launch |
     for path in map(os.path.abspath, paths):
         reader.named(path)
     return reader.read()
+
+
+def listed_joints(path: str, files: Files) -> Iterator[tuple[str, Place]]:
+    """The joints in `controller_joint_names` of a file, each with its place."""
+    try:
+        documents = read_yaml(files.read(path)).documents
+    except FileProblem:
+        return
+    for document in documents:
+        names = document.get("controller_joint_names") if isinstance(document, Mapping) else None
+        for item in names.items if isinstance(names, Sequence) else ():
+            if isinstance(item, Scalar):
+                yield item.text, item.at
 
 
 class _Reader:

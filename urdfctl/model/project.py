@@ -27,7 +27,7 @@ class Project(NamedTuple):
     conditions guard stands side by side: then nothing may be claimed to be there twice. `controllers` is None where no
     controllers' file belongs to the robot; a controllers' file without a robot is a project too. `launch` is the launch
     file that told which belong together. `simulator_from` tells what named the simulator, `influence` what the values
-    at a place hang on.
+    at a place hang on. `listed` are the joints that the package lists for drivers of industrial robots.
     """
 
     robot: Robot | None
@@ -46,6 +46,7 @@ class Project(NamedTuple):
     simulator_from: str | None = None
     influence: Callable[[Place], Influence] = no_influence
     in_order: bool = False
+    listed: tuple[tuple[str, Place], ...] = ()
 
     @property
     def ros(self) -> int | None:

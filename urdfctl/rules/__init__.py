@@ -121,7 +121,7 @@ FAMILIES = (
     Family("UC4", _controllers, lambda project: project.controllers is not None),
     Family("UC4", _claims, lambda project: project.controllers is not None),
     Family("UC5", _simulation, _loads_plugins),
-    Family("UC6", _launch, lambda project: project.launch is not None),
+    Family("UC6", _launch, lambda project: project.launch is not None or bool(project.listed)),
     Family("UC6", _moveit, lambda project: bool(project.controllers and project.controllers.moveit)),
     Family("UC7", _migration, _may_move_on),
     Family("UC9", _smoke, lambda _: False),

@@ -11,6 +11,7 @@ from urdfctl.rules.launch.file_not_installed import file_not_installed
 from urdfctl.rules.launch.include_argument_unknown import include_argument_unknown
 from urdfctl.rules.launch.joint_state_publisher_beside_broadcaster import joint_state_publisher_beside_broadcaster
 from urdfctl.rules.launch.launched_file_missing import launched_file_missing
+from urdfctl.rules.launch.listed_joint_unknown import listed_joint_unknown
 from urdfctl.rules.launch.manager_beside_simulator import manager_beside_simulator
 from urdfctl.rules.launch.package_not_in_manifest import package_not_in_manifest
 from urdfctl.rules.launch.parameters_not_given_to_controller import parameters_not_given_to_controller
@@ -41,4 +42,5 @@ RULES: tuple[Rule, ...] = (
     launched_file_missing,
     xacro_command_malformed,
     include_argument_unknown,
+    listed_joint_unknown,
 )
