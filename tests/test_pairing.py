@@ -337,3 +337,16 @@ def test_a_launch_file_that_is_at_fault_is_told_of_though_it_starts_no_controlle
     assert (
         "p/launch/l.launch:1:24: error UC616 no such file: 'p/launch/nowhere.launch'" in folder.run("lint", "p").stdout
     )
+
+
+def test_a_file_in_a_folder_without_manifest_is_for_ros_2_where_all_packages_beside_are(folder: Folder) -> None:
+    ament = "<package><name>{}</name><export><build_type>ament_cmake</build_type></export></package>"
+    folder.write({"s/a/package.xml": ament.format("a"), "s/b/package.xml": ament.format("b")})
+    folder.write({"s/c/config/c.yaml": ROS1, "s/c/c.yaml": ROS1, "config/c.yaml": ROS1})
+    assert project(Target("s/c/config/c.yaml"), Settings()).ros == 2
+    assert project(Target("s/c/c.yaml"), Settings()).ros == 1
+    assert project(Target("config/c.yaml"), Settings()).ros == 1
+    assert codes(folder, "s/c/config/c.yaml") == []
+    assert project(Target("no/such/folder/config/c.yaml"), Settings()).problems
+    folder.write({"s/b/package.xml": "<package><name>b</name><buildtool_depend>catkin</buildtool_depend></package>"})
+    assert project(Target("s/c/config/c.yaml"), Settings()).distro_from == "its controllers' types"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from urdfctl.catalog.distros import ALL, ROS2, generation, since
@@ -110,6 +110,12 @@ def _by_robot(robot: Robot | None) -> tuple[tuple[str, ...], str] | None:
         if filename in _ROS1_PLUGINS:
             return ROS1, f"the plugin '{filename}'"
     return None
+
+
+def ament_package(packages: Sequence[str]) -> str | None:
+    """One of several packages, two at least, where all are of ROS 2."""
+    told = {_by_manifest(package) for package in packages}
+    return packages[0] if len(packages) > 1 and told == {(ROS2, "package.xml")} else None
 
 
 def _by_manifest(package: str | None) -> tuple[tuple[str, ...], str] | None:

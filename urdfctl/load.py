@@ -8,7 +8,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from urdfctl.diagnostic import Finding, diagnosed
-from urdfctl.evidence import Evidence, OfFiles, judged
+from urdfctl.evidence import Evidence, OfFiles, ament_package, judged
 from urdfctl.lint import Linted, Outcome, Selection, lint
 from urdfctl.meshes import mesh_finder
 from urdfctl.model.build_robot import TOP_LEVEL, robot_of
@@ -140,7 +140,8 @@ class Loader:
         named = [path] if is_yaml(path) else []
         launch = launched.launch if launched else None
         read = read_controllers([*named, *target.controllers], None, launch, files)
-        evidence = judged(None, packages.own(), self.settings, _of_files(read, launch))
+        package = packages.own() or ament_package(packages.beside())
+        evidence = judged(None, package, self.settings, _of_files(read, launch))
         problems = (*(launched.problems if launched else ()), *(read.problems if read else ()))
         project = self._judged(Project(None, path, problems=problems), evidence, read, launch)
         return self._seen(project, (files, launched), None)

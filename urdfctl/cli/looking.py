@@ -119,7 +119,8 @@ def _is_brought(
     target: Target, keep: Callable[[Linted], bool], brought: Collection[tuple[str, tuple[tuple[str, str], ...]]]
 ) -> bool:
     """Whether launch files have brought a robot that is found in a folder already, with the same arguments."""
-    return keep is _is_robot and (os.path.abspath(target.path), target.arguments) in brought
+    paired = target.controllers or target.launch
+    return keep is _is_robot and not paired and (os.path.abspath(target.path), target.arguments) in brought
 
 
 def _is_robot(linted: Linted) -> bool:

@@ -142,6 +142,19 @@ class Packages:
         """The folder of the package that the file lies in, within the workspace."""
         return next((folder for folder in self._ancestors() if self._index.name_of(folder)), None)
 
+    def beside(self) -> list[str]:
+        """The packages beside the folder whose config/ the file lies in: that one has lost its manifest, or is to get
+        one."""
+        around = list(self._ancestors())[2:3]
+        if os.path.basename(self._folder) != "config" or not around:
+            return []
+        try:
+            with os.scandir(around[0]) as entries:
+                inside = sorted(entry.path for entry in entries if _is_walked(entry))
+        except OSError:
+            return []
+        return [path for path in inside if self._index.name_of(path)]
+
     def find(self, name: str) -> str:
         """The folder of a package. PackageNotFound where there is none."""
         if name in ("", os.curdir, os.pardir) or os.sep in name:  # a path would lead anywhere
