@@ -291,6 +291,12 @@ def test_formats_that_are_not_asked_for_are_not_loaded(folder: Folder) -> None:
     assert not loaded & {"rich", "typer", "xml.sax.saxutils"}
 
 
+def test_what_reads_launch_files_is_not_loaded_where_there_are_none(folder: Folder) -> None:
+    folder.write({"arm.urdf": ERROR})
+    ran = subprocess.run([sys.executable, "-c", LISTS_MODULES], capture_output=True, text=True, check=True)
+    assert [name for name in ran.stderr.split() if "launch" in name or "moveit" in name] == ["urdfctl.launches"]
+
+
 def test_a_report_overwrites_the_one_before(folder: Folder) -> None:
     folder.write({"arm.urdf": ERROR, "report.json": "old"})
     folder.run("lint", "arm.urdf", "--format", "json=report.json")

@@ -486,6 +486,7 @@ def test_a_file_that_is_not_there_is_told_of_unless_it_may_be_made(folder: Folde
     ]
     sometimes = include.format("other.launch.xml").replace("<include", '<include if="$(env WHAT)"')
     assert [one[1] for one in found(folder, launched(sometimes), "UC616")] == ["warning"]
+    assert found(folder, launched(include.format("made/other.launch.xml")), "UC616") == []
     make = "add_custom_command(OUTPUT other.launch.xml COMMAND make_it)"
     files = {**launched(include.format("other.launch.xml")), "CMakeLists.txt": make}
     assert found(folder, files, "UC616") == []

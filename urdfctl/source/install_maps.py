@@ -65,7 +65,9 @@ def read_install_map(folder: str, package: str) -> InstallMap:
     setup = _read(os.path.join(folder, "setup.py"))
     rules = [*_from_cmake(cmake, package), *_from_setup(setup, folder, package)]
     plain = _is_plain_cmake(cmake, package) if cmake else _is_plain_setup(setup, package)
-    return InstallMap(folder, rules, whole=plain and bool(cmake) != bool(setup), makes=bool(cmake) and not plain)
+    return InstallMap(
+        folder, rules, whole=plain and bool(cmake) != bool(setup), makes=bool(cmake or setup) and not plain
+    )
 
 
 def _read(path: str) -> str:

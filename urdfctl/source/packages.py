@@ -198,11 +198,13 @@ class Packages:
         return self._index.install_map(folder, name)
 
     def may_be_made(self, path: str) -> bool:
-        """Whether a file of a source package that is not there may be made when the package is built."""
-        return any(
-            path.startswith(folder + os.sep) and self._index.install_map(folder, name).makes
-            for name, folder in self._found.items()
-        )
+        """Whether a file of a source package that is not there may come to be when the package is built: its build
+        files do not surely tell what they install, and its folder is not there either, or they make files."""
+        for name, folder in self._found.items():
+            if path.startswith(folder + os.sep):
+                build = self._index.install_map(folder, name)
+                return build.makes or not (build.whole or os.path.isdir(os.path.dirname(path)))
+        return False
 
     def _from_environment(self, name: str) -> str | None:
         for prefix in self._index.prefixes("AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "CMAKE_PREFIX_PATH"):

@@ -20,7 +20,7 @@ _NEEDED = ("description", "parameters", "include")
         PUBLISHER,
         MANAGER,
         BROADCASTER,
-        spawner("arm_controller -p «$(find-pkg-share arm)/config/controllers.yaml»"),
+        spawner("arm_controller -p «$(find-pkg-share arm)/controler.yaml»"),
     ),
     good=SOUND,
 )
