@@ -188,13 +188,14 @@ def test_a_worker_can_begin_with_a_job_alone(tmp_path: Path) -> None:
     plan = {**made["plan"], "engine": "pybullet"}
     import os
 
-    kept = os.dup(1), os.dup(2)
+    kept, current = (os.dup(1), os.dup(2)), os.getcwd()
     try:
         result = perform_trial({"plan": plan, "said": str(tmp_path / "said")})
     finally:
         for number, descriptor in enumerate(kept, 1):
             os.dup2(descriptor, number)
             os.close(descriptor)
+        os.chdir(current)
     assert result["moved"] == ("states", "base")
 
 
@@ -472,3 +473,14 @@ def test_efforts_push_one_joint_at_a_time(tmp_path: Path) -> None:
     made = by(tmp_path, kind, parameters, interface, ARMS["joints that lift"])
     assert codes(made) == []
     assert [(curve.joint, curve.seconds[-1]) for curve in made.curves] == [("shoulder", 0.2), ("elbow", 0.2)]
+
+
+@pytest.mark.parametrize("engine", EACH_ENGINE)
+def test_an_engine_leaves_nothing_behind(tmp_path: Path, engine: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    arm = ARMS["joints that turn level"]
+    files = {"robot.urdf": arm.urdf(effort=1e30), "controllers.yaml": arm.yaml("p: 1.0e+12, d: 1.0e+12")}
+    target = target_of(tmp_path / "robot", files)
+    (tmp_path / "here").mkdir()
+    monkeypatch.chdir(tmp_path / "here")
+    assert "UC916" in codes(whole(target, engine, distro="jazzy"))
+    assert list((tmp_path / "here").iterdir()) == []

@@ -187,10 +187,12 @@ def _run(plans: Sequence[Plan], settings: Settings, parallel: int, folder: str) 
 
 
 def perform_trial(job: dict[str, Any]) -> dict[str, Any]:
-    """The trial of a job that came as JSON; what the engine prints, in C, goes to a file."""
+    """The trial of a job that came as JSON; what the engine prints, in C, goes to a file, and others that it writes
+    beside that one."""
     with open(job["said"], "wb") as file:
         os.dup2(file.fileno(), 1)
         os.dup2(file.fileno(), 2)
+    os.chdir(os.path.dirname(job["said"]))
     return tried(Plan.from_json(job["plan"]))._asdict()
 
 

@@ -135,6 +135,8 @@ def opened(setup: Setup) -> Mujoco:
     """A robot in MuJoCo. Refused where it does not take it, with the element that it names."""
     import mujoco
 
+    # by itself it writes MUJOCO_LOG.TXT where the user stands
+    mujoco.set_mju_user_warning(lambda _: None)
     above = f'<link name="{_GROUND}"/><joint name="{_GROUND}" type="fixed"><parent link="{_GROUND}"/>'
     above += f"<child link={quoted(setup.root)}/></joint>"
     text = setup.urdf.replace('<robot name="robot">', f'<robot name="robot">{_COMPILER}{above}', 1)
