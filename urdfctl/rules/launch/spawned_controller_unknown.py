@@ -38,7 +38,7 @@ def spawned_controller_unknown(project: Project) -> Iterator[Finding]:
         if spawn.option("-t", "--controller-type") is None:
             for name, at in spawn.names:
                 if not any(_is_meant(name, spawn, one) for one in declared):
-                    yield _finding(name, at, spawn, controllers)
+                    yield _finding(name, at, spawn, controllers, launch.ros)
 
 
 def _is_all_known(project: Project, launch: Launch) -> bool:
@@ -58,7 +58,7 @@ def _is_meant(name: str, spawn: Spawn, controller: Controller) -> bool:
     return unknown or f"{spawn.namespace}/{name}" == controller.full_name
 
 
-def _finding(name: str, at: Place, spawn: Spawn, controllers: Controllers) -> Finding:
+def _finding(name: str, at: Place, spawn: Spawn, controllers: Controllers, ros: int) -> Finding:
     severity = None if spawn.sure else Severity.WARNING
     declared = [one for one in controllers.controllers if one.declared_at is not None]
     elsewhere = next((one for one in declared if one.name == name), None)
@@ -68,6 +68,7 @@ def _finding(name: str, at: Place, spawn: Spawn, controllers: Controllers) -> Fi
         return Finding(at, message, (Note("declared here", elsewhere.declared_at),), severity=severity)
     meant = nearest(name, [one.name for one in declared])
     if meant is None:
+        severity = Severity.WARNING if ros != ROS_2 else severity  # another launch file may have loaded its parameters
         names = ", ".join(sorted({f"'{one.name}'" for one in declared})[:5])
         return Finding(at, f"'{name}' is spawned, and no file declares it; declared are {names}", severity=severity)
     fix: Fix = replaced(at, name, meant)
