@@ -185,3 +185,23 @@ def test_controllers_without_a_robot_are_judged_as_far_as_they_go(tmp_path: Path
     path = tmp_path / "controllers.yaml"
     path.write_text(manager(arm=NOISE), encoding="utf-8")
     assert verdicts(smoked(Target(str(path)), distro="jazzy")) == {"arm": "failed load"}
+
+
+def test_a_controller_before_one_that_is_refused_is_refused_too(tmp_path: Path) -> None:
+    pid = "pid_controller/PidController"
+    yaml = manager(low=pid, high=FORWARD) + section("high", "joints: [low/elbow], interface_name: velocity")
+    given = (
+        "dof_names: [elbow], command_interface: {}, reference_and_state_interfaces: [velocity], "
+        "gains: {{elbow: {{p: 1.0}}}}"
+    )
+    velocity = HARDWARE.replace(
+        '<state_interface name="position"/>', '<state_interface name="position"/><state_interface name="velocity"/>'
+    )
+    sound = said(tmp_path, yaml + section("low", given.format("position")), velocity)
+    assert sound == ["low: skipped activate", "high: skipped activate"]
+    broken = said(tmp_path, yaml + section("low", given.format("effort")), velocity)
+    assert broken[:2] == ["low: failed activate", "high: failed activate"]
+    assert broken[-1] == (
+        "the controller manager says: Unable to activate controller 'high' since the command interface "
+        "'low/elbow/velocity' is not available."
+    )

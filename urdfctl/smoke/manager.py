@@ -6,12 +6,13 @@ order in which controllers are started; lint's errors for what is wrong in the f
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from typing import NamedTuple
 
 from urdfctl.catalog.distros import generation
+from urdfctl.control.chains import chained_claims
 from urdfctl.control.hardware import Absence
-from urdfctl.control.life import Reason, Stop, lives
+from urdfctl.control.life import Reason, Stage, Stop, lives
 from urdfctl.control.session import Configured, Session, session_of
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.model.project import Project
@@ -80,7 +81,7 @@ def life_cycle(project: Project, found: Sequence[Diagnostic]) -> Cycle:
     elif of_hardware:
         blocked = Refusal(Step.ACTIVATE, "the robot's hardware is refused", "")
         troubles.append(_refused("UC902", "the hardware cannot be started", of_hardware))
-    ways = tuple(_ways(session, errors, blocked))
+    ways = _cascaded(session, tuple(_ways(session, errors, blocked)))
     troubles += [_trouble(way.configured, way.refusal) for way in ways if way.refusal and way.refusal is not blocked]
     return Cycle(session.distro, session, ways, tuple(troubles), blocked is None)
 
@@ -124,6 +125,25 @@ def _ways(session: Session, errors: Sequence[Diagnostic], blocked: Refusal | Non
         refusals = [*_of_files(one, of_files, of_all, ros), *of_life[id(one)]]
         first = min(refusals, key=lambda refusal: STEPS.index(refusal.step), default=None)
         yield Way(one, _in_its_words(first, of_life[id(one)]) if first else blocked)
+
+
+def _cascaded(session: Session, ways: tuple[Way, ...]) -> tuple[Way, ...]:
+    """The ways with those that need an interface of a controller that never becomes active."""
+    while True:
+        refused = {id(way.configured) for way in ways if way.refusal}
+        found = tuple(way if way.refusal else way._replace(refusal=_starved(session, way, refused)) for way in ways)
+        if found == ways:
+            return ways
+        ways = found
+
+
+def _starved(session: Session, way: Way, refused: Collection[int]) -> Refusal | None:
+    for one in chained_claims(session, way.configured):
+        if id(one.following) in refused:
+            stop = Stop(Stage.ACTIVATE, Reason.NOT_OFFERED, one.claim, one.kind)
+            why = f"it needs '{one.claim.name}' of controller '{one.following.name}', which never becomes active"
+            return Refusal(Step.ACTIVATE, why, words_of(way.configured, stop, 2))
+    return None
 
 
 def _is_sure(stop: Stop, *, named: bool) -> bool:
