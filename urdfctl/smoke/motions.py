@@ -13,6 +13,8 @@ from urdfctl.smoke.tasks import Drive, Family, Gains, Task
 FREELY = 1e4
 """The effort and the velocity of what has no limit, or one of 0: ROS-Industrial's way of saying it is not known."""
 PART_OF_SPAN = 0.1
+PART_OF_VELOCITY = 0.3
+"""Of its velocity limit, what it needs on the mean of its way: on a ramp three times as much at the fastest."""
 MOST_TURN, MOST_SHIFT = 0.2, 0.05
 """How far a joint is moved: a tenth of where it may be, and no more than this, in rad and m."""
 CRUISE = 0.2
@@ -36,10 +38,13 @@ class Goal(NamedTuple):
         return self.start + self.by
 
 
-def goal_of(hinge: Hinge, start: float, weight: float) -> Goal:
-    """A motion of a joint that stays where it may be, towards the side with more room."""
+def goal_of(hinge: Hinge, start: float, weight: float, seconds: float) -> Goal:
+    """A motion of a joint that stays where it may be, towards the side with more room, and that its velocity limit
+    lets it make in some time."""
     low, high = hinge.span
     far = min(PART_OF_SPAN * (high - low), MOST_SHIFT if hinge.type == "prismatic" else MOST_TURN)
+    if hinge.velocity:
+        far = min(far, PART_OF_VELOCITY * hinge.velocity * seconds)
     return Goal(hinge, start, far if start + 1.1 * far <= high else -far, weight)
 
 

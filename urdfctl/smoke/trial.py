@@ -223,7 +223,7 @@ class _Trial:
     def _push_each(self, task: Task, goals: Sequence[Goal]) -> None:
         """Push one joint after the other, for a moment: the others are held, for a push goes through the whole arm."""
         for name in [goal.hinge.name for goal in goals]:
-            goal = self._goals([name])[0]
+            goal = self._goals([name], self._plan.duration)[0]
             motion = motion_of(self._engine, task, [goal], PUSHING)
             tracks = self._tracked(motion, [goal], PUSHING)
             self.troubles += joint_troubles(task, [goal], tracks, PUSHING)
@@ -235,15 +235,15 @@ class _Trial:
         """Update the controllers once in so many steps."""
         self._steps, self._period = steps, steps * STEP
 
-    def _goals(self, names: Sequence[str]) -> list[Goal]:
+    def _goals(self, names: Sequence[str], duration: float) -> list[Goal]:
         positions = {name: self._engine.position(name) for name in self._hinges}
         weights = gravity_load(self._mechanism, positions) if self._plan.fixed else {}
-        return [goal_of(self._hinges[name], positions[name], weights.get(name, 0.0)) for name in names]
+        return [goal_of(self._hinges[name], positions[name], weights.get(name, 0.0), duration) for name in names]
 
     def _move(self, task: Task) -> bool:
-        goals = self._goals(task.joints)
         loop = task.family in (Family.POSITION_PID, Family.VELOCITY_PID) or task.interface != "position"
         seconds = self._plan.duration * (1.0 if loop else 0.5)
+        goals = self._goals(task.joints, seconds)
         if task.family is Family.FORWARD and task.interface == "effort":
             self._push_each(task, goals)
             return True
@@ -296,7 +296,8 @@ class _Trial:
         if len({task.controller for task, _ in owners.values()}) < 2:  # noqa: PLR2004
             return
         goals = [
-            goal._replace(by=math.copysign(min(TOGETHER, abs(goal.by)), goal.by)) for goal in self._goals(list(owners))
+            goal._replace(by=math.copysign(min(TOGETHER, abs(goal.by)), goal.by))
+            for goal in self._goals(list(owners), self._plan.duration)
         ]
         gains = [task.gains[index] for task, index in owners.values()]
         motion = Loop(self._engine, goals, gains, "effort", lambda goal, _: (goal.end, 0.0))

@@ -29,6 +29,7 @@ class Bullet:
                 self._joints[about[1].decode("utf-8", "replace")] = index
         self._pushed: dict[int, float] = {}
         self._pause = 0.0
+        self._carried: dict[int, float] = {}
 
     def prepare(self, setup: Setup) -> None:
         """Put the joints where they start, and take away what pybullet adds of its own: motors, damping, bounds."""
@@ -48,6 +49,9 @@ class Bullet:
         for name, index in self._joints.items():
             physics.resetJointState(robot, index, setup.start.get(name, 0.0), physicsClientId=client)
             self._motor(index, 0.0, 0.0)
+        for index, name in self._links.items():
+            if name in setup.weightless:
+                self._carried[index] = 9.81 * physics.getDynamicsInfo(robot, index, physicsClientId=client)[0]
         if self._plane is not None:
             self._put_down()
 
@@ -121,6 +125,10 @@ class Bullet:
                 forces=list(self._pushed.values()),
                 physicsClientId=client,
             )
+        for index, weight in self._carried.items():
+            place = physics.getLinkState(robot, index, physicsClientId=client)[0]
+            up = (0.0, 0.0, weight)
+            physics.applyExternalForce(robot, index, up, place, physics.WORLD_FRAME, physicsClientId=client)
         physics.stepSimulation(physicsClientId=client)
         if self._pause:
             time.sleep(self._pause)
