@@ -23,6 +23,7 @@ from urdfctl.rules.controllers.filter_chain_unusable import filter_chain_unusabl
 from urdfctl.rules.controllers.hardware_component_unknown import hardware_component_unknown
 from urdfctl.rules.controllers.joint_for_joints import joint_for_joints
 from urdfctl.rules.controllers.joint_named_twice import joint_named_twice
+from urdfctl.rules.controllers.joint_unlike_its_controller import joint_unlike_its_controller
 from urdfctl.rules.controllers.list_of_several_types import list_of_several_types
 from urdfctl.rules.controllers.manager_name_misspelt import manager_name_misspelt
 from urdfctl.rules.controllers.map_in_list import map_in_list
@@ -96,5 +97,6 @@ RULES: tuple[Rule, ...] = (
     base_frame_not_a_link,
     wheels_on_wrong_sides,
     wheel_radius_not_in_robot,
+    joint_unlike_its_controller,
     stand_in_left,
 )

@@ -67,12 +67,12 @@ def _readable(reader: Reader, name: str) -> object:
 def meant_by(names: Names, wrong: Named, beside: set[str]) -> str | None:
     """The joint that a wrong name surely means: like it, not one of its `beside`, and not another of a row or side."""
     right = names.meant_by(wrong.name)
-    if right is None or right in beside or _in_row(right) == _in_row(wrong.name):
+    if right is None or right in beside or in_row(right) == in_row(wrong.name):
         return None
     return right
 
 
-def _in_row(name: str) -> str:
+def in_row(name: str) -> str:
     """A name without what tells it from others of its row: numbers, and sides."""
     words = re.split(r"([a-zA-Z]+)", re.sub(r"\d+", "0", name))
     swapped = {**{right: left for left, right in _SIDES.items()}}

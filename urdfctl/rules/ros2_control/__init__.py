@@ -57,6 +57,7 @@ from urdfctl.rules.ros2_control.parameter_twice import parameter_twice
 from urdfctl.rules.ros2_control.parameter_without_name import parameter_without_name
 from urdfctl.rules.ros2_control.part_without_interfaces import part_without_interfaces
 from urdfctl.rules.ros2_control.part_without_name import part_without_name
+from urdfctl.rules.ros2_control.part_without_prefix import part_without_prefix
 from urdfctl.rules.ros2_control.ros2_control_not_in_root import ros2_control_not_in_root
 from urdfctl.rules.ros2_control.rw_rate_malformed import rw_rate_malformed
 from urdfctl.rules.ros2_control.sensor_commanded import sensor_commanded
@@ -133,4 +134,5 @@ RULES: tuple[Rule, ...] = (
     component_without_parts,
     parameter_not_expanded,
     parameter_empty,
+    part_without_prefix,
 )
