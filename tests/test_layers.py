@@ -5,6 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 
+import pytest
 from folder import CHECKOUT, Folder, environment
 
 HEAVY = ("numpy", "yourdfpy", "pybullet", "mujoco", "matplotlib", "jinja2", "lxml", "pydantic")
@@ -63,3 +64,40 @@ def test_a_plain_run_of_lint_loads_neither_that_nor_typer_rich_or_yaml(folder: F
 
 def test_its_worker_loads_nothing_heavy_either(folder: Folder) -> None:
     assert not loaded_by(folder, LINT_HERE) & {*HEAVY, "typer", "click", "rich", "yaml"}
+
+
+FAMILIES = """
+import sys
+from urdfctl.lint import Selection
+from urdfctl.load import Loader, Target
+from urdfctl.settings import Settings
+Loader(Settings(), Selection()).lint(Target("r.urdf", controllers=tuple(sys.argv[1:])))
+families = (name.split(".") for name in sys.modules if name.startswith("urdfctl.rules."))
+print(*sorted({name[2] for name in families if name[3:] == ["family"]}))
+"""
+COMPONENT = '<ros2_control name="c" type="system"><hardware><plugin>{}</plugin></hardware></ros2_control>'
+MOCK, GZ = "mock_components/GenericSystem", "gz_ros2_control/GazeboSimSystem"
+CAMERA = '<sensor type="camera" name="c"><plugin filename="libgazebo_ros_camera.so"/></sensor>'
+
+
+@pytest.mark.parametrize(
+    ("inside", "families"),
+    [
+        ('<gazebo reference="a"><material>Gazebo/Red</material></gazebo>', "urdf"),
+        (COMPONENT.format(MOCK), "migration ros2_control urdf"),
+        (COMPONENT.format(GZ), "migration ros2_control simulation urdf"),
+        ('<gazebo><plugin filename="libgazebo_ros_control.so"/></gazebo>', "simulation urdf"),
+        (f'<gazebo reference="a">{CAMERA}</gazebo>', "migration simulation urdf"),
+    ],
+)
+def test_only_the_families_that_concern_a_robot_are_loaded(folder: Folder, inside: str, families: str) -> None:
+    folder.write({"r.urdf": f'<robot name="r"><link name="a"/>{inside}</robot>'})
+    ran = subprocess.run([sys.executable, "-c", FAMILIES], capture_output=True, text=True, check=True)
+    assert ran.stdout.strip() == families
+
+
+def test_rules_on_controllers_are_loaded_with_their_files(folder: Folder) -> None:
+    robot = f'<robot name="r"><link name="a"/>{COMPONENT.format(MOCK)}</robot>'
+    folder.write({"r.urdf": robot, "c.yaml": "controller_manager: {ros__parameters: {update_rate: 100}}"})
+    ran = subprocess.run([sys.executable, "-c", FAMILIES, "c.yaml"], capture_output=True, text=True, check=True)
+    assert ran.stdout.split() == ["claims", "controllers", "migration", "ros2_control", "urdf"]

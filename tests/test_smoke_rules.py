@@ -12,7 +12,7 @@ from smoking_engines import needs_pybullet
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.rule import Rule
 from urdfctl.rules.examples import options_of, unmarked
-from urdfctl.rules.smoke import RULES
+from urdfctl.rules.smoke.family import RULES
 
 STATIC = [rule for rule in RULES if rule.code < "UC920"]
 MOVED = [rule for rule in RULES if rule.code >= "UC920"]

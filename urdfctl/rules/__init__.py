@@ -1,4 +1,4 @@
-"""The rules, by families. Each family lists its own in its `__init__.py`: what is not in a list does not exist.
+"""The rules, by families. Each family lists its own in its `family.py`: what is not in a list does not exist.
 
 A family is loaded when it has something to say of a robot, for the import of a hundred modules shows in the start-up.
 """
@@ -24,43 +24,43 @@ class Family(NamedTuple):
 
 
 def _reading() -> Rules:
-    from urdfctl.rules.reading import RULES
+    from urdfctl.rules.reading.family import RULES
 
     return RULES
 
 
 def _urdf() -> Rules:
-    from urdfctl.rules.urdf import RULES
+    from urdfctl.rules.urdf.family import RULES
 
     return RULES
 
 
 def _transmissions() -> Rules:
-    from urdfctl.rules.transmissions import RULES
+    from urdfctl.rules.transmissions.family import RULES
 
     return RULES
 
 
 def _ros2_control() -> Rules:
-    from urdfctl.rules.ros2_control import RULES
+    from urdfctl.rules.ros2_control.family import RULES
 
     return RULES
 
 
 def _controllers() -> Rules:
-    from urdfctl.rules.controllers import RULES
+    from urdfctl.rules.controllers.family import RULES
 
     return RULES
 
 
 def _claims() -> Rules:
-    from urdfctl.rules.claims import RULES
+    from urdfctl.rules.claims.family import RULES
 
     return RULES
 
 
 def _simulation() -> Rules:
-    from urdfctl.rules.simulation import RULES
+    from urdfctl.rules.simulation.family import RULES
 
     return RULES
 
@@ -78,13 +78,13 @@ def _moveit() -> Rules:
 
 
 def _migration() -> Rules:
-    from urdfctl.rules.migration import RULES
+    from urdfctl.rules.migration.family import RULES
 
     return RULES
 
 
 def _smoke() -> Rules:
-    from urdfctl.rules.smoke import RULES
+    from urdfctl.rules.smoke.family import RULES
 
     return RULES
 
@@ -104,13 +104,27 @@ def _is_controlled_by_ros2(project: Project) -> bool:
     return bool(robot.ros2_controls or (project.ros == 2 and (robot.transmissions or robot.plugins)))  # noqa: PLR2004 (the generation)
 
 
-def _loads_plugins(project: Project) -> bool:
+def _is_simulated(project: Project) -> bool:
+    """Whether the robot loads any plugin of a simulator, or its hardware runs in one."""
     robot = project.robot
-    return robot is not None and project.may_be_simulated and bool(robot.gazebos or robot.ros2_controls)
+    if robot is None or not project.may_be_simulated:
+        return False
+    if any(gazebo.plugins or any(gazebo.tag.named("sensor")) for gazebo in robot.gazebos):
+        return True
+    return bool(robot.ros2_controls) and _runs_in_gazebo(project)
+
+
+def _runs_in_gazebo(project: Project) -> bool:
+    from urdfctl.rules.simulation.common import IN_GAZEBO, components, simulator_of
+
+    return any(simulator_of(project, control) in IN_GAZEBO for control in components(project))
 
 
 def _may_move_on(project: Project) -> bool:
-    return bool(set(ROS2) & set(project.distros)) and (project.controllers is not None or _loads_plugins(project))
+    if not set(ROS2) & set(project.distros):
+        return False
+    controlled = project.robot is not None and bool(project.robot.ros2_controls) and project.may_be_simulated
+    return controlled or project.controllers is not None or _is_simulated(project)
 
 
 FAMILIES = (
@@ -120,7 +134,7 @@ FAMILIES = (
     Family("UC3", _ros2_control, _is_controlled_by_ros2),
     Family("UC4", _controllers, lambda project: project.controllers is not None),
     Family("UC4", _claims, lambda project: project.controllers is not None),
-    Family("UC5", _simulation, _loads_plugins),
+    Family("UC5", _simulation, _is_simulated),
     Family("UC6", _launch, lambda project: project.launch is not None or bool(project.listed)),
     Family("UC6", _moveit, lambda project: bool(project.controllers and project.controllers.moveit)),
     Family("UC7", _migration, _may_move_on),

@@ -26,9 +26,10 @@ def readme() -> str:
 
 
 def _section(rules: tuple[Rule, ...]) -> str:
-    """A family under what its package says of it."""
-    package = sys.modules[rules[0].check.__module__.rpartition(".")[0]]
-    title = (package.__doc__ or rules[0].code[:3]).split("\n\n")[0].strip().removesuffix(".")
+    """A family under what its list says of it."""
+    package = rules[0].check.__module__.rpartition(".")[0]
+    listed = sys.modules.get(f"{package}.family", sys.modules[package])
+    title = (listed.__doc__ or rules[0].code[:3]).split("\n\n")[0].strip().removesuffix(".")
     return f"## {title}\n\n{_TABLE}{''.join(map(_row, rules))}"
 
 

@@ -49,7 +49,7 @@ def silenced(project: Project, sources: Sequence[SourceText]) -> dict[str, list[
     suppressed = Suppressed(list(sources))
     if not suppressed.all:
         return {}
-    from urdfctl.rules.smoke import RULES
+    from urdfctl.rules.smoke.family import RULES
 
     found = {}
     for subject, place in subjects(project):
