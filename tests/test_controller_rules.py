@@ -328,3 +328,34 @@ def test_another_joint_of_a_row_is_not_taken_for_a_slip(tmp_path: Path, other: s
 def test_a_link_that_is_named_for_its_joint_says_so(tmp_path: Path) -> None:
     [one] = findings(tmp_path, MANAGER % FORWARD + FORWARDS % "elbow, upper", robot=ARM, start=("arm",))
     assert [note.message for note in one.notes] == ["'upper' is a link; the joint that moves it is 'shoulder'"]
+
+
+# -- extra joints of ROS 1 ---------------------------------------------------------------------------------------------
+
+STATES = "states:\n  type: joint_state_controller/JointStateController\n  publish_rate: 50\n  extra_joints: %s\n"
+
+
+@pytest.mark.parametrize(
+    ("joint", "said"),
+    [
+        ("{name: caster, position: 0.0, velocity: 1.0e-3}", None),
+        ("{name: caster, position: $(arg caster)}", None),
+        ("{position: 0.0}", "this extra joint has no name, and is left out: give it one, as 'name: caster_joint'"),
+        (
+            "{name: caster, position: 0.0, effort: off}",
+            "the effort of extra joint 'caster' is no number with a decimal point, so that the joint is left out",
+        ),
+    ],
+)
+def test_extra_joints_have_a_name_and_numbers_with_a_decimal_point(
+    tmp_path: Path, joint: str, said: str | None
+) -> None:
+    found = findings(tmp_path, STATES % f"[{{name: wheel}}, {joint}]", "noetic")
+    assert [one.message for one in found] == ([said] if said else [])
+
+
+def test_a_whole_number_of_an_extra_joint_is_mended(tmp_path: Path) -> None:
+    found = findings(tmp_path, STATES % "[{name: wheel, position: -1}]", "noetic")
+    assert told(found) == ["UC442 warning 4"]
+    assert found[0].fix is not None
+    assert [edit.text for edit in found[0].fix.edits] == ["-1.0"]

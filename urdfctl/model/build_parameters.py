@@ -39,8 +39,16 @@ def value_of(node: Node, typed: Callable[[Scalar], Typed]) -> Value:
         kind, value = typed(node)
         return Value(kind, value, node.text, node.at)
     if isinstance(node, Sequence):
-        return Value(Kind.LIST, None, "", node.at, tuple(value_of(item, typed) for item in node.items))
+        return Value(Kind.LIST, None, "", node.at, tuple(_element(item, typed) for item in node.items))
     return Value(Kind.MAP, None, "", node.at)
+
+
+def _element(node: Node, typed: Callable[[Scalar], Typed]) -> Value:
+    value = value_of(node, typed)
+    if not isinstance(node, Mapping):
+        return value
+    fields = (Parameter(entry.key.text, entry.key.at, value_of(entry.value, typed)) for entry in node.entries)
+    return value._replace(fields=tuple(fields))
 
 
 def parameters_of(leaves: Iterable[Leaf], base: int = 0) -> Parameters:

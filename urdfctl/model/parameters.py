@@ -11,13 +11,14 @@ from urdfctl.source.span import Place
 
 class Value(NamedTuple):
     """A value with its place. `value` is None for lists, maps, and what cannot be told; `text` is what is written,
-    without its quotes; `items` are the elements of a list."""
+    without its quotes; `items` are the elements of a list, `fields` what a map in a list holds."""
 
     kind: Kind
     value: bool | int | float | str | None
     text: str
     at: Place
     items: tuple[Value, ...] = ()
+    fields: tuple[Parameter, ...] = ()
 
     @property
     def is_known(self) -> bool:

@@ -18,6 +18,7 @@ from urdfctl.rules.controllers.controller_type_unknown import controller_type_un
 from urdfctl.rules.controllers.controllers_file_not_a_map import controllers_file_not_a_map
 from urdfctl.rules.controllers.controllers_file_of_ros1 import controllers_file_of_ros1
 from urdfctl.rules.controllers.controllers_file_of_ros2 import controllers_file_of_ros2
+from urdfctl.rules.controllers.extra_joint_ignored import extra_joint_ignored
 from urdfctl.rules.controllers.fallback_controller_unknown import fallback_controller_unknown
 from urdfctl.rules.controllers.filter_chain_unusable import filter_chain_unusable
 from urdfctl.rules.controllers.hardware_component_unknown import hardware_component_unknown
@@ -92,6 +93,7 @@ RULES: tuple[Rule, ...] = (
     filter_chain_unusable,
     controller_joint_unknown,
     controller_joint_fixed,
+    extra_joint_ignored,
     joint_named_twice,
     joint_for_joints,
     base_frame_not_a_link,

@@ -1,0 +1,68 @@
+"""UC442."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS1
+from urdfctl.diagnostic import Edit
+from urdfctl.model.parameters import Kind, Parameter, Value
+from urdfctl.rule import Finding, Fix, Project, Severity, rule
+from urdfctl.rules.common import label
+from urdfctl.rules.controllers.common import controllers_in
+from urdfctl.rules.controllers.readers import type_of
+
+_TYPE, _JOINTS = "joint_state_controller/JointStateController", "extra_joints"
+_NUMBERS = ("position", "velocity", "effort")
+_CONTROLLERS = """
+    states:
+      type: joint_state_controller/JointStateController
+      publish_rate: 50
+      extra_joints:
+        - {name: caster, position: %s}
+"""
+
+
+@rule(
+    "UC442",
+    severity=Severity.WARNING,
+    distros=ROS1[1:],
+    authority="ros_controllers joint_state_controller/src/joint_state_controller.cpp: 'Extra joint 'caster' does not specify "
+    "a valid default position. Ignoring.', 'Extra joint does not specify name. Ignoring.'",
+    options=["--distro=noetic"],
+    bad={"controllers.yaml": _CONTROLLERS % "«0»"},
+    good={"controllers.yaml": _CONTROLLERS % "0.0"},
+)
+def extra_joint_ignored(project: Project) -> Iterator[Finding]:
+    """An extra joint of joint_state_controller has no name, or a whole number where it wants one with a decimal point.
+
+    XML-RPC, which carries parameters in ROS 1, tells 0 from 0.0, and the controller takes the latter alone: the joint is
+    left out of the joint states, with an error in the log.
+    """
+    for controller in controllers_in(project).controllers:
+        given = controller.parameters.value(_JOINTS) if type_of(controller) == _TYPE else None
+        for joint in given.items if given is not None else ():
+            if joint.kind is Kind.MAP:
+                yield from _faults(joint)
+
+
+def _faults(joint: Value) -> Iterator[Finding]:
+    fields = {field.name: field for field in joint.fields}
+    if "name" not in fields:
+        yield Finding(joint.at, "this extra joint has no name, and is left out: give it one, as 'name: caster_joint'")
+        return
+    for field in (fields[name] for name in _NUMBERS if name in fields):
+        if field.value.kind not in (Kind.FLOAT, Kind.UNKNOWN):
+            yield Finding(field.value.at, _message(fields["name"], field), fix=_fix(field.value))
+
+
+def _message(name: Parameter, field: Parameter) -> str:
+    joint = label("extra joint", name.value.text)
+    return f"the {field.name} of {joint} is no number with a decimal point, so that the joint is left out"
+
+
+def _fix(value: Value) -> Fix | None:
+    if value.kind is not Kind.INT:
+        return None
+    right = f"{value.value}.0"
+    return Fix(f"write {right}", (Edit(value.at.span, right),), safe=True)
