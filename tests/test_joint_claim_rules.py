@@ -80,6 +80,28 @@ def test_joints_that_nobody_commands_are_told_in_one_finding(bench: Bench) -> No
     )
 
 
+@pytest.mark.parametrize(
+    ("name", "told"),
+    [
+        (
+            "velocty",
+            ["no hardware exports a state interface 'velocty', so that joint states have no effort; did you"],
+        ),
+        ("velocity", []),
+        ("effort", []),
+        ("$(var effort)", []),
+    ],
+)
+def test_an_interface_is_published_under_another_name_where_it_is_there(
+    tmp_path: Path, name: str, told: list[str]
+) -> None:
+    yaml = controllers("states", kind="joint_state_broadcaster/JointStateBroadcaster")
+    yaml += f"states:\n  ros__parameters: {{map_interface_to_joint_state: {{effort: {name}}}}}\n"
+    bench = Bench(tmp_path, "UC470")
+    assert [one.message.partition(" mean")[0] for one in bench.lint(ARM, yaml)] == told
+    assert bench.lint("", yaml) == []
+
+
 # -- hardware that is not active -------------------------------------------------------------------------------------
 
 ASLEEP = """    hardware_components_initial_state: {inactive: [other, hw]}

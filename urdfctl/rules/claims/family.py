@@ -20,6 +20,7 @@ from urdfctl.rules.claims.joint_not_commanded import joint_not_commanded
 from urdfctl.rules.claims.joint_states_not_published import joint_states_not_published
 from urdfctl.rules.claims.joint_states_published_twice import joint_states_published_twice
 from urdfctl.rules.claims.joint_without_transmission import joint_without_transmission
+from urdfctl.rules.claims.mapped_interface_not_exported import mapped_interface_not_exported
 from urdfctl.rules.claims.state_interface_not_exported import state_interface_not_exported
 
 RULES: tuple[Rule, ...] = (
@@ -41,4 +42,5 @@ RULES: tuple[Rule, ...] = (
     joint_not_commanded,
     joint_limits_incomplete,
     gazebo_gains_given,
+    mapped_interface_not_exported,
 )
