@@ -25,6 +25,7 @@ from urdfctl.rules.controllers.hardware_component_unknown import hardware_compon
 from urdfctl.rules.controllers.joint_for_joints import joint_for_joints
 from urdfctl.rules.controllers.joint_named_twice import joint_named_twice
 from urdfctl.rules.controllers.joint_unlike_its_controller import joint_unlike_its_controller
+from urdfctl.rules.controllers.joint_without_number import joint_without_number
 from urdfctl.rules.controllers.list_of_several_types import list_of_several_types
 from urdfctl.rules.controllers.manager_name_misspelt import manager_name_misspelt
 from urdfctl.rules.controllers.map_in_list import map_in_list
@@ -77,6 +78,7 @@ RULES: tuple[Rule, ...] = (
     controller_type_not_in_distro,
     controller_type_of_other_ros,
     controller_type_not_catalogued,
+    joint_without_number,
     update_rate_missing,
     controller_faster_than_manager,
     controller_name_unusable,

@@ -1,0 +1,51 @@
+"""UC425."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.common import in_words
+from urdfctl.rules.controllers.common import controllers_in
+from urdfctl.source.span import Place
+
+_ARM = """
+    controller_manager:
+      ros__parameters:
+        update_rate: 100
+        arm: {type: forward_command_controller/ForwardCommandController}
+        hold: {type: forward_command_controller/ForwardCommandController}
+    arm: {ros__parameters: {joints: [arm_joint1, arm_joint2], interface_name: position}}
+    hold: {ros__parameters: {joints: [%s], interface_name: velocity}}
+"""
+
+
+@rule(
+    "UC425",
+    severity=Severity.WARNING,
+    authority="controller_interface: a claimed interface that is not there, 'not available', keeps a controller from being activated "
+    "(ROS 2); 'Could not find joint' from being loaded (ROS 1)",
+    bad={"controllers.yaml": _ARM % "«arm_joint»"},
+    good={"controllers.yaml": _ARM % "arm_joint1"},
+)
+def joint_without_number(project: Project) -> Iterator[Finding]:
+    """A joint has no number, and all that are called like it have one.
+
+    A robot whose joints are `arm_joint1` and `arm_joint2` hardly has an `arm_joint` too. That is told only where no robot
+    is known to ask.
+    """
+    found = list(_joints(project)) if project.robot is None else []
+    names = {name for name, _ in found}
+    for name, at in found:
+        numbered = sorted(other for other in names if other.startswith(name) and other[len(name) :].isdigit())
+        if len(numbered) > 1:
+            message = f"joint '{name}' has no number, unlike {in_words(numbered)} of the other controllers"
+            yield Finding(at, message)
+
+
+def _joints(project: Project) -> Iterator[tuple[str, Place]]:
+    for controller in controllers_in(project).controllers:
+        for parameter in ("joint", "joints"):
+            value = controller.own.value(parameter)
+            if value is not None and value.is_known:
+                yield from ((name, at) for name, at in value.strings if name)
