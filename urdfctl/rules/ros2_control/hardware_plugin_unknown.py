@@ -38,10 +38,7 @@ _WHOLE = (*_CORE, "gz_ros2_control", "ign_ros2_control", "gazebo_ros2_control")
         "robot.urdf": """
             <ros2_control name="arm" type="system">
               <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
-              <joint name="elbow">
-                <command_interface name="position"/>
-                <state_interface name="position"/>
-              </joint>
+              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
             </ros2_control>
         """,
     },

@@ -1,0 +1,86 @@
+"""What README.md and docs/ show is so: the terminal's words, the commands and their options, and where links lead."""
+
+from __future__ import annotations
+
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+from folder import CHECKOUT
+from generating import command
+from typer.main import get_command
+
+from urdfctl.catalog.log_messages import log_messages
+from urdfctl.cli.app import app
+from urdfctl.logs.cookbook import COMMONEST, cookbook
+from urdfctl.rules import all_rules
+
+PAGES = [
+    path.relative_to(CHECKOUT).as_posix()
+    for path in (*CHECKOUT.glob("*.md"), *CHECKOUT.glob("docs/*.md"), *CHECKOUT.glob("samples/*.md"))
+]
+README = (CHECKOUT / "README.md").read_text(encoding="utf-8")
+COMMANDS = getattr(get_command(app), "commands", {})
+
+
+def blocks(page: str) -> list[str]:
+    """The fenced blocks of a page, without their fences."""
+    return re.findall(r"^```\w*\n(.*?)^```", (CHECKOUT / page).read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+
+
+def test_the_terminal_in_the_readme_says_what_it_really_says(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(CHECKOUT)
+    shown = [block for block in blocks("README.md") if block.startswith("$ ")]
+    assert shown
+    for block in shown:
+        typed, _, printed = block.partition("\n")
+        assert command(*shlex.split(typed)[2:]).stdout == printed
+
+
+def test_the_readme_is_read_in_two_screens() -> None:
+    assert len(README.splitlines()) <= 100
+
+
+def test_the_readme_promises_no_more_rules_and_messages_than_there_are() -> None:
+    [rules] = re.findall(r"more than (\d+) rules", README)
+    assert 0.8 * len(all_rules()) < int(rules) < len(all_rules())
+    [messages] = re.findall(r"each of (\d+) known messages", (CHECKOUT / "docs/commands.md").read_text("utf-8"))
+    known = sum(len(message.patterns) for message in log_messages())
+    assert 0.8 * known < int(messages) <= known
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_each_command_on_a_page_has_the_options_that_stand_there(page: str) -> None:
+    for line in "".join(blocks(page)).splitlines():
+        said = re.match(r"(?:\$ )?urdfctl ([a-z0-9-]+)", line)
+        if said:
+            assert said[1] in COMMANDS, line
+            known = {name for parameter in COMMANDS[said[1]].params for name in parameter.opts}
+            assert set(re.findall(r"(?<!\S)\(?(--[a-z-]+)", line)) <= known, line
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_the_help_of_every_command_has_an_example_and_the_pages_name_it(name: str) -> None:
+    assert re.search(rf"Example: urdfctl {name}\b", " ".join(command(name, "--help").stdout.split()))
+    assert f"urdfctl {name}" in (CHECKOUT / "docs/commands.md").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_every_link_of_a_page_leads_to_a_file(page: str) -> None:
+    text = re.sub(r"^```.*?^```", "", (CHECKOUT / page).read_text(encoding="utf-8"), flags=re.MULTILINE | re.DOTALL)
+    links = [link.partition("#")[0] for link in re.findall(r"\]\((?!https?:)([^)\s]+)\)", text)]
+    assert [link for link in links if link and not (CHECKOUT / Path(page).parent / link).exists()] == []
+
+
+def test_the_cookbook_is_up_to_date() -> None:
+    written = (CHECKOUT / "docs/cookbook.md").read_text(encoding="utf-8")
+    assert written == cookbook(), "python -m urdfctl.logs.cookbook > docs/cookbook.md"
+
+
+def test_the_cookbook_has_ten_messages_with_nothing_left_to_fill_in() -> None:
+    headings = re.findall(r"^## `(.*)`$", cookbook(), re.MULTILINE)
+    assert len(headings) == 10
+    assert "Could not find resource 'JOINT' in 'INTERFACE'." in headings[1]
+    assert "{ros__parameters: {CONTROLLER: {type: package/Class}}}" in cookbook()
+    assert cookbook().count(", mended:\n```diff\n--- ") == len([code for code in COMMONEST.values() if code])
