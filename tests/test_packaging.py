@@ -1,10 +1,12 @@
-"""The wheel holds the package and what it reads, and nothing else."""
+"""Wheel and sdist hold the package and what it reads, nothing else, and are the same bytes each time."""
 
 from __future__ import annotations
 
 import json
+import shutil
 import subprocess
 import sys
+import tarfile
 from email.parser import Parser
 from functools import lru_cache
 from pathlib import Path
@@ -19,20 +21,54 @@ from urdfctl import __version__
 pytest.importorskip("hatchling", reason="needs hatchling, which builds the wheel")
 
 
+def build(folder: str, target: str, source: Path = CHECKOUT) -> Path:
+    """A wheel or an sdist of some sources, in a folder; no network is needed."""
+    command = [sys.executable, "-m", "hatchling", "build", "-t", target, "-d", folder]
+    subprocess.run(command, cwd=source, capture_output=True, check=True)
+    [path] = Path(folder).glob("*.whl" if target == "wheel" else "*.tar.gz")
+    return path
+
+
 @lru_cache(1)
 def wheel() -> dict[str, bytes]:
     """The files of the wheel that this checkout makes."""
     with TemporaryDirectory() as folder:
-        subprocess.run(
-            [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", folder],
-            cwd=CHECKOUT,
-            capture_output=True,
-            check=True,
-        )
-        [path] = Path(folder).glob("*.whl")
+        path = build(folder, "wheel")
         assert path.name == f"urdfctl-{__version__}-py3-none-any.whl"
         with ZipFile(path) as archive:
             return {name: archive.read(name) for name in archive.namelist()}
+
+
+def tracked(*folders: str) -> set[str]:
+    """The files of the checkout that git knows, below some folders."""
+    if shutil.which("git") is None or not (CHECKOUT / ".git").exists():
+        pytest.skip("this is no checkout of git, which knows what belongs to it")
+    listed = subprocess.run(["git", "ls-files", "-z", *folders], cwd=CHECKOUT, capture_output=True, check=True)
+    return {name for name in listed.stdout.decode().split("\0") if name and (CHECKOUT / name).is_file()}
+
+
+def test_the_wheel_holds_exactly_the_packages_files_and_the_templates() -> None:
+    templates = {f"urdfctl/{name}" for name in tracked("templates")}
+    assert {name for name in wheel() if ".dist-info/" not in name} == tracked("urdfctl") | templates
+
+
+def test_the_sdist_holds_what_a_release_is_tested_with_and_makes_the_same_wheel(tmp_path: Path) -> None:
+    top = f"urdfctl-{__version__}"
+    path = build(str(tmp_path), "sdist")
+    with tarfile.open(path) as archive:
+        archive.extractall(tmp_path, filter="data")
+    held = {found.relative_to(tmp_path / top).as_posix() for found in (tmp_path / top).rglob("*") if found.is_file()}
+    assert held - {".gitignore", "PKG-INFO"} == {
+        name for name in tracked() if not name.startswith((".ci/", ".github/")) and name != ".gitignore"
+    }
+    with ZipFile(build(str(tmp_path / "again"), "wheel", tmp_path / top)) as archive:
+        assert {name: archive.read(name) for name in archive.namelist()} == wheel()
+
+
+@pytest.mark.parametrize("target", ["wheel", "sdist"])
+def test_two_builds_are_the_same_bytes(target: str, tmp_path: Path) -> None:
+    builds = [build(str(tmp_path / name), target).read_bytes() for name in "ab"]
+    assert builds[0] == builds[1]
 
 
 def test_it_holds_every_module_of_the_package() -> None:
