@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import shlex
+import textwrap
 from pathlib import Path
 
 import pytest
@@ -84,3 +85,10 @@ def test_the_cookbook_has_ten_messages_with_nothing_left_to_fill_in() -> None:
     assert "Could not find resource 'JOINT' in 'INTERFACE'." in headings[1]
     assert "{ros__parameters: {CONTROLLER: {type: package/Class}}}" in cookbook()
     assert cookbook().count(", mended:\n```diff\n--- ") == len([code for code in COMMONEST.values() if code])
+
+
+def test_the_rule_that_shows_how_to_write_one_is_the_real_one() -> None:
+    text = (CHECKOUT / "CONTRIBUTING.md").read_text("utf-8")
+    shown = textwrap.dedent(text.partition("```python\n")[2].partition("   ```\n")[0])
+    path = "urdfctl/rules/urdf/gazebo_reference_unknown.py"
+    assert shown == (CHECKOUT / path).read_text("utf-8"), f"copy {path} to CONTRIBUTING.md again"
