@@ -245,6 +245,15 @@ def test_without_fork_a_job_past_its_time_is_ended(
     assert [diagnostic.code for diagnostic in linted.outcome.diagnostics] == ["UC014"]
 
 
+def test_without_fork_a_job_that_sends_its_standard_output_elsewhere_is_heard(
+    folder: Folder, without_fork: None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    loud = "import os\ndef perform(job):\n    os.dup2(os.open('said', os.O_WRONLY | os.O_CREAT), 1)\n    return job\n"
+    folder.write({"apart/loud.py": loud})
+    monkeypatch.syspath_prepend(folder.path / "apart")
+    assert list(run([{"number": 3}], dict, GENEROUS, 1, fresh="loud:perform")) == [{"number": 3}]
+
+
 def test_without_fork_an_exception_of_ours_is_told(folder: Folder, without_fork: None) -> None:
     [found] = run([{"target": "of the wrong form"}], dict, GENEROUS, 1, fresh="urdfctl.load:perform")
     assert isinstance(found, Died)

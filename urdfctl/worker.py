@@ -251,14 +251,15 @@ def _run_fresh(job: Json, limits: Limits, fresh: str) -> Result:
 
 
 def main() -> None:
-    """A fresh worker: one job on standard input, its result on standard output."""
+    """A fresh worker: one job on standard input, its result on standard output, as it was when the job began: a job may
+    send its own elsewhere, as that of an engine does."""
     from importlib import import_module
 
     given = json.loads(sys.stdin.buffer.read())
     module, _, name = given["perform"].partition(":")
     perform = getattr(import_module(module), name)
-    sys.stdout.buffer.write(_performed(given["job"], perform))
-    sys.stdout.buffer.flush()
+    with os.fdopen(os.dup(1), "wb") as result:
+        result.write(_performed(given["job"], perform))
 
 
 if __name__ == "__main__":
