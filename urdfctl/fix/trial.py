@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import os
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from urdfctl.diagnostic import Diagnostic, Step
@@ -168,11 +168,6 @@ def _elsewhere(chain: Chain) -> str:
         return "it would change a robot that has no such finding"
     name = macro.what.removeprefix("macro ")
     return f"the call of macro '{name}' at {macro.file}:{macro.line} has no such finding, and would change too"
-
-
-def all_objections(verdicts: Iterable[Verdict]) -> list[str]:
-    """What any of several robots has against some edits."""
-    return list(dict.fromkeys(objection for verdict in verdicts for objection in verdict.objections))
 
 
 def texts(held: Mapping[str, bytes], files: Sequence[str]) -> dict[str, str]:

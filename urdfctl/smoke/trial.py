@@ -39,7 +39,6 @@ TOGETHER = 0.05
 """The step, in rad or m, that all loops are told at once."""
 _EXPLODED = 1e4
 _SAMPLES = 60
-_MOVED = (Family.FORWARD, Family.POSITION_PID, Family.VELOCITY_PID, Family.TRAJECTORY)
 
 
 class Plan(NamedTuple):

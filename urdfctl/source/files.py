@@ -60,10 +60,6 @@ class Files:
             if real not in self.bounds:
                 self.bounds.append(real)
 
-    def read_paths(self) -> list[str]:
-        """The files that have been read, in order, as places name them."""
-        return [text.path for text in self._read.values()]
-
     def sources(self) -> list[SourceText]:
         """The texts that have been read, in order."""
         return list(self._read.values())
