@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from urdfctl.model.build_ros2_control import ros2_control_of
-from urdfctl.model.parts import Number, Reference, Tag, Text, text_of
+from urdfctl.model.parts import Number, Reference, Tag, text_of, texts_of
 from urdfctl.model.robot import (
     Gazebo,
     Geometry,
@@ -85,10 +85,6 @@ def _nested(root: dom.Element, names: set[str]) -> Iterator[tuple[dom.Element, s
 
 def _first(element: dom.Element, name: str) -> dom.Element | None:
     return next((child for child in element.elements() if child.tagName == name), None)
-
-
-def _texts(element: dom.Element, name: str) -> tuple[Text, ...]:
-    return tuple(text_of(child) for child in element.elements() if child.tagName == name)
 
 
 def _number(element: dom.Element | None, attribute: str) -> Number | None:
@@ -197,9 +193,9 @@ def _end(element: dom.Element) -> TransmissionEnd:
         element.attrs.get("name"),
         element.at,
         text_of(role) if role is not None else None,
-        _texts(element, "hardwareInterface"),
-        _texts(element, "mechanicalReduction"),
-        _texts(element, "offset"),
+        texts_of(element, "hardwareInterface"),
+        texts_of(element, "mechanicalReduction"),
+        texts_of(element, "offset"),
         tuple(Tag(child) for child in element.elements() if child.tagName not in _READ_OF_AN_END),
     )
 

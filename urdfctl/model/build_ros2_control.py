@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from urdfctl.model.parts import Tag, Text, text_of
+from urdfctl.model.parts import Tag, text_of, texts_of
 from urdfctl.model.ros2_control import (
     ControlTransmission,
     ControlTransmissionEnd,
@@ -43,10 +43,6 @@ def ros2_control_of(element: dom.Element, parent: str) -> Ros2Control:
     )
 
 
-def _texts(element: dom.Element, name: str) -> tuple[Text, ...]:
-    return tuple(text_of(child) for child in element.elements() if child.tagName == name)
-
-
 def _parameters(element: dom.Element) -> tuple[Parameter, ...]:
     return tuple(
         Parameter(child.attrs.get("name"), text_of(child).past_comments, child.at, Tag(child))
@@ -57,7 +53,7 @@ def _parameters(element: dom.Element) -> tuple[Parameter, ...]:
 
 def _hardware(element: dom.Element) -> Hardware:
     others = tuple(Tag(child) for child in element.elements() if child.tagName not in ("plugin", "param"))
-    return Hardware(element.at, _texts(element, "plugin"), _parameters(element), others, Tag(element))
+    return Hardware(element.at, texts_of(element, "plugin"), _parameters(element), others, Tag(element))
 
 
 def _part(element: dom.Element) -> Part:
@@ -87,7 +83,7 @@ def _transmission(element: dom.Element) -> ControlTransmission:
     return ControlTransmission(
         element.attrs.get("name"),
         element.at,
-        _texts(element, "plugin"),
+        texts_of(element, "plugin"),
         tuple(end for end in ends if end.kind == "joint"),
         tuple(end for end in ends if end.kind == "actuator"),
         _parameters(element),
@@ -101,7 +97,7 @@ def _end(element: dom.Element) -> ControlTransmissionEnd:
         element.attrs.get("name"),
         element.attrs.get("role"),
         element.at,
-        _texts(element, "mechanical_reduction"),
-        _texts(element, "offset"),
+        texts_of(element, "mechanical_reduction"),
+        texts_of(element, "offset"),
         Tag(element),
     )

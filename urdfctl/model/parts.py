@@ -132,6 +132,11 @@ def text_of(element: Element) -> Text:
     return Text("", element.at)
 
 
+def texts_of(element: Element, name: str) -> tuple[Text, ...]:
+    """The texts of an element's children of one name."""
+    return tuple(text_of(child) for child in element.elements() if child.tagName == name)
+
+
 def _comments(element: Element) -> Iterator[Comment]:
     pending = [(element, element.children())]
     while pending:
