@@ -10,12 +10,15 @@ from typing import Any, NamedTuple
 
 from urdfctl.catalog.additions import NO_ADDITIONS, Additions, flaws_of_meaning
 from urdfctl.errors import UserError
+from urdfctl.source.files import first_bytes
 from urdfctl.variants import ConfiguredRobot, robots_of
 from urdfctl.workspace import workspace_of
 
 NAMES = ("urdfctl.toml", "pyproject.toml")
 _MOST_BYTES = 1 << 20
-_TABLE = rb"(?m)^\s*\[*\s*tool\s*(?:\]|\.\s*[\"']?urdfctl)"
+_MOST_DOTS = 4000
+"""A key of more parts would keep the reader of TOML busy for minutes."""
+_TABLE = rb"(?m)^[ \t]*(?:\[+[ \t]*)?tool\s*(?:\]|\.\s*[\"']?urdfctl)"
 
 
 class Config(NamedTuple):
@@ -165,12 +168,13 @@ def _upwards(folder: str, top: str) -> Iterator[str]:
 
 def _toml(file: str) -> dict[str, Any]:
     try:
-        with open(file, "rb") as opened:
-            data = opened.read(_MOST_BYTES + 1)
+        data = first_bytes(file, _MOST_BYTES + 1)
     except OSError as error:
         raise UserError(f"{file}: {error.strerror}") from None
     if len(data) > _MOST_BYTES:
         raise UserError(f"{file}: larger than {_MOST_BYTES >> 20} MiB")
+    if any(line.count(b".") > _MOST_DOTS for line in data.splitlines()):
+        raise UserError(f"{file}: no good TOML: a line with more than {_MOST_DOTS} dots")
     if os.path.basename(file) == "pyproject.toml" and not re.search(_TABLE, data):
         return {}
     if sys.version_info >= (3, 11):

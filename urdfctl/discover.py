@@ -11,7 +11,7 @@ from functools import lru_cache
 from urdfctl.errors import UserError
 from urdfctl.gitignore import GitIgnore
 from urdfctl.launches import is_controllers_file, is_launch_file, launch_roots
-from urdfctl.source.files import is_launch, is_yaml
+from urdfctl.source.files import first_bytes, is_launch, is_yaml
 from urdfctl.source.packages import package_name
 from urdfctl.suggest import nearest_path
 
@@ -140,8 +140,7 @@ def text_of(path: str) -> bytes:
     try:
         if os.path.getsize(path) > _MAX_BYTES:
             return b"<robot "  # reading it tells what is wrong with it
-        with open(path, "rb") as file:
-            return file.read()
+        return first_bytes(path, _MAX_BYTES)
     except OSError:
         return b"<robot "
 

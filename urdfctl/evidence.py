@@ -10,6 +10,7 @@ from typing import NamedTuple
 from urdfctl.catalog.distros import ALL, ROS2, generation, since
 from urdfctl.model.robot import Robot
 from urdfctl.settings import Settings
+from urdfctl.source.files import first_bytes
 
 ROS1 = since("indigo")
 """What a robot of ROS 1 may be for when nothing says more: hydro read transmissions in another form, ten years ago."""
@@ -122,8 +123,7 @@ def _by_manifest(package: str | None) -> tuple[tuple[str, ...], str] | None:
     if package is None:
         return None
     try:
-        with open(os.path.join(package, "package.xml"), encoding="utf-8", errors="replace") as file:
-            text = file.read(_MANIFEST_BYTES)
+        text = first_bytes(os.path.join(package, "package.xml"), _MANIFEST_BYTES).decode("utf-8", "replace")
     except OSError:
         return None
     text = re.sub(r"<!--.*?(?:-->|\Z)", "", text, flags=re.DOTALL)

@@ -8,6 +8,8 @@ from collections.abc import Iterator, Sequence
 from fnmatch import fnmatchcase
 from typing import NamedTuple
 
+from urdfctl.source.files import first_bytes
+
 _MOST_BYTES = 1 << 20
 
 
@@ -80,8 +82,7 @@ def _repository(folder: str) -> str | None:
 
 def _patterns(file: str) -> tuple[Pattern, ...]:
     try:
-        with open(file, "rb") as opened:
-            text = opened.read(_MOST_BYTES).decode("utf-8", "surrogateescape")
+        text = first_bytes(file, _MOST_BYTES).decode("utf-8", "surrogateescape")
     except OSError:
         return ()
     return tuple(patterns_of(text.removeprefix("\ufeff")))

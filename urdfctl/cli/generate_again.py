@@ -12,6 +12,7 @@ from itertools import takewhile
 from typing import NamedTuple
 
 from urdfctl.errors import UserError
+from urdfctl.source.files import first_bytes
 
 _SAID = re.compile(r"made by urdfctl (gen-[a-z0-9-]+)(.*?)(?: -->)?$")
 _PARTS = ("config", "urdf", "launch")
@@ -73,8 +74,10 @@ def _files(path: str) -> Iterator[str]:
 
 def words_that_made(file: str) -> tuple[str, ...] | None:
     """The words that made a file, as its first two lines say; None where they do not."""
-    with open(file, "rb") as opened:
-        lines = opened.read(_FIRST).decode("utf-8", "replace").splitlines()[:2]
+    try:
+        lines = first_bytes(file, _FIRST).decode("utf-8", "replace").splitlines()[:2]
+    except OSError:
+        return None
     for line in lines:
         said = _SAID.search(line)
         if said:

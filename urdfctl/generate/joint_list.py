@@ -48,10 +48,16 @@ def _of_csv(lines: Iterable[str], source: str) -> Iterable[JointFacts]:
 def _of_yaml(text: str, source: str) -> Iterable[JointFacts]:
     import yaml
 
+    from urdfctl.source.budget import OverBudget
+    from urdfctl.source.yaml_size import check_size
+
     try:
+        check_size(text.encode("utf-8", "surrogateescape"))
         plain = yaml.load(text, getattr(yaml, "CSafeLoader", yaml.SafeLoader))  # noqa: S506 (a safe loader)
     except yaml.YAMLError as error:
         raise UserError(f"{source}: no YAML: {' '.join(str(error).split())}") from None
+    except (OverBudget, ValueError) as error:  # such as a date in a thirteenth month
+        raise UserError(f"{source}: no YAML: {error}") from None
     if isinstance(plain, Mapping) and isinstance(plain.get("joints"), list | Mapping):
         plain = plain["joints"]
     if isinstance(plain, Mapping):

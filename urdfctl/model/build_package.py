@@ -10,6 +10,7 @@ from functools import partial
 from urdfctl.model.package import Package
 from urdfctl.model.parts import text_of
 from urdfctl.source.dom import Document, Element
+from urdfctl.source.files import first_bytes
 from urdfctl.source.packages import PackageNotFound, Packages
 
 _RUNNING = ("depend", "exec_depend", "run_depend", "build_export_depend")
@@ -71,7 +72,7 @@ def _reaches(packages: Packages, running: frozenset[str], name: str) -> bool:
 def _needed_by(packages: Packages, name: str) -> set[str]:
     try:
         manifest = os.path.join(packages.find(name), "package.xml")
-        with open(manifest, encoding="utf-8", errors="replace") as file:
-            return set(_DEPEND.findall(_COMMENT.sub("", file.read(65536))))
+        text = first_bytes(manifest, 65536).decode("utf-8", "replace")
+        return set(_DEPEND.findall(_COMMENT.sub("", text)))
     except (PackageNotFound, OSError):
         return set()

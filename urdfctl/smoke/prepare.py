@@ -18,6 +18,7 @@ from urdfctl.model.robot import Robot
 from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
 from urdfctl.smoke.stability import eigenvalues
 from urdfctl.smoke.vectors import Pose, Rotation, Vector
+from urdfctl.source.files import first_bytes
 
 LEAST_MOVING = 1e-3
 """The mass, in kg, of a moving link that has none; its inertia is a thousandth of that in kg m²."""
@@ -177,8 +178,7 @@ def mesh_fault(path: str) -> str:
     try:
         if os.path.getsize(path) > MOST_MESH_BYTES:
             return f"'{name}' is larger than {MOST_MESH_BYTES >> 20} MiB"
-        with open(path, "rb") as file:
-            data = file.read()
+        data = first_bytes(path, MOST_MESH_BYTES)
     except OSError as error:
         return f"'{name}' cannot be read: {error.strerror}"
     fault = _MESHES[kind](data) if kind in _MESHES else f"is of a kind ('{kind}') that engines do not read"

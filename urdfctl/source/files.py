@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import stat
 from collections.abc import Callable, Mapping, Sequence
@@ -113,6 +114,14 @@ def _bytes_of(path: str) -> bytes:
         why = getattr(error, "strerror", None) or str(error)
         raise FileProblem(ProblemKind.FILE_UNREADABLE, path, f"'{path}' cannot be read: {why}") from None
     return data
+
+
+def first_bytes(path: str, most: int) -> bytes:
+    """What a regular file begins with. OSError where there is none: a pipe is not waited for, a device has no end."""
+    if not stat.S_ISREG(os.stat(path).st_mode):
+        raise OSError(errno.EINVAL, "it is no regular file", path)
+    with open(path, "rb") as file:
+        return file.read(most)
 
 
 def read_error(problem: FileProblem, place: Place) -> ReadError:

@@ -11,6 +11,8 @@ import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from urdfctl.source.files import first_bytes
+
 _INSTALL = r"(?si)\binstall\s*\(\s*(DIRECTORY|FILES|PROGRAMS)\s+([^)]*)\)"
 _PROJECT = r"(?i)\bproject\s*\(\s*([\w.-]+)"
 _ANY_INSTALL = r"(?si)\binstall\s*(\()([^)]*)\)"
@@ -20,7 +22,7 @@ _NOT_PLAIN = (
 )
 _COMMENT = r"#[^\n]*"
 _PIECE = r'"([^"]*)"|(\S+)'
-_MAX_CHARACTERS = 1 << 20
+_MOST_BYTES = 1 << 20
 
 
 class Installed(NamedTuple):
@@ -62,6 +64,7 @@ class InstallMap:
 def read_install_map(folder: str, package: str) -> InstallMap:
     """The install rules of the package in a folder; none where it has no build files."""
     cmake = _read(os.path.join(folder, "CMakeLists.txt"))
+    cmake = cmake[: cmake.rfind(")") + 1]  # calls that no bracket ends would each be looked for to the end
     setup = _read(os.path.join(folder, "setup.py"))
     rules = [*_from_cmake(cmake, package), *_from_setup(setup, folder, package)]
     plain = _is_plain_cmake(cmake, package) if cmake else _is_plain_setup(setup, package)
@@ -72,8 +75,7 @@ def read_install_map(folder: str, package: str) -> InstallMap:
 
 def _read(path: str) -> str:
     try:
-        with open(path, encoding="utf-8", errors="replace") as file:
-            return file.read(_MAX_CHARACTERS)
+        return first_bytes(path, _MOST_BYTES).decode("utf-8", "replace").replace("\r\n", "\n")
     except OSError:
         return ""
 
@@ -138,7 +140,7 @@ def _from_setup(text: str, folder: str, package: str) -> Iterator[Installed]:
         return
     try:
         tree = ast.parse(text)
-    except (SyntaxError, ValueError, RecursionError):
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
         return
     for node in ast.walk(tree):
         if isinstance(node, ast.Tuple) and len(node.elts) == 2:  # noqa: PLR2004 (a pair of data_files)
@@ -153,7 +155,7 @@ def _is_plain_setup(text: str, package: str) -> bool:
     """Whether setup.py lists all its data files as texts and patterns."""
     try:
         tree = ast.parse(text)
-    except (SyntaxError, ValueError, RecursionError):
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
         return False
     given = [
         keyword.value

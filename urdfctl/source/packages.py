@@ -11,6 +11,8 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
+from urdfctl.source.files import first_bytes
+
 if TYPE_CHECKING:
     from urdfctl.source.install_maps import InstallMap
 
@@ -34,8 +36,7 @@ class PackageNotFound(Exception):
 def package_name(manifest: str) -> str | None:
     """The `<name>` that a package.xml gives; None where it gives none or cannot be read."""
     try:
-        with open(manifest, "rb") as file:
-            data = file.read(65536)
+        data = first_bytes(manifest, 65536)
     except OSError:
         return None
     found = re.search(_NAME, data)
