@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import os
 import time
 from collections.abc import Callable, Mapping
 from contextlib import suppress
@@ -14,6 +15,7 @@ from hypothesis import strategies as st
 
 from urdfctl.baseline import read_baseline
 from urdfctl.cli.generate_again import words_that_made
+from urdfctl.cli.generate_command import _whole
 from urdfctl.config import config_of
 from urdfctl.errors import UserError
 from urdfctl.generate.joint_list import joints_listed
@@ -245,3 +247,14 @@ def test_settings_with_keys_of_endless_parts_are_refused(tmp_path: Path) -> None
     (tmp_path / "urdfctl.toml").write_text("a." * 9000)
     with pytest.raises(UserError, match="no good TOML: a line with more than 4000 dots"):
         config_of(str(tmp_path / "urdfctl.toml"))
+
+
+def test_a_list_of_joints_without_end_is_refused() -> None:
+    with pytest.raises(UserError, match="'j' cannot be read: it is larger than 16 MiB"):
+        _whole(io.BytesIO(bytes((16 << 20) + 1)), "'j'")
+
+
+@pytest.mark.skipif(os.name != "posix", reason="pipes are made as POSIX makes them")
+def test_a_pipe_in_the_place_of_a_generated_file_was_made_by_nothing(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "c.yaml")
+    assert words_that_made(str(tmp_path / "c.yaml")) is None
