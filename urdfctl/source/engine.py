@@ -14,8 +14,9 @@ import os
 import sys
 from functools import lru_cache
 from importlib.machinery import SourceFileLoader
-from types import CodeType, ModuleType
+from types import CodeType, ModuleType, SimpleNamespace
 from typing import Any
+from xml.dom import Node, NotFoundErr
 
 from urdfctl.errors import UserError
 
@@ -46,7 +47,7 @@ def _location() -> str:
     raise UserError("the package xacro is not installed: pip install 'xacro>=2.1,<3'")
 
 
-@lru_cache(2)
+@lru_cache(3)
 def _code(part: str) -> CodeType:
     loader = SourceFileLoader(f"xacro.{part}", os.path.join(_location(), f"{part}.py"))
     code = loader.get_code(f"xacro.{part}")
@@ -66,13 +67,48 @@ def load() -> ModuleType:
     if spec is None:  # pragma: no cover (a path that ends in .py always has a spec)
         raise UserError(f"the package xacro at {_location()} cannot be loaded")
     module = importlib.util.module_from_spec(spec)
+    module.__dict__["__builtins__"] = {**vars(builtins), "__import__": _import_what_is_used}
     sys.modules[name] = module
+    sys.modules[f"{name}.xmlutils"] = _xmlutils(name)
     exec(_code("__init__"), module.__dict__)  # noqa: S102 (the installed package's own code)
     missing = [needed for needed in REQUIRED if not hasattr(module, needed)]
     if missing:
         where = f"the package xacro at {_location()}"
         raise UserError(f"{where} is of an unknown version (no '{missing[0]}'); known are {KNOWN_VERSIONS}")
     return module
+
+
+def _xmlutils(name: str) -> ModuleType:
+    made = ModuleType(f"{name}.xmlutils")
+    made.__dict__["__builtins__"] = {**vars(builtins), "__import__": _import_what_is_used}
+    exec(_code("xmlutils"), made.__dict__)  # noqa: S102 (the installed package's own code)
+    return made
+
+
+def _import_what_is_used(name: str, *rest: Any) -> Any:
+    """What xacro imports, with stand-ins for what is dear and of no use here.
+
+    In minidom's place is our own tree: of what xacro takes from it while it is loaded, nothing is used. It copies only
+    lists of paths, and hardly ever globs.
+    """
+    if name == "glob":
+        return _Lazy(name)
+    return _STAND_INS[name] if name in _STAND_INS else __import__(name, *rest)
+
+
+def _write_data(_writer: object, _text: object) -> None:
+    """What minidom has of that name before Python 3.13, as far as xacro looks."""
+
+
+_DOCUMENT = SimpleNamespace(createTextNode=lambda text: text)
+_IMPLEMENTATION = SimpleNamespace(createDocument=lambda *_: _DOCUMENT)
+_MINIDOM = SimpleNamespace(
+    getDOMImplementation=lambda: _IMPLEMENTATION, Element=type("Element", (), {}), _write_data=_write_data
+)
+_STAND_INS = {
+    "xml.dom.minidom": SimpleNamespace(dom=SimpleNamespace(minidom=_MINIDOM, Node=Node, NotFoundErr=NotFoundErr)),
+    "copy": SimpleNamespace(deepcopy=list),
+}
 
 
 def substitutions(module: ModuleType) -> ModuleType:
@@ -91,12 +127,14 @@ def substitutions(module: ModuleType) -> ModuleType:
 
 
 def _import_but_yaml(name: str, *rest: Any) -> Any:
-    return _Yaml("yaml") if name == "yaml" and name not in sys.modules else __import__(name, *rest)
+    return _Lazy(name) if name == "yaml" and name not in sys.modules else __import__(name, *rest)
 
 
-class _Yaml(ModuleType):
+class _Lazy(ModuleType):
+    """A module that becomes the one of its name when it is asked for anything."""
+
     def __getattr__(self, name: str) -> Any:
-        return getattr(importlib.import_module("yaml"), name)
+        return getattr(importlib.import_module(self.__name__), name)
 
 
 def release(module: ModuleType) -> None:
