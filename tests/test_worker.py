@@ -136,6 +136,54 @@ def test_a_worker_that_leaves_without_a_word_is_our_fault() -> None:
     assert results(lambda job: os._exit(7)) == [Died("the worker ended with status 7 and gave no result", ours=True)]
 
 
+def one_after_the_other(perform: Callable[[Json], Json], limits: Limits = GENEROUS, jobs: int = 16) -> list[Any]:
+    """The results of jobs of which one worker does up to four."""
+    return list(run([{"number": number} for number in range(jobs)], perform, limits, 1, fresh="", together=4))
+
+
+def numbered(results: list[Any]) -> list[Any]:
+    return [result["number"] if isinstance(result, dict) else result for result in results]
+
+
+@needs_fork
+def test_a_worker_does_several_jobs_where_there_are_many() -> None:
+    found = one_after_the_other(lambda job: {**job, "worker": os.getpid()})
+    assert numbered(found) == list(range(16))
+    assert len({result["worker"] for result in found}) == 4
+
+
+@needs_fork
+def test_a_job_that_dies_among_others_is_the_only_one_without_a_result() -> None:
+    def perform(job: Json) -> Json:
+        if job["number"] in (2, 4):
+            os.kill(os.getpid(), signal.SIGKILL)
+        return job
+
+    died = Died("it uses more time or memory than a robot needs")
+    assert numbered(one_after_the_other(perform)) == [0, 1, died, 3, died, *range(5, 16)]
+
+
+@needs_fork
+def test_a_job_that_takes_too_long_among_others_is_ended_within_its_own_time(quick: None) -> None:
+    def perform(job: Json) -> Json:
+        time.sleep(30 if job["number"] == 1 else 0.2)
+        return job
+
+    late = Died("it takes longer than 0.3 s")
+    assert numbered(one_after_the_other(perform, SHORT)) == [0, late, *range(2, 16)]
+
+
+@needs_fork
+def test_what_fails_after_others_is_tried_again_by_itself() -> None:
+    held: list[bytearray] = []
+
+    def perform(job: Json) -> Json:
+        held.append(bytearray(1200 << 20 if job["number"] in (1, 2) else 1))
+        return job
+
+    assert numbered(one_after_the_other(perform)) == list(range(16))
+
+
 @needs_fork
 def test_half_a_result_is_no_result(monkeypatch: pytest.MonkeyPatch) -> None:
     before = set(_writable_pipes().values())

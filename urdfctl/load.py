@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
@@ -14,9 +15,10 @@ from urdfctl.meshes import mesh_finder
 from urdfctl.model.build_robot import TOP_LEVEL, robot_of
 from urdfctl.model.project import Project
 from urdfctl.model.robot import Robot
-from urdfctl.rules import rule_of
+from urdfctl.rules import all_rules, rule_of
 from urdfctl.serialise import linted_from_json, linted_to_json
 from urdfctl.settings import ALL_STARTED, Settings
+from urdfctl.source import engine
 from urdfctl.source.dom import Document, Element
 from urdfctl.source.files import FileProblem, Files, is_launch, is_yaml
 from urdfctl.source.library import LibraryExpander
@@ -300,6 +302,8 @@ def _is_library(expansion: Expansion) -> bool:
 
 SURVEYED_FROM = 4
 """So many targets are worth to learn of their workspace before workers part."""
+_PREPARED_FROM = 12
+"""From so many targets on it is cheaper to load everything once than what each needs in its worker."""
 
 
 def lint_all(
@@ -309,12 +313,26 @@ def lint_all(
     loader = Loader(settings, selection)
     if len(targets) >= SURVEYED_FROM:
         loader.survey(targets)
+    if len(targets) >= _PREPARED_FROM:
+        _prepare()
     jobs = [job_for(target, settings, selection) for target in targets]
     limits = Limits(settings.timeout, settings.memory, settings.environ)
     parallel = parallel or os.cpu_count() or 1
-    results = run(jobs, partial(_perform_with, loader), limits, parallel, fresh="urdfctl.load:perform")
+    results = run(jobs, partial(_perform_with, loader), limits, parallel, fresh="urdfctl.load:perform", together=16)
     for target, result in zip(targets, results, strict=True):
         yield linted_from_json(result) if isinstance(result, dict) else dead(target, settings, result)
+
+
+def _prepare() -> None:
+    """Load what the workers would else load again and again; they share it as long as nobody writes to it."""
+    import urdfctl.launching
+    import urdfctl.pairing  # noqa: F401
+    from urdfctl.catalog.store import prepare
+
+    all_rules()
+    prepare()
+    engine.release(engine.load())
+    gc.freeze()
 
 
 def job_for(target: Target, settings: Settings, selection: Selection) -> dict[str, Any]:

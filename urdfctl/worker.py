@@ -6,6 +6,7 @@ the system can fork, a worker is a fork; elsewhere it is a fresh Python that run
 
 from __future__ import annotations
 
+import contextlib
 import gc
 import json
 import os
@@ -23,6 +24,8 @@ GRACE = 2.0
 MAX_RESULT = 64 << 20
 MOST_AT_ONCE = 128
 """More would meet the limits on open files, and help nobody."""
+MOST_GROWTH = (48 << 20) if sys.platform == "darwin" else (48 << 10)
+"""By how much a worker may have grown and go on with the next job, in the unit of ru_maxrss."""
 CAN_FORK = hasattr(os, "fork") and sys.platform != "win32"
 
 
@@ -46,38 +49,46 @@ Result = Json | Died
 
 
 def run(
-    jobs: Sequence[Json], perform: Callable[[Json], Json], limits: Limits, parallel: int, *, fresh: str
+    jobs: Sequence[Json],
+    perform: Callable[[Json], Json],
+    limits: Limits,
+    parallel: int,
+    *,
+    fresh: str,
+    together: int = 1,
 ) -> Iterator[Result]:
     """The result of each job, in their order; as many at once as `parallel` says. `fresh` names what performs a job in
-    a process that knows nothing of this one: `package.module:function`."""
+    a process that knows nothing of this one: `package.module:function`. A worker may do up to `together` jobs, one
+    after the other, each within the limits; what one of them does not survive is tried again in a worker of its own."""
     if not CAN_FORK:
         yield from _run_all_fresh(jobs, limits, parallel, fresh)
         return
     at_once = min(max(parallel, 1), MOST_AT_ONCE)
-    results: dict[int, Result] = {}
-    pending = list(enumerate(jobs))[::-1]
-    active: dict[int, _Worker] = {}
+    size = max(min(together, len(jobs) // (4 * at_once)), 1)
+    pool = _Pool(
+        jobs, perform, limits, [range(start, min(start + size, len(jobs))) for start in range(0, len(jobs), size)]
+    )
     try:
         for wanted in range(len(jobs)):
-            while wanted not in results:
-                while pending and len(active) < at_once:
-                    index, job = pending.pop()
-                    worker = _fork(index, job, perform, limits)
-                    active[worker.pipe] = worker
-                _wait(active, results)
-            yield results.pop(wanted)
+            while wanted not in pool.results:
+                pool.fill(at_once)
+                pool.wait()
+            yield pool.results.pop(wanted)
     finally:
-        for worker in active.values():
-            worker.kill()
+        pool.kill()
 
 
-class _Worker(NamedTuple):
-    job: int
-    pid: int
-    pipe: int
-    deadline: float
-    seconds: float
-    text: bytearray
+class _Worker:
+    """A process with the jobs it has still to do, and what it has written of the next result."""
+
+    def __init__(self, jobs: range, pid: int, pipe: int, limits: Limits) -> None:
+        self.jobs, self.pid, self.pipe, self.limits = jobs, pid, pipe, limits
+        self.first = True
+        self.text = bytearray()
+        self.start_clock()
+
+    def start_clock(self) -> None:
+        self.deadline = time.monotonic() + self.limits.seconds + GRACE
 
     def kill(self) -> None:
         os.kill(self.pid, signal.SIGKILL)
@@ -85,25 +96,129 @@ class _Worker(NamedTuple):
 
     def reap(self) -> int:
         os.close(self.pipe)
-        return os.waitpid(self.pid, 0)[1]
+        return os.waitstatus_to_exitcode(os.waitpid(self.pid, 0)[1])
 
 
-def _fork(index: int, job: Json, perform: Callable[[Json], Json], limits: Limits) -> _Worker:
-    sys.stdout.flush()
-    sys.stderr.flush()
-    reading, writing = os.pipe()
-    pid = os.fork()
-    if pid == 0:
-        os.close(reading)
-        status = 1
-        try:
-            _restrict(limits)
-            _write(writing, _performed(job, perform))
-            status = 0
-        finally:
-            os._exit(status)
-    os.close(writing)
-    return _Worker(index, pid, reading, time.monotonic() + limits.seconds + GRACE, limits.seconds, bytearray())
+class _Pool:
+    """The workers at work, what is still to be given to one, and the results."""
+
+    def __init__(
+        self, jobs: Sequence[Json], perform: Callable[[Json], Json], limits: Limits, pending: list[range]
+    ) -> None:
+        self.jobs, self.perform, self.limits = jobs, perform, limits
+        self.pending = pending[::-1]
+        self.active: dict[int, _Worker] = {}
+        self.results: dict[int, Result] = {}
+
+    def fill(self, at_once: int) -> None:
+        """Start workers, as long as there is something to do."""
+        while self.pending and len(self.active) < at_once:
+            worker = self._fork(self.pending.pop())
+            self.active[worker.pipe] = worker
+
+    def _fork(self, numbers: range) -> _Worker:
+        sys.stdout.flush()
+        sys.stderr.flush()
+        reading, writing = os.pipe()
+        pid = os.fork()
+        if pid == 0:
+            os.close(reading)
+            status = 1
+            try:
+                _restrict(self.limits)
+                _work([self.jobs[number] for number in numbers], self.perform, self.limits, writing)
+                status = 0
+            finally:
+                os._exit(status)
+        os.close(writing)
+        return _Worker(numbers, pid, reading, self.limits)
+
+    def wait(self) -> None:
+        """Read what workers have written; end those that are done, silent for too long, or too talkative."""
+        from select import select
+
+        nearest = min(worker.deadline for worker in self.active.values())
+        readable, _, _ = select(list(self.active), [], [], max(nearest - time.monotonic(), 0.0))
+        for pipe in readable:
+            worker = self.active[pipe]
+            piece = os.read(pipe, 1 << 16)
+            worker.text.extend(piece)
+            if b"\n" in piece:
+                self._take(worker)
+            if not piece:
+                del self.active[pipe]
+                self._ended(worker, worker.reap())
+        for worker in list(self.active.values()):
+            too_late = time.monotonic() >= worker.deadline
+            if too_late or len(worker.text) > MAX_RESULT:
+                del self.active[worker.pipe]
+                worker.kill()
+                why = (
+                    f"it takes longer than {self.limits.seconds:g} s"
+                    if too_late
+                    else "its findings are too many to hold"
+                )
+                self._settle(worker, Died(why))
+                self._again(worker.jobs)
+
+    def _take(self, worker: _Worker) -> None:
+        *lines, rest = bytes(worker.text).split(b"\n")
+        worker.text = bytearray(rest)
+        for line in lines:
+            self._settle(worker, _parsed(line))
+            worker.start_clock()
+
+    def _settle(self, worker: _Worker, result: Result) -> None:
+        """Keep a result; but of one that went down with others before it, it is not sure that it was its own fault."""
+        number = worker.jobs[0]
+        worker.jobs = worker.jobs[1:]
+        if isinstance(result, Died) and not worker.first:
+            self._again(range(number, number + 1))
+        else:
+            self.results[number] = result
+        worker.first = False
+
+    def _again(self, numbers: range) -> None:
+        if numbers:
+            self.pending.append(numbers)
+
+    def _ended(self, worker: _Worker, status: int) -> None:
+        if worker.jobs and (status != 0 or worker.first):
+            self._settle(worker, _death_of(status))
+        self._again(worker.jobs)
+
+    def kill(self) -> None:
+        """End what is still at work."""
+        for worker in self.active.values():
+            worker.kill()
+
+
+def _work(jobs: Sequence[Json], perform: Callable[[Json], Json], limits: Limits, pipe: int) -> None:
+    """Do one job after the other, a result on each line, until so much memory is used that a new worker is better."""
+    import resource
+
+    at_start = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    for job in jobs:
+        _start_clock(limits)
+        _write(pipe, _performed(job, perform) + b"\n")
+        if resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - at_start > MOST_GROWTH:
+            return
+
+
+def _start_clock(limits: Limits) -> None:
+    import resource
+
+    _limit(resource.RLIMIT_CPU, int(time.process_time() + limits.seconds + GRACE) + 1)
+    signal.setitimer(signal.ITIMER_REAL, limits.seconds)
+
+
+def _limit(kind: int, wanted: int) -> None:
+    import resource
+
+    hard = resource.getrlimit(kind)[1]
+    most = wanted if hard == resource.RLIM_INFINITY else min(wanted, hard)
+    with contextlib.suppress(ValueError, OSError, OverflowError):  # macOS refuses RLIMIT_AS
+        resource.setrlimit(kind, (most, hard))
 
 
 def _performed(job: Json, perform: Callable[[Json], Json]) -> bytes:
@@ -147,22 +262,11 @@ def _restrict(limits: Limits) -> None:
     gc.disable()  # a worker lives for milliseconds; the memory limit holds all the same
     os.environ.clear()
     os.environ.update(limits.environ)
-    seconds = int(limits.seconds + GRACE) + 1
-    for kind, wanted in (
-        (resource.RLIMIT_AS, limits.memory),
-        (resource.RLIMIT_CPU, seconds),
-        (resource.RLIMIT_CORE, 0),
-    ):
-        hard = resource.getrlimit(kind)[1]
-        most = wanted if hard == resource.RLIM_INFINITY else min(wanted, hard)
-        try:
-            resource.setrlimit(kind, (most, hard))
-        except (ValueError, OSError, OverflowError):  # macOS refuses RLIMIT_AS
-            continue
+    _limit(resource.RLIMIT_AS, limits.memory)
+    _limit(resource.RLIMIT_CORE, 0)
     if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:  # as in a shell's background, where none is to be heard
         signal.signal(signal.SIGINT, signal.SIG_DFL)  # the parent tells what is to be told
     signal.signal(signal.SIGALRM, _too_late(limits.seconds))
-    signal.setitimer(signal.ITIMER_REAL, limits.seconds)
 
 
 def _too_late(seconds: float) -> Callable[[int, FrameType | None], None]:
@@ -172,36 +276,10 @@ def _too_late(seconds: float) -> Callable[[int, FrameType | None], None]:
     return raise_it
 
 
-def _wait(active: dict[int, _Worker], results: dict[int, Result]) -> None:
-    """Read what workers have written; end those that are done, silent for too long, or too talkative."""
-    from select import select
-
-    now = time.monotonic()
-    nearest = min(worker.deadline for worker in active.values())
-    readable, _, _ = select(list(active), [], [], max(nearest - now, 0.0))
-    for pipe in readable:
-        worker = active[pipe]
-        piece = os.read(pipe, 1 << 16)
-        worker.text.extend(piece)
-        if not piece:
-            del active[pipe]
-            results[worker.job] = _result(worker)
-    for worker in list(active.values()):
-        too_late = time.monotonic() >= worker.deadline
-        if too_late or len(worker.text) > MAX_RESULT:
-            del active[worker.pipe]
-            worker.kill()
-            why = f"it takes longer than {worker.seconds:g} s" if too_late else "its findings are too many to hold"
-            results[worker.job] = Died(why)
-
-
-def _result(worker: _Worker) -> Result:
-    number = os.waitstatus_to_exitcode(worker.reap())
-    if number == 0 and worker.text:
-        return _parsed(bytes(worker.text))
-    if -number in (signal.SIGXCPU, signal.SIGKILL):
+def _death_of(status: int) -> Died:
+    if -status in (signal.SIGXCPU, signal.SIGKILL):
         return Died("it uses more time or memory than a robot needs")
-    how = f"was ended by {signal.Signals(-number).name}" if number < 0 else f"ended with status {number}"
+    how = f"was ended by {signal.Signals(-status).name}" if status < 0 else f"ended with status {status}"
     return Died(f"the worker {how} and gave no result", ours=True)
 
 

@@ -87,10 +87,7 @@ class Catalog:
 
     def simulator_plugins(self, distro: str) -> tuple[SimulatorPlugin, ...]:
         """The simulator plugins that robots of a distro may load."""
-        from urdfctl.catalog.hardware import simulator_plugin
-
-        found = (in_distro(entry, distro) for entry in plain(generation(distro), "simulators").values())
-        return tuple(simulator_plugin(own, distro) for own in found if own is not None)
+        return _simulator_plugins(distro)
 
     def simulator_plugin(self, filename: str, distro: str) -> SimulatorPlugin | None:
         """The simulator plugin of a library, by its file name with or without `lib` and `.so`, as a distro has it; None
@@ -202,6 +199,14 @@ def catalog_with(additions: Additions) -> Catalog:
     if _LAST[0][0] is not additions:
         _LAST[0] = (additions, CATALOG.extended(additions))
     return _LAST[0][1]
+
+
+@cache
+def _simulator_plugins(distro: str) -> tuple[SimulatorPlugin, ...]:
+    from urdfctl.catalog.hardware import simulator_plugin
+
+    found = (in_distro(entry, distro) for entry in plain(generation(distro), "simulators").values())
+    return tuple(simulator_plugin(own, distro) for own in found if own is not None)
 
 
 @cache

@@ -16,6 +16,14 @@ def plain(ros: int, kind: str) -> dict[str, Any]:
     return _read(f"ros{ros}/{kind}.json")
 
 
+def prepare() -> None:
+    """Read all that robots may need."""
+    for ros in (1, 2):
+        for kind in ("controllers", "hardware", "interfaces", "manager", "simulators", "transmissions"):
+            plain(ros, kind)
+    renamed()
+
+
 @lru_cache(maxsize=1)
 def renamed() -> dict[str, Any]:
     """The types of one generation of ROS, and what they are in the other."""
