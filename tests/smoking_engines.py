@@ -12,3 +12,4 @@ EACH_ENGINE = [
     for name in ("pybullet", "mujoco")
 ]
 needs_pybullet = pytest.mark.skipif("pybullet" not in INSTALLED, reason="pybullet is not installed")
+needs_an_engine = pytest.mark.skipif(not INSTALLED, reason="no physics engine is installed")

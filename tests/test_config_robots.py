@@ -6,6 +6,7 @@ import json
 
 import pytest
 from folder import Folder
+from smoking_engines import needs_an_engine
 
 from urdfctl.config import config_of
 from urdfctl.errors import UserError
@@ -190,6 +191,7 @@ def test_what_all_variants_show_is_mended_once(folder: Folder) -> None:
     assert (folder.path / "arm.xacro").read_text() == REVERSED.replace('lower="1" upper="-1"', 'lower="-1" upper="1"')
 
 
+@needs_an_engine
 def test_smoke_tests_the_configurations_robots_too(folder: Folder) -> None:
     folder.write({"urdfctl.toml": "[[robot]]\npath = 'arm.xacro'\n", "arm.xacro": ARM, "other.xacro": ARM})
     ran = folder.run("smoke")

@@ -12,6 +12,7 @@ import pytest
 import yaml
 from folder import CHECKOUT
 from generating import command
+from smoking_engines import needs_an_engine
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -50,7 +51,7 @@ def test_our_own_action_is_given_inputs_that_it_has() -> None:
     assert [name for step in ours for name in step["with"] if name not in inputs] == []
 
 
-@pytest.mark.parametrize("job", ["windows", "wheel"])
+@pytest.mark.parametrize("job", ["windows", pytest.param("wheel", marks=needs_an_engine)])
 def test_the_commands_of_a_job_find_the_samples_sound(job: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(CHECKOUT)
     scripts = "\n".join(step["run"] for step in jobs("check.yml")[job]["steps"] if "run" in step)

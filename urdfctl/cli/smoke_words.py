@@ -42,14 +42,16 @@ def smoke_words(  # noqa: PLR0913, PLR0917 (one for each option)
     chosen = configured(paths, config, workspace)
     settings = settings_from(chosen, distro, simulator, start, workspace, package_path, env, trust, timeout, memory)
     names = tuple(name.strip() for text in only or () for name in text.split(",") if name.strip())
+    outputs = tuple(output_of(text) for text in formats or ("text",))
+    of_several = parsed_shard(shard) if shard else None
     instead = installed()[1:] if engine == "auto" else ()
     asked = Asked(
         tuple(paths or ()),
         Wanted(names, engines_of(engine), instead, duration, gui, report is not None),
         tuple(controllers or ()),
-        tuple(output_of(text) for text in formats or ("text",)),
+        outputs,
         jobs,
-        parsed_shard(shard) if shard else None,
+        of_several,
         report,
         chosen,
     )
