@@ -17,30 +17,19 @@ from urdfctl.suggest import nearest
 _MOST_COMPARED = 20
 _CUT_OUT = rb"<xacro:(?!if\b|unless\b|property\b|arg\b)"
 _CONDITION = rb"<xacro:(if|unless)\b"
+_Asked = TypeVar("_Asked")
 _Seen = TypeVar("_Seen")
 
 
-def once_per_robot(function: Callable[[Robot], _Seen]) -> Callable[[Robot], _Seen]:
-    """Remember what a function gave for the robot it was last asked of: several rules ask the same, one by one."""
-    last: list[tuple[Robot, _Seen]] = []
+def once_for_each(function: Callable[[_Asked], _Seen]) -> Callable[[_Asked], _Seen]:
+    """Remember what a function gave for the robot or project it was last asked of: several rules ask the same of each,
+    one by one."""
+    last: list[tuple[_Asked, _Seen]] = []
 
     @wraps(function)
-    def remembered(robot: Robot) -> _Seen:
-        if not last or last[0][0] is not robot:
-            last[:] = [(robot, function(robot))]
-        return last[0][1]
-
-    return remembered
-
-
-def once_per_project(function: Callable[[Project], _Seen]) -> Callable[[Project], _Seen]:
-    """Remember what a function gave for the project it was last asked of: several rules ask the same, one by one."""
-    last: list[tuple[Project, _Seen]] = []
-
-    @wraps(function)
-    def remembered(project: Project) -> _Seen:
-        if not last or last[0][0] is not project:
-            last[:] = [(project, function(project))]
+    def remembered(asked: _Asked) -> _Seen:
+        if not last or last[0][0] is not asked:
+            last[:] = [(asked, function(asked))]
         return last[0][1]
 
     return remembered

@@ -11,14 +11,14 @@ from urdfctl.control.names import is_misnamed
 from urdfctl.control.session import Configured, Missing, Session, sessions
 from urdfctl.model.controllers import Controller
 from urdfctl.rule import Finding, Note, Project, Severity
-from urdfctl.rules.common import once_per_project, whole_robot_in
+from urdfctl.rules.common import once_for_each, whole_robot_in
 from urdfctl.rules.controllers.common import controllers_in
 from urdfctl.source.span import Place
 
 Judge = Callable[[Session, Configured], Iterator[Finding]]
 
 
-@once_per_project
+@once_for_each
 def seen(project: Project) -> tuple[Session, ...]:
     """What each distro makes of a project; nothing where robot or controllers are not all known."""
     robot = whole_robot_in(project)

@@ -12,7 +12,7 @@ from urdfctl.control.given import given_values
 from urdfctl.model.controllers import Controller, Manager
 from urdfctl.model.parameters import Kind, Parameters
 from urdfctl.rule import Finding, Note, Project, Severity
-from urdfctl.rules.common import once_per_project
+from urdfctl.rules.common import once_for_each
 from urdfctl.rules.controllers.common import controllers_in
 from urdfctl.source.span import Place
 
@@ -103,7 +103,7 @@ def may_be_started(project: Project, controller: Controller) -> bool:
     return "all" in project.started or any(one is controller for one in found)
 
 
-@once_per_project
+@once_for_each
 def readers_of(project: Project) -> tuple[tuple[Reader, ...], ...]:
     """Each node, as each of the distros has it that know it."""
     controllers = controllers_in(project)

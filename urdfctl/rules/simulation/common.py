@@ -11,7 +11,7 @@ from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Plugin
 from urdfctl.model.ros2_control import Ros2Control
 from urdfctl.rule import Project
-from urdfctl.rules.common import is_known, is_whole, once_per_project, robot_in
+from urdfctl.rules.common import is_known, is_whole, once_for_each, robot_in
 from urdfctl.rules.simulation.facts import BECAME, DRIVES, LIBRARIES, MOVERS
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
@@ -86,7 +86,7 @@ class Loaded(NamedTuple):
         return next((tag for own, tag in self.settings() if own == name), None)
 
 
-@once_per_project
+@once_for_each
 def loaded(project: Project) -> tuple[Loaded, ...]:
     """The plugins of the robot as a whole, but for those that only another simulator loads than the user names."""
     robot = robot_in(project)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Robot
-from urdfctl.rules.common import label, once_per_robot
+from urdfctl.rules.common import label, once_for_each
 
 ELEMENTS = {
     "robot": ("link", "joint", "material", "transmission", "gazebo", "ros2_control"),
@@ -71,7 +71,7 @@ class ReadTag(NamedTuple):
     owner: str
 
 
-@once_per_robot
+@once_for_each
 def read_tags(robot: Robot) -> tuple[ReadTag, ...]:
     """The elements of links, joints and materials that are read."""
     return tuple(_walk(robot))
