@@ -87,6 +87,11 @@ def label(kind: str, name: str | None) -> str:
     return f"{kind} '{name}'" if name else f"a {kind} without name"
 
 
+def is_all_there(project: Project, tag: Tag) -> bool:
+    """Whether what is not seen in an element is truly not there: all that stands in it could be worked out."""
+    return is_whole(project, tag.at) and not any(child.name == UNKNOWN for child in tag.children)
+
+
 class Names:
     """The names that a reference may mean. Only the first slips are compared with each of them: that takes long."""
 

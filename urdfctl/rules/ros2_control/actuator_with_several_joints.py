@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import label
-from urdfctl.rules.ros2_control.common import component, components, lacks
+from urdfctl.rules.common import is_all_there, label
+from urdfctl.rules.ros2_control.common import component, components
 
 
 @rule(
@@ -53,7 +53,7 @@ def actuator_with_several_joints(project: Project) -> Iterator[Finding]:
             continue
         for transmission in control.transmissions:
             count = len(transmission.joints)
-            if count != 1 and not transmission.is_ros1 and lacks(project, transmission.tag):
+            if count != 1 and not transmission.is_ros1 and is_all_there(project, transmission.tag):
                 message = (
                     f"{label('transmission', transmission.name)} of {component(control)} has {count} joints, "
                     "and a component of type 'actuator' drives one; several make a 'system'"

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import label
-from urdfctl.rules.ros2_control.common import lacks, parts
+from urdfctl.rules.common import is_all_there, label
+from urdfctl.rules.ros2_control.common import parts
 
 
 @rule(
@@ -43,6 +43,11 @@ def command_without_state(project: Project) -> Iterator[Finding]:
     hardware and Gazebo have its position for the asking.
     """
     for control, part in parts(project, "joint"):
-        if part.commands and not part.states and lacks(project, part.tag) and (control.type or "").strip() == "system":
+        if (
+            part.commands
+            and not part.states
+            and is_all_there(project, part.tag)
+            and (control.type or "").strip() == "system"
+        ):
             message = f"{label('joint', part.name)} has a command interface and no state interface; add its position"
             yield Finding(part.at, message)

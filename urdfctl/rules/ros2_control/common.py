@@ -10,9 +10,8 @@ from urdfctl.catalog.distros import ROS2, since, until
 from urdfctl.model.parts import Tag, Text
 from urdfctl.model.ros2_control import Interface, Parameter, Part, Ros2Control
 from urdfctl.rule import Edit, Fix, Note, Project
-from urdfctl.rules.common import is_known, is_whole, label, robot_in
+from urdfctl.rules.common import is_known, label, robot_in
 from urdfctl.rules.ros2_control.facts import INTERFACES_OF_ROS1
-from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place, SourceSpan
 
 if TYPE_CHECKING:
@@ -73,11 +72,6 @@ def called(interface: Interface) -> str:
 def of_part(control: Ros2Control, part: Part) -> str:
     """What a message calls a part in its component."""
     return f"{label(part.kind, part.name)} in {component(control)}"
-
-
-def lacks(project: Project, tag: Tag) -> bool:
-    """Whether what is not seen in an element is truly not there: all that stands in it could be worked out."""
-    return is_whole(project, tag.at) and not any(child.name == UNKNOWN for child in tag.children)
 
 
 def is_boolean(text: str) -> bool:

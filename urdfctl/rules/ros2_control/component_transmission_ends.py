@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import label
-from urdfctl.rules.ros2_control.common import components, lacks
+from urdfctl.rules.common import is_all_there, label
+from urdfctl.rules.ros2_control.common import components
 
 
 @rule(
@@ -54,7 +54,11 @@ def component_transmission_ends(project: Project) -> Iterator[Finding]:
             name = transmission.plugins[0].past_comments if transmission.plugins else ""
             kinds = [project.catalog.transmission(name, distro) for distro in project.distros]
             kind = next((kind for kind in kinds if kind), None)
-            if kind is None or not lacks(project, transmission.tag) or (control.type or "").strip() == "actuator":
+            if (
+                kind is None
+                or not is_all_there(project, transmission.tag)
+                or (control.type or "").strip() == "actuator"
+            ):
                 continue
             for what, ends, due in (
                 ("joint", transmission.joints, kind.joints),

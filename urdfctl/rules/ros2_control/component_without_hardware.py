@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import is_conditional
-from urdfctl.rules.ros2_control.common import component, components, lacks
+from urdfctl.rules.common import is_all_there, is_conditional
+from urdfctl.rules.ros2_control.common import component, components
 
 
 @rule(
@@ -42,7 +42,7 @@ def component_without_hardware(project: Project) -> Iterator[Finding]:
     Where conditions decide on it, these arguments choose none.
     """
     for control in components(project):
-        if control.hardware or not lacks(project, control.tag):
+        if control.hardware or not is_all_there(project, control.tag):
             continue
         if is_conditional(control.at):
             message = f"with these arguments {component(control)} has no <hardware>"

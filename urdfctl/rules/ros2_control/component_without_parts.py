@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import is_conditional
-from urdfctl.rules.ros2_control.common import component, components, lacks
+from urdfctl.rules.common import is_all_there, is_conditional
+from urdfctl.rules.ros2_control.common import component, components
 
 
 @rule(
@@ -41,7 +41,11 @@ def component_without_parts(project: Project) -> Iterator[Finding]:
     Nothing can be read from it or commanded: controllers do not find the interfaces that they ask for.
     """
     for control in components(project):
-        if control.parts or any(each.is_ros1 for each in control.transmissions) or not lacks(project, control.tag):
+        if (
+            control.parts
+            or any(each.is_ros1 for each in control.transmissions)
+            or not is_all_there(project, control.tag)
+        ):
             continue
         severity = Severity.INFO if is_conditional(control.at) else Severity.WARNING
         yield Finding(

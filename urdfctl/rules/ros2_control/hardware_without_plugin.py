@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ROS2
 from urdfctl.model.ros2_control import Hardware, Ros2Control
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
-from urdfctl.rules.common import is_conditional
-from urdfctl.rules.ros2_control.common import component, components, lacks
+from urdfctl.rules.common import is_all_there, is_conditional
+from urdfctl.rules.ros2_control.common import component, components
 from urdfctl.suggest import nearest
 
 
@@ -54,7 +54,7 @@ def hardware_without_plugin(project: Project) -> Iterator[Finding]:
             yield Finding(
                 hardware.plugins[0].at, f"the <plugin> of {component(control)} is empty: it names the class to load"
             )
-        elif lacks(project, hardware.tag):
+        elif is_all_there(project, hardware.tag):
             yield from _without(control, hardware)
 
 

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ROS2
 from urdfctl.model.ros2_control import Parameter, Part
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
-from urdfctl.rules.common import is_known, robot_in, severity_where
-from urdfctl.rules.ros2_control.common import component, is_deaf, known_hardware, lacks, parts
+from urdfctl.rules.common import is_all_there, is_known, robot_in, severity_where
+from urdfctl.rules.ros2_control.common import component, is_deaf, known_hardware, parts
 from urdfctl.suggest import did_you_mean
 
 
@@ -66,7 +66,7 @@ def mimic_as_parameter(project: Project) -> Iterator[Finding]:
             continue
         reading = [each for each in known_hardware(project, control) if "mimic" in (each.joint_parameters or ())]
         joints = [other.name for other in control.of_kind("joint")]
-        if reading and parameter.value not in joints and is_known(*joints) and lacks(project, control.tag):
+        if reading and parameter.value not in joints and is_known(*joints) and is_all_there(project, control.tag):
             severity = severity_where(project, (each.distro for each in reading))
             reason = did_you_mean(parameter.value, (name for name in joints if name)) or "; put it there"
             message = f"joint '{joint.name}' mimics '{parameter.value}', which is not in {component(control)}{reason}"

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import is_known, severity_where
-from urdfctl.rules.ros2_control.common import JAZZY, followers, known_hardware, lacks
+from urdfctl.rules.common import is_all_there, is_known, severity_where
+from urdfctl.rules.ros2_control.common import JAZZY, followers, known_hardware
 from urdfctl.rules.ros2_control.facts import MOCK
 
 
@@ -58,7 +58,9 @@ def mimic_state_not_mimicked(project: Project) -> Iterator[Finding]:
     and is deactivated.
     """
     for joint, (control, mimicked) in followers(project):
-        if not any(each.type == MOCK for each in known_hardware(project, control)) or not lacks(project, control.tag):
+        if not any(each.type == MOCK for each in known_hardware(project, control)) or not is_all_there(
+            project, control.tag
+        ):
             continue
         others = [other for other in control.of_kind("joint") if (other.name or "").strip() == mimicked]
         there = {(state.name or "").strip() for other in others for state in other.states}

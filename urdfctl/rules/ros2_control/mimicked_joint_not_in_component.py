@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import is_known, severity_where
-from urdfctl.rules.ros2_control.common import JAZZY, component, followers, lacks
+from urdfctl.rules.common import is_all_there, is_known, severity_where
+from urdfctl.rules.ros2_control.common import JAZZY, component, followers
 
 
 @rule(
@@ -50,7 +50,7 @@ def mimicked_joint_not_in_component(project: Project) -> Iterator[Finding]:
     """
     for joint, (control, mimicked) in followers(project):
         names = {(other.name or "").strip() for other in control.of_kind("joint")}
-        if not is_known(mimicked, *names) or mimicked in names or not lacks(project, control.tag):
+        if not is_known(mimicked, *names) or mimicked in names or not is_all_there(project, control.tag):
             continue
         message = f"joint '{joint.name}' mimics '{mimicked}', which is not in {component(control)}; put it there too"
         yield Finding(joint.at["name"], message, severity=severity_where(project, JAZZY))

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import is_conditional
-from urdfctl.rules.ros2_control.common import followers, known_hardware, lacks, of_part, parts
+from urdfctl.rules.common import is_all_there, is_conditional
+from urdfctl.rules.ros2_control.common import followers, known_hardware, of_part, parts
 from urdfctl.rules.ros2_control.facts import INTERFACE_ELEMENTS
 from urdfctl.suggest import nearest
 
@@ -47,7 +47,7 @@ def part_without_interfaces(project: Project) -> Iterator[Finding]:
     """
     mimics = {id(joint) for joint, _ in followers(project)}
     for control, part in parts(project):
-        if part.interfaces or part.parameters or id(part) in mimics or not lacks(project, part.tag):
+        if part.interfaces or part.parameters or id(part) in mimics or not is_all_there(project, part.tag):
             continue
         if any(nearest(other.name, INTERFACE_ELEMENTS) for other in part.others):
             continue

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import Names, is_known, label, replaced
-from urdfctl.rules.ros2_control.common import component, components, lacks
+from urdfctl.rules.common import Names, is_all_there, is_known, label, replaced
+from urdfctl.rules.ros2_control.common import component, components
 
 
 @rule(
@@ -50,7 +50,7 @@ def transmission_joint_not_in_component(project: Project) -> Iterator[Finding]:
     """
     for control in components(project):
         known = Names((joint.name or "").strip() for joint in control.of_kind("joint"))
-        if not lacks(project, control.tag) or not is_known(*(joint.name for joint in control.of_kind("joint"))):
+        if not is_all_there(project, control.tag) or not is_known(*(joint.name for joint in control.of_kind("joint"))):
             continue
         for transmission in control.transmissions:
             for end in transmission.joints if not transmission.is_ros1 else ():

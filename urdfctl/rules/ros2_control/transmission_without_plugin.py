@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import label
-from urdfctl.rules.ros2_control.common import component, components, lacks
+from urdfctl.rules.common import is_all_there, label
+from urdfctl.rules.ros2_control.common import component, components
 
 
 @rule(
@@ -55,5 +55,5 @@ def transmission_without_plugin(project: Project) -> Iterator[Finding]:
             if transmission.plugins and not transmission.plugins[0].past_comments:
                 message = f"the <plugin> of {of} is empty; {what}"
                 yield Finding(transmission.plugins[0].at, message, severity=Severity.WARNING)
-            elif not transmission.plugins and not transmission.is_ros1 and lacks(project, transmission.tag):
+            elif not transmission.plugins and not transmission.is_ros1 and is_all_there(project, transmission.tag):
                 yield Finding(transmission.at, f"{of} has no <plugin>; {what}")

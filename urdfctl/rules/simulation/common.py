@@ -11,9 +11,8 @@ from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Plugin
 from urdfctl.model.ros2_control import Ros2Control
 from urdfctl.rule import Project
-from urdfctl.rules.common import is_known, is_whole, once_for_each, robot_in
+from urdfctl.rules.common import is_all_there, is_known, once_for_each, robot_in
 from urdfctl.rules.simulation.facts import BECAME, DRIVES, LIBRARIES, MOVERS
-from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
 from urdfctl.suggest import is_slip
 
@@ -233,11 +232,6 @@ def _meant(name: str, children: dict[str, PluginChild]) -> tuple[str | None, boo
         if became in children or (" " in became and "ros/namespace" in children):
             return became, False
     return next((known for other, known in by_folded.items() if is_slip(key, other)), None), False
-
-
-def is_all_there(project: Project, tag: Tag) -> bool:
-    """Whether what is not seen in an element is truly not there."""
-    return is_whole(project, tag.at) and not any(child.name == UNKNOWN for child in tag.children)
 
 
 def is_written_empty(tag: Tag) -> bool:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.simulation.common import is_all_there, loaded, unread_settings, wheel_measures
+from urdfctl.rules.common import is_all_there
+from urdfctl.rules.simulation.common import loaded, unread_settings, wheel_measures
 
 
 @rule(

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
-from urdfctl.rules.simulation.common import control_plugins, is_all_there
+from urdfctl.rules.common import is_all_there
+from urdfctl.rules.simulation.common import control_plugins
 
 
 @rule(

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.simulation.common import Loaded, is_all_there, is_written_empty, loaded
+from urdfctl.rules.common import is_all_there
+from urdfctl.rules.simulation.common import Loaded, is_written_empty, loaded
 
 
 @rule(

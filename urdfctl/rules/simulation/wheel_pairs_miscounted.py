@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import is_known
-from urdfctl.rules.simulation.common import Loaded, is_all_there, loaded, number
+from urdfctl.rules.common import is_all_there, is_known
+from urdfctl.rules.simulation.common import Loaded, loaded, number
 
 
 @rule(
