@@ -1,4 +1,4 @@
-"""Did-you-mean: the known name nearest to one that is not known."""
+"""What messages make of names: did-you-mean, the known name nearest to one that is not known, and several in a row."""
 
 from __future__ import annotations
 
@@ -55,3 +55,14 @@ def is_slip(name: str, other: str) -> bool:
     tail, rest = short[start:], long[start:]
     swapped = len(rest) > 1 and len(tail) == len(rest) and tail == rest[1] + rest[0] + rest[2:]
     return rest[1:] in (tail, tail[1:]) or swapped
+
+
+def folded(name: str) -> str:
+    """A name without case, underscores and hyphens."""
+    return name.lower().replace("_", "").replace("-", "")
+
+
+def enumerated(parts: Iterable[str], conjunction: str = "and") -> str:
+    """`a, b and c`; empty where there are none."""
+    *most, last = [*parts] or [""]
+    return f"{', '.join(most)} {conjunction} {last}" if most else last

@@ -9,6 +9,7 @@ from urdfctl.catalog.entries import Condition, ControllerType, ParameterRule
 from urdfctl.catalog.map_parameters import expanded
 from urdfctl.catalog.values import elements, is_known, is_set
 from urdfctl.control.values import Values
+from urdfctl.suggest import enumerated
 
 
 class Breach(NamedTuple):
@@ -175,13 +176,11 @@ def _plain(value: object) -> str:
 
 
 def _and(words: list[str]) -> str:
-    *most, last = [f"'{word}'" for word in words]
-    return f"{', '.join(most)} and {last}" if most else last
+    return enumerated(f"'{word}'" for word in words)
 
 
 def _or(words: list[str]) -> str:
-    *most, last = [f"'{word}'" for word in words]
-    return f"{', '.join(most)} or {last}" if most else last
+    return enumerated((f"'{word}'" for word in words), "or")
 
 
 def _count(number: int) -> str:

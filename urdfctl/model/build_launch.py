@@ -22,7 +22,7 @@ from urdfctl.model.launch import (
 from urdfctl.model.substitutions import Substitutions
 from urdfctl.model.xacro_command import of_command
 from urdfctl.source.dom import Document, Element
-from urdfctl.source.opaque import UNKNOWN
+from urdfctl.source.opaque import UNKNOWN, if_known
 from urdfctl.source.span import Place
 
 _DESCRIPTION = "robot_description"
@@ -190,7 +190,7 @@ class _Builder:
         if UNKNOWN not in path and scope.depth < _MOST_DEPTH and self._includes <= _MOST_INCLUDES:
             document = self.sources.read(path)
         if scope.held:
-            self._reference(written, element.at["file"], _known(path), "include", sure=scope.sure)
+            self._reference(written, element.at["file"], if_known(path), "include", sure=scope.sure)
         if document is None or document.documentElement is None:
             self.complete = self.complete and not scope.held
             return
@@ -221,10 +221,10 @@ class _Builder:
         if source == "command":
             path, arguments = of_command(texts.resolve(written))
         elif written:
-            path = _known(texts.resolve(written))
+            path = if_known(texts.resolve(written))
         reference = self._reference(written, element.at[source], path, "description", sure=scope.sure)
         names = tuple(Word(one, element.at[source]) for one in re.findall(r"(\w+):=", written))
-        namespace = _known(name.rpartition("/")[0])
+        namespace = if_known(name.rpartition("/")[0])
         made = Description(reference, arguments, namespace, element.at, scope.sure, names, written)
         (self.descriptions if last == _DESCRIPTION else self.others).append(made)
 
@@ -236,8 +236,8 @@ class _Builder:
         self._load(element.attrs["file"], element.at["file"], namespace, scope, texts)
 
     def _load(self, written: str, at: Place, namespace: str, scope: _Scope, texts: Substitutions) -> None:
-        reference = self._reference(written, at, _known(texts.resolve(written)), "parameters", sure=scope.sure)
-        self.loads.append(ParameterLoad(reference, _known(namespace), at, scope.sure, scope.in_node))
+        reference = self._reference(written, at, if_known(texts.resolve(written)), "parameters", sure=scope.sure)
+        self.loads.append(ParameterLoad(reference, if_known(namespace), at, scope.sure, scope.in_node))
 
     def _reference(self, written: str, at: Place, path: str | None, use: str, *, sure: bool) -> FileReference:
         located, exists = self.sources.locate(path) if path else (None, None)
@@ -270,7 +270,7 @@ class _Builder:
         program = Word(element.attrs.get("type", ""), element.at["type"])
         at = element.at["args"]
         given = tuple(Word(word, at.word(word)) for word in words)
-        namespace = _known(scope.namespace)
+        namespace = if_known(scope.namespace)
         inside = list(element.elements())
         parameters = tuple(Word(one.attrs["name"], one.at["name"]) for one in inside if "name" in one.attrs)
         parameters += tuple(Word(one.attrs["param"], one.at["param"]) for one in inside if "param" in one.attrs)
@@ -284,7 +284,7 @@ class _Builder:
             Node(
                 package,
                 program,
-                _known(name),
+                if_known(name),
                 namespace,
                 element.at,
                 given,
@@ -319,7 +319,7 @@ class _Builder:
             elif not word.startswith("-"):
                 names.append((word, at.word(word)))
         program = Word(element.attrs.get("type", ""), element.at["type"])
-        spawn = Spawn(tuple(names), _known(namespace), at, active, scope.sure, complete, program=program)
+        spawn = Spawn(tuple(names), if_known(namespace), at, active, scope.sure, complete, program=program)
         (self.spawns if scope.held else self.elsewhere).append(spawn._replace(options=tuple(options)))
 
 
@@ -327,7 +327,3 @@ def _makes_urdf(element: Element) -> bool:
     """Whether a parameter's value comes from xacro, or a URDF file."""
     command = element.attrs.get("command", "")
     return "xacro" in command or element.attrs.get("textfile", "").endswith(".urdf")
-
-
-def _known(text: str) -> str | None:
-    return None if UNKNOWN in text else text

@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Iterator
 
 from urdfctl.model.launch_texts import Content, Texts, table_of
-from urdfctl.model.xacro_command import of_command
+from urdfctl.model.xacro_command import known_path, of_command
 from urdfctl.source.launch.terms import Called, Items, Member, OneOf, Term, outside
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
@@ -33,16 +33,12 @@ def content_of(term: Term | None, texts: Texts, exists: Callable[[str], bool]) -
     if term.short == "Command":
         return _of_substitution(term, texts)
     if term.short == "FileContent":
-        return Content(_known(texts.of(term.given("path", 0))), (), term.at)
+        return Content(known_path(texts.of(term.given("path", 0))), (), term.at)
     if term.name in _TEXTS:
         return _of_process(term.of, texts, term.at)
     if term.name in _READING and isinstance(term.of, Called) and term.of.short == "open":
-        return Content(_known(texts.of(term.of.given("file", 0))), (), term.at)
+        return Content(known_path(texts.of(term.of.given("file", 0))), (), term.at)
     return None
-
-
-def _known(text: str) -> str | None:
-    return None if UNKNOWN in text or not text else text
 
 
 def _of_substitution(term: Called, texts: Texts) -> Content:
@@ -75,7 +71,7 @@ def _of_process(term: Term | None, texts: Texts, at: Place) -> Content | None:
     if term.given("mappings") is not None and mappings is None:
         whole = False
     names = tuple(mappings.keys.items()) if mappings else ()
-    return Content(_known(texts.of(file)), tuple(values.items()) if whole else None, at, names)
+    return Content(known_path(texts.of(file)), tuple(values.items()) if whole else None, at, names)
 
 
 def _of_moveit(term: Member, texts: Texts, exists: Callable[[str], bool]) -> Content | None:
@@ -85,7 +81,7 @@ def _of_moveit(term: Member, texts: Texts, exists: Callable[[str], bool]) -> Con
     builder, described = moveit_builder(term.of)
     if builder is None:
         return None
-    folder = _known(moveit_folder(builder, texts))
+    folder = known_path(moveit_folder(builder, texts))
     if folder is None:
         return Content(None, None, term.at)
     file = texts.of(described.given("file_path", 0)) if described and described.given("file_path", 0) else ""
@@ -97,7 +93,7 @@ def _of_moveit(term: Member, texts: Texts, exists: Callable[[str], bool]) -> Con
     whole = given is None or (
         mappings is not None and mappings.whole and not any(UNKNOWN in v for v in values.values())
     )
-    known = _known(path) if file or exists(path) else None
+    known = known_path(path) if file or exists(path) else None
     names = tuple(mappings.keys.items()) if mappings else ()
     return Content(known, tuple(values.items()) if whole else None, term.at, names)
 

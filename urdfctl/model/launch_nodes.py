@@ -12,7 +12,7 @@ from urdfctl.model.launch import Description, Node, ParameterLoad, Reference, Sp
 from urdfctl.model.launch_texts import Content, Texts
 from urdfctl.model.spawner import Told, manager_of, told, told_by_command
 from urdfctl.source.launch.terms import Called, Constant, Items, Member, Missing, OneOf, Perhaps, Table, Term
-from urdfctl.source.opaque import UNKNOWN
+from urdfctl.source.opaque import UNKNOWN, if_known
 from urdfctl.source.span import Place
 
 SPAWNERS = ("spawner", "spawner.py")
@@ -59,7 +59,7 @@ class Nodes:
         parameters = _Parameters(self, term, executable.text, sure=sure)
         words, complete = self._words(term.keywords.get("arguments"))
         name = self._word(term, "name").known if _given(term, "name") is not None else None
-        namespace = _known(self._namespace(term))
+        namespace = if_known(self._namespace(term))
         remaps = tuple(self._remaps(term.keywords.get("remappings")))
         whole = parameters.complete and complete and not self.found.altered
         given = tuple(parameters.names), remaps
@@ -132,7 +132,7 @@ class Nodes:
 
     def moveit_demo(self, term: Called, controllers: str, *, sure: bool, held: bool) -> None:
         """MoveIt's demo, which starts a manager and spawners of controllers that only its configuration knows."""
-        spawn = Spawn((), _known(self.texts.scope.namespace), term.at, sure=sure, complete=False)
+        spawn = Spawn((), if_known(self.texts.scope.namespace), term.at, sure=sure, complete=False)
         if held:
             self.load(Word(controllers, term.at), MANAGERS[0], sure=sure)
             self.found.spawns.append(spawn)
@@ -202,7 +202,7 @@ class Nodes:
 
     def reference(self, path: str, at: Place, use: str, *, sure: bool) -> FileReference:
         """A file that is used, noted where it is known which."""
-        known = _known(path)
+        known = if_known(path)
         located, exists = self._locate(known) if known else (None, None)
         if known and not os.path.isabs(known):
             located, exists = None, None  # where it lies hangs on the folder that the launch is started in
@@ -243,7 +243,7 @@ class _Parameters:
         self.names: list[Word] = []
         self.files: list[Word] = []
         self.complete = True
-        self.namespace = _known(nodes._namespace(term))
+        self.namespace = if_known(nodes._namespace(term))
         given = term.keywords.get("parameters")
         if isinstance(given, Items):
             for value in given.values:
@@ -315,7 +315,3 @@ def _as_list(term: Term | None) -> Term | None:
 
 def _one_word(term: OneOf) -> bool:
     return all(isinstance(option, (Constant, Called)) for option in term.options)
-
-
-def _known(text: str) -> str | None:
-    return None if UNKNOWN in text else text

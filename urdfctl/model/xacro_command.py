@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 
-from urdfctl.source.opaque import UNKNOWN
+from urdfctl.source.opaque import UNKNOWN, if_known
 
 _XACRO = ("xacro", "xacro.py")
 _WORDS = r"(?:'[^']*'|\"[^\"]*\"|[^\s'\"]|['\"])+"
@@ -22,9 +22,10 @@ def of_command(command: str) -> tuple[str | None, tuple[tuple[str, str], ...] | 
     pairs = [word.partition(":=") for word in words[1:] if ":=" in word]
     arguments = tuple((name, value.strip("'\"")) for name, _, value in pairs)
     unknown = any(UNKNOWN in word for word in words[1:] if word not in files)
-    path = _known(files[0]) if len(files) == 1 else None
+    path = known_path(files[0]) if len(files) == 1 else None
     return path, None if unknown else arguments
 
 
-def _known(text: str) -> str | None:
-    return None if UNKNOWN in text or not text else text
+def known_path(text: str) -> str | None:
+    """A path, where all of it is known and it is not empty."""
+    return if_known(text) or None

@@ -12,7 +12,7 @@ from urdfctl.model.robot import Robot
 from urdfctl.rule import Edit, Fix, Project, Severity
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place, SourceSpan
-from urdfctl.suggest import nearest
+from urdfctl.suggest import enumerated, nearest
 
 _MOST_COMPARED = 20
 _CUT_OUT = rb"<xacro:(?!if\b|unless\b|property\b|arg\b)"
@@ -163,4 +163,4 @@ def in_words(names: Iterable[str], most: int = 5) -> str:
     quoted = [f"'{name}'" for name in names]
     if len(quoted) > most:
         quoted[most:] = [f"{len(quoted) - most} more"]
-    return " and ".join(part for part in (", ".join(quoted[:-1]), quoted[-1]) if part)
+    return enumerated(quoted)

@@ -13,6 +13,11 @@ UNKNOWN = "\ue000"
 """Stands in a text for a value that could not be worked out; no rule may claim anything of such a text."""
 
 
+def if_known(text: str) -> str | None:
+    """A text, where all of it is known."""
+    return None if UNKNOWN in text else text
+
+
 class NotKnown(Exception):
     """Something needs to know a value that cannot be known: the whole expression is unknown then."""
 

@@ -14,7 +14,7 @@ from urdfctl.rule import Project
 from urdfctl.rules.common import is_all_there, is_known, once_for_each, robot_in
 from urdfctl.rules.simulation.facts import BECAME, DRIVES, LIBRARIES, MOVERS
 from urdfctl.source.span import Place
-from urdfctl.suggest import is_slip
+from urdfctl.suggest import folded, is_slip
 
 if TYPE_CHECKING:
     from urdfctl.model.controllers import FileReference
@@ -147,11 +147,6 @@ def simulator_of(project: Project, control: Ros2Control) -> str | None:
 
 _LATER = ("iron", "jazzy", "rolling")
 """Distros whose hardware plugins, taken together, are all that run in Gazebo."""
-
-
-def folded(name: str) -> str:
-    """A name without case, underscores and hyphens."""
-    return name.lower().replace("_", "").replace("-", "")
 
 
 def namespace_of(text: str) -> str:

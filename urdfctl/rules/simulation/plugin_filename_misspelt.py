@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from urdfctl.catalog.hardware import library_of
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, replaced
-from urdfctl.rules.simulation.common import Loaded, folded, loaded
+from urdfctl.rules.simulation.common import Loaded, loaded
 from urdfctl.rules.simulation.facts import DRIVES, LIBRARIES
-from urdfctl.suggest import is_slip
+from urdfctl.suggest import folded, is_slip
 
 
 @rule(

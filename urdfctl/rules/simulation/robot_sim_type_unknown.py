@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ROS1
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, replaced
-from urdfctl.rules.simulation.common import control_plugins, folded
-from urdfctl.suggest import is_slip
+from urdfctl.rules.simulation.common import control_plugins
+from urdfctl.suggest import folded, is_slip
 
 
 @rule(

@@ -13,6 +13,7 @@ from urdfctl.model.transmission import Transmission, TransmissionEnd
 from urdfctl.rules.common import is_known
 from urdfctl.rules.transmissions.facts import NO_PLUGIN_TYPES, PREFIX
 from urdfctl.source.span import Place, SourceSpan
+from urdfctl.suggest import enumerated, folded
 
 _CONTROL_PLUGIN = "libgazebo_ros_control.so"
 _DEFAULT_SIMULATION = ("", "gazebo_ros_control/DefaultRobotHWSim")
@@ -62,11 +63,7 @@ def is_of_another_package(transmission: Transmission) -> bool:
 
 def misspelt(tags: Iterable[Tag], name: str) -> Tag | None:
     """The first of some elements that is spelt like a name but for case, underscores and hyphens."""
-    return next((tag for tag in tags if tag.name != name and _folded(tag.name) == _folded(name)), None)
-
-
-def _folded(name: str) -> str:
-    return name.lower().replace("_", "").replace("-", "")
+    return next((tag for tag in tags if tag.name != name and folded(tag.name) == folded(name)), None)
 
 
 # -- how bad it is ---------------------------------------------------------------------------------------------------
@@ -140,5 +137,4 @@ def in_place_of_name(at: Place, name: str, right: str) -> tuple[Edit, ...]:
 
 def listed(words: Iterable[str]) -> str:
     """`'a', 'b' and 'c'`."""
-    *most, last = [f"'{word}'" for word in words]
-    return f"{', '.join(most)} and {last}" if most else last
+    return enumerated(f"'{word}'" for word in words)
