@@ -300,7 +300,7 @@ def _is_library(expansion: Expansion) -> bool:
     return all(problem.kind in HARMLESS | _OF_INCLUDES for problem in expansion.problems)
 
 
-SURVEYED_FROM = 4
+_SURVEYED_FROM = 4
 """So many targets are worth to learn of their workspace before workers part."""
 _PREPARED_FROM = 12
 """From so many targets on it is cheaper to load everything once than what each needs in its worker."""
@@ -310,17 +310,23 @@ def lint_all(
     targets: Sequence[Target], settings: Settings, selection: Selection, parallel: int | None = None
 ) -> Iterator[Linted]:
     """The findings of each target, in their order, each from a limited worker."""
-    loader = Loader(settings, selection)
-    if len(targets) >= SURVEYED_FROM:
-        loader.survey(targets)
-    if len(targets) >= _PREPARED_FROM:
-        _prepare()
+    loader = shared_loader(targets, settings, selection)
     jobs = [job_for(target, settings, selection) for target in targets]
     limits = Limits(settings.timeout, settings.memory, settings.environ)
     parallel = parallel or os.cpu_count() or 1
     results = run(jobs, partial(_perform_with, loader), limits, parallel, fresh="urdfctl.load:perform", together=16)
     for target, result in zip(targets, results, strict=True):
         yield linted_from_json(result) if isinstance(result, dict) else dead(target, settings, result)
+
+
+def shared_loader(targets: Sequence[Target], settings: Settings, selection: Selection) -> Loader:
+    """A loader for workers, which knows what each of many targets would else learn for itself."""
+    loader = Loader(settings, selection)
+    if len(targets) >= _SURVEYED_FROM:
+        loader.survey(targets)
+    if len(targets) >= _PREPARED_FROM:
+        _prepare()
+    return loader
 
 
 def _prepare() -> None:

@@ -13,7 +13,7 @@ from urdfctl.fix.edits import Splice, Taken, edited
 from urdfctl.fix.files import EditableFiles
 from urdfctl.fix.trial import Verdict, perform_with, splices_of, texts
 from urdfctl.lint import Linted, Selection
-from urdfctl.load import SURVEYED_FROM, Loader, Target, job_for
+from urdfctl.load import Target, job_for, shared_loader
 from urdfctl.settings import Settings
 from urdfctl.worker import Died, Limits, run
 
@@ -96,12 +96,10 @@ class _Mending:
         self.settings, self.wishes, self.parallel = settings, wishes, parallel
         # whatever the user wants to be told of, no rule may find anything new
         self.judges = wishes.selection._replace(select=())
-        self.loader = Loader(settings, self.judges)
+        self.loader = shared_loader(self.targets, settings, self.judges)
         self.files = EditableFiles(settings)
         self.refused: dict[frozenset[Splice], str] = {}
         self.trials = 0
-        if len(self.targets) >= SURVEYED_FROM:
-            self.loader.survey(self.targets)
         self._read = [{os.path.realpath(file) for file in one.files} for one in self.linted]
 
     # -- what is suggested -------------------------------------------------------------------------------------------

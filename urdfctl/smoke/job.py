@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.lint import Selection
-from urdfctl.load import Loader, Target, dead
+from urdfctl.load import Loader, Target, dead, shared_loader, target_of
 from urdfctl.serialise import diagnostic_from_json, diagnostic_to_json, linted_from_json, linted_to_json
 from urdfctl.settings import Settings
 from urdfctl.smoke.anchors import diagnostics_of
@@ -108,7 +108,7 @@ def smoke_all(
 
 
 def _read_all(targets: Sequence[Target], settings: Settings, wanted: Wanted, parallel: int) -> Iterator[Read]:
-    loader = Loader(settings, Selection())
+    loader = shared_loader(targets, settings, Selection())
     jobs = [
         {"target": target._asdict(), "settings": settings.to_json(), "wanted": wanted._asdict()} for target in targets
     ]
@@ -124,10 +124,7 @@ def perform(job: dict[str, Any]) -> dict[str, Any]:
 
 
 def _perform_with(loader: Loader, job: dict[str, Any]) -> dict[str, Any]:
-    data = job["target"]
-    arguments = tuple((str(name), str(value)) for name, value in data["arguments"])
-    target = Target(data["path"], arguments, controllers=tuple(data["controllers"]), launch=data["launch"])
-    return read_of(loader, target, Wanted(**job["wanted"])).to_json()
+    return read_of(loader, target_of(job), Wanted(**job["wanted"])).to_json()
 
 
 def read_of(loader: Loader, target: Target, wanted: Wanted) -> Read:
