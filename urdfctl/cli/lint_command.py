@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from urdfctl.cli.looking import LookedAt, found_by, look_at
 from urdfctl.cli.wanted import Fixing, Wanted, found_in
-from urdfctl.cli.words import codes, configured, settings_from, split_arguments
+from urdfctl.cli.words import codes, configured, output_of, settings_from, split_arguments
 from urdfctl.cli.writing import print_text, write_file
 from urdfctl.config import Config
 from urdfctl.diagnostic import Severity
@@ -18,7 +18,6 @@ from urdfctl.lint import checked as checked_selection
 from urdfctl.report import FORMATS, render
 from urdfctl.report.common import Report
 from urdfctl.settings import Settings
-from urdfctl.suggest import did_you_mean
 
 if TYPE_CHECKING:
     from urdfctl.cli.known_findings import Baseline
@@ -62,7 +61,7 @@ def lint_words(  # noqa: PLR0913, PLR0917 (one for each option)
     wanted = Wanted(
         tuple(paths or ()),
         _selection(chosen, codes(select), codes(ignore), codes(extend_select)),
-        tuple(_output(text) for text in formats or ("text",)),
+        tuple(output_of(text, FORMATS) for text in formats or ("text",)),
         _severity(fail_on or chosen.fail_on or "error"),
         exit_zero,
         jobs,
@@ -160,15 +159,6 @@ def _severity(name: str) -> Severity:
         return Severity(name)
     except ValueError:
         raise UserError(f"--fail-on is one of error, warning, info; not '{name}'") from None
-
-
-def _output(text: str) -> tuple[str, str | None]:
-    name, mark, file = text.partition("=")
-    if name not in FORMATS:
-        raise UserError(f"unknown format '{name}'{did_you_mean(name, FORMATS)}; known are {', '.join(FORMATS)}")
-    if mark and not file:
-        raise UserError(f"--format {name}= names no file")
-    return name, file or None
 
 
 def _tell(report: Report, name: str, file: str | None) -> None:

@@ -19,7 +19,7 @@ from urdfctl.settings import Settings
 from urdfctl.shards import Shard, share
 from urdfctl.smoke.engines import NAMES, installed
 from urdfctl.smoke.job import Wanted, smoke_all
-from urdfctl.smoke.reports import SMOKE_FORMATS, SmokeReport, report_of, text_pieces, written
+from urdfctl.smoke.reports import SmokeReport, report_of, text_pieces, written
 from urdfctl.smoke.results import Smoked
 from urdfctl.suggest import did_you_mean
 
@@ -106,17 +106,6 @@ def engines_of(name: str) -> tuple[str, ...]:
             f"{missing} {is_there}: pip install 'urdfctl[smoke]', or use --engine none to test without moving anything"
         )
     return wanted
-
-
-def output_of(text: str) -> tuple[str, str | None]:
-    """A format and the file it goes to. UserError where there is no such format."""
-    name, mark, file = text.partition("=")
-    if name not in SMOKE_FORMATS:
-        near = did_you_mean(name, SMOKE_FORMATS)
-        raise UserError(f"unknown format '{name}'{near}; known are {', '.join(SMOKE_FORMATS)}")
-    if mark and not file:
-        raise UserError(f"--format {name}= names no file")
-    return name, file or None
 
 
 def _tell(report: SmokeReport, name: str, file: str | None) -> None:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from urdfctl.cli.smoke_command import Asked, engines_of, output_of, run_smoke
-from urdfctl.cli.words import configured, settings_from
+from urdfctl.cli.smoke_command import Asked, engines_of, run_smoke
+from urdfctl.cli.words import configured, output_of, settings_from
 from urdfctl.errors import UserError
 from urdfctl.shards import shard as parsed_shard
 from urdfctl.smoke.engines import installed
 from urdfctl.smoke.job import Wanted
+from urdfctl.smoke.reports import SMOKE_FORMATS
 
 MOST_DURATION = 60.0
 
@@ -42,7 +43,7 @@ def smoke_words(  # noqa: PLR0913, PLR0917 (one for each option)
     chosen = configured(paths, config, workspace)
     settings = settings_from(chosen, distro, simulator, start, workspace, package_path, env, trust, timeout, memory)
     names = tuple(name.strip() for text in only or () for name in text.split(",") if name.strip())
-    outputs = tuple(output_of(text) for text in formats or ("text",))
+    outputs = tuple(output_of(text, SMOKE_FORMATS) for text in formats or ("text",))
     of_several = parsed_shard(shard) if shard else None
     instead = installed()[1:] if engine == "auto" else ()
     asked = Asked(

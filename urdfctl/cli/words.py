@@ -3,15 +3,27 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Collection
 
 from urdfctl.config import Config, config_for, config_of, with_environ
 from urdfctl.errors import UserError
 from urdfctl.settings import Settings, checked, passed_on
+from urdfctl.suggest import did_you_mean
 
 
 def codes(given: list[str] | None) -> tuple[str, ...]:
     """The codes, or beginnings of codes, that a repeatable option lists."""
     return tuple(code.strip().upper() for item in given or () for code in item.split(",") if code.strip())
+
+
+def output_of(text: str, formats: Collection[str]) -> tuple[str, str | None]:
+    """A format and the file it goes to, None for standard output. UserError where there is no such format."""
+    name, mark, file = text.partition("=")
+    if name not in formats:
+        raise UserError(f"unknown format '{name}'{did_you_mean(name, formats)}; known are {', '.join(formats)}")
+    if mark and not file:
+        raise UserError(f"--format {name}= names no file")
+    return name, file or None
 
 
 def configured(words: list[str] | None, config: str | None, workspace: str | None) -> Config:
