@@ -67,10 +67,9 @@ def load() -> ModuleType:
     if spec is None:  # pragma: no cover (a path that ends in .py always has a spec)
         raise UserError(f"the package xacro at {_location()} cannot be loaded")
     module = importlib.util.module_from_spec(spec)
-    module.__dict__["__builtins__"] = {**vars(builtins), "__import__": _import_what_is_used}
     sys.modules[name] = module
-    sys.modules[f"{name}.xmlutils"] = _xmlutils(name)
-    exec(_code("__init__"), module.__dict__)  # noqa: S102 (the installed package's own code)
+    _part(f"{name}.xmlutils")
+    _run(module, "__init__")
     missing = [needed for needed in REQUIRED if not hasattr(module, needed)]
     if missing:
         where = f"the package xacro at {_location()}"
@@ -78,22 +77,33 @@ def load() -> ModuleType:
     return module
 
 
-def _xmlutils(name: str) -> ModuleType:
-    made = ModuleType(f"{name}.xmlutils")
-    made.__dict__["__builtins__"] = {**vars(builtins), "__import__": _import_what_is_used}
-    exec(_code("xmlutils"), made.__dict__)  # noqa: S102 (the installed package's own code)
+def substitutions(module: ModuleType) -> ModuleType:
+    """The module of a private xacro that resolves `$(...)`."""
+    return _part(f"{module.__name__}.substitution_args")
+
+
+def _part(name: str) -> ModuleType:
+    """A module of a private xacro, which imports nothing relative to itself."""
+    made = ModuleType(name)
+    sys.modules[name] = made
+    _run(made, name.rpartition(".")[2])
     return made
 
 
-def _import_what_is_used(name: str, *rest: Any) -> Any:
-    """What xacro imports, with stand-ins for what is dear and of no use here.
+def _run(module: ModuleType, part: str) -> None:
+    module.__dict__["__builtins__"] = {**vars(builtins), "__import__": _import_what_is_used}
+    exec(_code(part), module.__dict__)  # noqa: S102 (the installed package's own code)
 
-    In minidom's place is our own tree: of what xacro takes from it while it is loaded, nothing is used. It copies only
-    lists of paths, and hardly ever globs.
-    """
-    if name == "glob":
-        return _Lazy(name)
+
+def _import_what_is_used(name: str, *rest: Any) -> Any:
     return _STAND_INS[name] if name in _STAND_INS else __import__(name, *rest)
+
+
+class _Lazy(ModuleType):
+    """A module that becomes the one of its name when it is asked for anything."""
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(importlib.import_module(self.__name__), name)
 
 
 def _write_data(_writer: object, _text: object) -> None:
@@ -108,33 +118,11 @@ _MINIDOM = SimpleNamespace(
 _STAND_INS = {
     "xml.dom.minidom": SimpleNamespace(dom=SimpleNamespace(minidom=_MINIDOM, Node=Node, NotFoundErr=NotFoundErr)),
     "copy": SimpleNamespace(deepcopy=list),
+    "glob": _Lazy("glob"),
+    "yaml": _Lazy("yaml"),
 }
-
-
-def substitutions(module: ModuleType) -> ModuleType:
-    """The module of a private xacro that resolves `$(...)`. It imports yaml, and hardly ever needs it: so it gets a
-    stand-in that becomes yaml when it is asked for anything."""
-    name = f"{module.__name__}.substitution_args"
-    path = os.path.join(_location(), "substitution_args.py")
-    spec = importlib.util.spec_from_file_location(name, path)
-    if spec is None:  # pragma: no cover (a path that ends in .py always has a spec)
-        raise UserError(f"the package xacro at {_location()} cannot be loaded")
-    made = importlib.util.module_from_spec(spec)
-    made.__dict__["__builtins__"] = {**vars(builtins), "__import__": _import_but_yaml}
-    sys.modules[name] = made
-    exec(_code("substitution_args"), made.__dict__)  # noqa: S102 (the installed package's own code)
-    return made
-
-
-def _import_but_yaml(name: str, *rest: Any) -> Any:
-    return _Lazy(name) if name == "yaml" and name not in sys.modules else __import__(name, *rest)
-
-
-class _Lazy(ModuleType):
-    """A module that becomes the one of its name when it is asked for anything."""
-
-    def __getattr__(self, name: str) -> Any:
-        return getattr(importlib.import_module(self.__name__), name)
+"""What xacro imports and is dear. In minidom's place is our own tree: of what xacro takes from it while it is loaded,
+nothing is used. It copies only lists of paths, and hardly ever globs or reads YAML."""
 
 
 def release(module: ModuleType) -> None:
