@@ -66,13 +66,13 @@ def _simulation() -> Rules:
 
 
 def _launch() -> Rules:
-    from urdfctl.rules.launch import RULES
+    from urdfctl.rules.launch.family import RULES
 
     return RULES
 
 
 def _moveit() -> Rules:
-    from urdfctl.rules.moveit import RULES
+    from urdfctl.rules.moveit.family import RULES
 
     return RULES
 

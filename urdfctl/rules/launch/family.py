@@ -1,0 +1,46 @@
+"""UC6: what launch files get wrong, and the packages around them."""
+
+from __future__ import annotations
+
+from urdfctl.rule import Rule
+from urdfctl.rules.launch.controller_not_spawned import controller_not_spawned
+from urdfctl.rules.launch.controller_spawned_twice import controller_spawned_twice
+from urdfctl.rules.launch.description_not_published import description_not_published
+from urdfctl.rules.launch.description_of_other_namespace import description_of_other_namespace
+from urdfctl.rules.launch.file_not_installed import file_not_installed
+from urdfctl.rules.launch.include_argument_unknown import include_argument_unknown
+from urdfctl.rules.launch.joint_state_publisher_beside_broadcaster import joint_state_publisher_beside_broadcaster
+from urdfctl.rules.launch.launched_file_missing import launched_file_missing
+from urdfctl.rules.launch.listed_joint_unknown import listed_joint_unknown
+from urdfctl.rules.launch.manager_beside_simulator import manager_beside_simulator
+from urdfctl.rules.launch.package_not_in_manifest import package_not_in_manifest
+from urdfctl.rules.launch.parameters_not_given_to_controller import parameters_not_given_to_controller
+from urdfctl.rules.launch.simulation_paused import simulation_paused
+from urdfctl.rules.launch.spawned_controller_unknown import spawned_controller_unknown
+from urdfctl.rules.launch.spawner_of_other_manager import spawner_of_other_manager
+from urdfctl.rules.launch.spawner_option_unknown import spawner_option_unknown
+from urdfctl.rules.launch.spawner_program_gone import spawner_program_gone
+from urdfctl.rules.launch.spawner_without_manager import spawner_without_manager
+from urdfctl.rules.launch.xacro_command_malformed import xacro_command_malformed
+
+RULES: tuple[Rule, ...] = (
+    spawned_controller_unknown,
+    controller_spawned_twice,
+    controller_not_spawned,
+    joint_state_publisher_beside_broadcaster,
+    spawner_without_manager,
+    spawner_of_other_manager,
+    manager_beside_simulator,
+    spawner_program_gone,
+    spawner_option_unknown,
+    parameters_not_given_to_controller,
+    description_not_published,
+    simulation_paused,
+    description_of_other_namespace,
+    package_not_in_manifest,
+    file_not_installed,
+    launched_file_missing,
+    xacro_command_malformed,
+    include_argument_unknown,
+    listed_joint_unknown,
+)
