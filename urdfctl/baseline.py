@@ -6,11 +6,12 @@ import json
 import os
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.errors import UserError
 from urdfctl.fingerprint import mark, message_from, path_from
+from urdfctl.record import NamedTuple
 
 _VERSION = 1
 _OURS = "UC000"

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from enum import Enum
-from typing import NamedTuple
 
+from urdfctl.record import NamedTuple
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place, SourceSpan
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
 from urdfctl.catalog.distros import ALL, ROS2, generation, since
 from urdfctl.model.robot import Robot
+from urdfctl.record import NamedTuple
 from urdfctl.settings import Settings
 from urdfctl.source.files import first_bytes
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import Any
 
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.lint import Selection, lint
 from urdfctl.load import Loader, Target, dead
 from urdfctl.model.project import Project
+from urdfctl.record import NamedTuple
 from urdfctl.serialise import outcome_from_json, outcome_to_json
 from urdfctl.settings import Settings
 from urdfctl.source.xml_writer import write

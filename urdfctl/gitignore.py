@@ -6,8 +6,8 @@ import os
 import re
 from collections.abc import Iterator, Sequence
 from fnmatch import fnmatchcase
-from typing import NamedTuple
 
+from urdfctl.record import NamedTuple
 from urdfctl.source.files import first_bytes
 
 _MOST_BYTES = 1 << 20

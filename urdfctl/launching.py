@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from urdfctl.model.build_launch import Sources, is_of_ros2, launch_of
 from urdfctl.model.build_package import package_around
 from urdfctl.model.launch import Launch, Word
+from urdfctl.record import NamedTuple
 from urdfctl.source.dom import Document, Element
 from urdfctl.source.files import FileProblem, Files
 from urdfctl.source.launch.terms import Term

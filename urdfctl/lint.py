@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 from urdfctl.catalog.distros import in_words
 from urdfctl.diagnostic import Diagnostic, Finding, Location, Note, Remark, Severity, diagnosed, located
 from urdfctl.errors import UserError
 from urdfctl.model.project import Project
+from urdfctl.record import NamedTuple
 from urdfctl.rule import Rule
 from urdfctl.rules import all_rules, rule_of, rules_for
 from urdfctl.source.budget import OverBudget

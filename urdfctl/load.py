@@ -6,7 +6,7 @@ import gc
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from urdfctl.diagnostic import Finding, diagnosed
 from urdfctl.evidence import Evidence, OfFiles, ament_package, judged
@@ -15,6 +15,7 @@ from urdfctl.meshes import mesh_finder
 from urdfctl.model.build_robot import TOP_LEVEL, robot_of
 from urdfctl.model.project import Project
 from urdfctl.model.robot import Robot
+from urdfctl.record import NamedTuple
 from urdfctl.rules import all_rules, rule_of
 from urdfctl.serialise import linted_from_json, linted_to_json
 from urdfctl.settings import ALL_STARTED, Settings

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import Any
 
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.evidence import judged
@@ -14,6 +14,7 @@ from urdfctl.lint import Selection, lint
 from urdfctl.load import Loader, Target, dead, expansion_of
 from urdfctl.model.build_robot import robot_of
 from urdfctl.model.project import Project
+from urdfctl.record import NamedTuple
 from urdfctl.serialise import outcome_from_json, outcome_to_json
 from urdfctl.settings import Settings
 from urdfctl.source.packages import package_name

@@ -6,12 +6,12 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator
 from collections.abc import Sequence as Several
-from typing import NamedTuple
 
 from urdfctl.model.build_controllers import Loaded, controllers_of, form_of
 from urdfctl.model.controllers import Controllers, FileReference, MoveItController
 from urdfctl.model.launch import Launch
 from urdfctl.model.robot import Robot
+from urdfctl.record import NamedTuple
 from urdfctl.source.files import FileProblem, Files
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import Place, SourceText

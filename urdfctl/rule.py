@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import NamedTuple
 
 from urdfctl.catalog.distros import ALL
 from urdfctl.diagnostic import Edit, Finding, Fix, Note, Severity
 from urdfctl.model.project import Project
+from urdfctl.record import NamedTuple
 
 Check = Callable[[Project], Iterator[Finding]]
 Example = Mapping[str, str]

@@ -10,10 +10,10 @@ import os
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from functools import lru_cache
-from typing import NamedTuple
 
 from urdfctl.discover import Found, fits, text_of
 from urdfctl.errors import UserError
+from urdfctl.record import NamedTuple
 from urdfctl.source.packages import package_name
 
 _MOST = 1000

@@ -6,9 +6,10 @@ import os
 from collections.abc import Iterator, Mapping
 from itertools import product
 from math import prod
-from typing import Any, NamedTuple
+from typing import Any
 
 from urdfctl.errors import UserError
+from urdfctl.record import NamedTuple
 from urdfctl.suggest import nearest_path
 
 MOST_VARIANTS = 200

@@ -15,8 +15,9 @@ import sys
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from types import FrameType
-from typing import Any, NamedTuple
+from typing import Any
 
+from urdfctl.record import NamedTuple
 from urdfctl.source.budget import OverBudget
 
 Json = dict[str, Any]

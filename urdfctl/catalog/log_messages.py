@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import Any
 
 from urdfctl.catalog.distros import ALL, spanned
 from urdfctl.catalog.store import log_message_entries
+from urdfctl.record import NamedTuple
 
 KINDS = ("failure", "consequence", "warning", "harmless")
 """The most urgent first. A consequence tells that something failed, and another line tells why."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterable
-from typing import NamedTuple
 
 from urdfctl.cli.patch import patch
 from urdfctl.cli.wanted import Fixing, Wanted, found_in
@@ -13,6 +12,7 @@ from urdfctl.errors import UserError
 from urdfctl.fix.rounds import Change, Wishes, fixed
 from urdfctl.lint import Linted
 from urdfctl.load import Target
+from urdfctl.record import NamedTuple
 from urdfctl.report.common import said, visible
 from urdfctl.settings import Settings
 

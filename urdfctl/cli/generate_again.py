@@ -9,9 +9,9 @@ import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from itertools import takewhile
-from typing import NamedTuple
 
 from urdfctl.errors import UserError
+from urdfctl.record import NamedTuple
 from urdfctl.source.files import first_bytes
 
 _SAID = re.compile(r"made by urdfctl (gen-[a-z0-9-]+)(.*?)(?: -->)?$")

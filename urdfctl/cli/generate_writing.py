@@ -6,11 +6,11 @@ import difflib
 import os
 import re
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from urdfctl.cli.writing import is_in_the_way, print_text, write_file
 from urdfctl.errors import UserError
 from urdfctl.generate.options import File
+from urdfctl.record import NamedTuple
 
 
 class Writing(NamedTuple):

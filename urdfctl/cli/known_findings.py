@@ -5,12 +5,12 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Collection
-from typing import NamedTuple
 
 from urdfctl.baseline import Known, compared, read_baseline, written
 from urdfctl.cli.writing import write_file
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.lint import Selection
+from urdfctl.record import NamedTuple
 
 
 class Baseline(NamedTuple):

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Collection, Iterator, Sequence
 from itertools import product
-from typing import NamedTuple
 
 from urdfctl.cli.progress import watched
 from urdfctl.cli.wanted import Wanted
@@ -13,6 +12,7 @@ from urdfctl.config import Config
 from urdfctl.discover import Found, find
 from urdfctl.lint import Linted
 from urdfctl.load import Target, lint_all
+from urdfctl.record import NamedTuple
 from urdfctl.settings import Settings
 from urdfctl.variants import ConfiguredRobot
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
 
 from urdfctl.cli.wanted import Wanted
 from urdfctl.config import Config, config_of
+from urdfctl.record import NamedTuple
 from urdfctl.settings import Settings
 from urdfctl.variants import ConfiguredRobot
 from urdfctl.workspace import workspace_of

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
 from urdfctl.cli.looking import found_by, targets_of
 from urdfctl.cli.progress import watched
@@ -15,6 +14,7 @@ from urdfctl.config import Config
 from urdfctl.errors import UserError
 from urdfctl.lint import Selection, joined, worst
 from urdfctl.load import Target
+from urdfctl.record import NamedTuple
 from urdfctl.settings import Settings
 from urdfctl.shards import Shard, share
 from urdfctl.smoke.engines import NAMES, installed

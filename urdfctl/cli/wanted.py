@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from urdfctl.config import Config
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.lint import Linted, Selection, joined
+from urdfctl.record import NamedTuple
 
 if TYPE_CHECKING:
     from urdfctl.cli.known_findings import Baseline

@@ -8,11 +8,11 @@ from jazzy on for state interfaces too.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from urdfctl.control.claims import Claim
 from urdfctl.control.hardware import Kind
 from urdfctl.control.session import CHAINING, Configured, Session, before_slash
+from urdfctl.record import NamedTuple
 
 
 class Chained(NamedTuple):

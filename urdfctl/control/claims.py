@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from typing import NamedTuple
 
 from urdfctl.catalog.entries import ClaimRule, Condition, ControllerType
 from urdfctl.catalog.values import elements, is_known, is_list, is_set
 from urdfctl.control.values import Values
+from urdfctl.record import NamedTuple
 
 _PLACEHOLDER = re.compile(r"\{(\w+)\}")
 

@@ -8,11 +8,11 @@ controller that claims it in two interfaces is in conflict with itself.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from urdfctl.catalog.distros import generation
 from urdfctl.control.claims import Claim
 from urdfctl.control.session import Configured, Session
+from urdfctl.record import NamedTuple
 
 
 class Conflict(NamedTuple):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from enum import Enum
-from typing import NamedTuple
 
 from urdfctl.catalog.distros import generation
 from urdfctl.catalog.entries import ControllerType, Parameter
@@ -12,6 +11,7 @@ from urdfctl.catalog.map_parameters import expanded, matching
 from urdfctl.catalog.values import is_known
 from urdfctl.control.parameter_rules import applies
 from urdfctl.control.values import Values
+from urdfctl.record import NamedTuple
 
 NONZERO = "any_nonzero"
 """The kind of the catalogue's rules that ask for a gain of each element."""

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from enum import Enum
 from types import MappingProxyType
-from typing import NamedTuple
 
 from urdfctl.catalog.distros import generation
 from urdfctl.model.project import Project
 from urdfctl.model.robot import Robot
+from urdfctl.record import NamedTuple
 from urdfctl.source.span import Place
 
 

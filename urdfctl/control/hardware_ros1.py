@@ -8,12 +8,12 @@ driver likes.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from urdfctl.control.hardware import UNKNOWN_HARDWARE, Hardware, Offer, by_component, fixed_joints
 from urdfctl.model.parts import Text
 from urdfctl.model.robot import Robot
 from urdfctl.model.transmission import Transmission
+from urdfctl.record import NamedTuple
 from urdfctl.source.opaque import UNKNOWN
 
 PREFIX = "hardware_interface/"

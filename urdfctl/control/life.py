@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from enum import Enum
-from typing import NamedTuple
 
 from urdfctl.catalog.distros import generation
 from urdfctl.control.chains import Chained, chained_claims, circle, late
@@ -17,6 +16,7 @@ from urdfctl.control.conflicts import claimed_twice, conflicts
 from urdfctl.control.hardware import Absence, Kind
 from urdfctl.control.parameter_rules import breaches
 from urdfctl.control.session import Configured, Session
+from urdfctl.record import NamedTuple
 
 
 class Stage(Enum):

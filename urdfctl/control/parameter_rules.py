@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from typing import NamedTuple
 
 from urdfctl.catalog.entries import Condition, ControllerType, ParameterRule
 from urdfctl.catalog.map_parameters import expanded
 from urdfctl.catalog.values import elements, is_known, is_set
 from urdfctl.control.values import Values
+from urdfctl.record import NamedTuple
 from urdfctl.suggest import enumerated
 
 

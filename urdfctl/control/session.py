@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
-from typing import NamedTuple
 
 from urdfctl.catalog.distros import since
 from urdfctl.catalog.entries import ControllerType
@@ -15,6 +14,7 @@ from urdfctl.control.hardware import Absence, Hardware, Kind, hardware_of
 from urdfctl.model.controllers import Controller
 from urdfctl.model.project import Project
 from urdfctl.model.robot import Robot
+from urdfctl.record import NamedTuple
 from urdfctl.source.opaque import UNKNOWN
 
 NOT_KNOWN = Claims(complete=False)

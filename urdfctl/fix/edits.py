@@ -5,7 +5,8 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterable
 from itertools import accumulate, pairwise
-from typing import NamedTuple
+
+from urdfctl.record import NamedTuple
 
 
 class Splice(NamedTuple):

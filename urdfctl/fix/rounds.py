@@ -6,7 +6,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any
 
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.fix.edits import Splice, Taken, edited
@@ -14,6 +14,7 @@ from urdfctl.fix.files import EditableFiles
 from urdfctl.fix.trial import Verdict, perform_with, splices_of, texts
 from urdfctl.lint import Linted, Selection
 from urdfctl.load import Target, job_for, shared_loader
+from urdfctl.record import NamedTuple
 from urdfctl.settings import Settings
 from urdfctl.worker import Died, Limits, run
 

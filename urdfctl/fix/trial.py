@@ -6,13 +6,14 @@ from __future__ import annotations
 import os
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 from urdfctl.diagnostic import Diagnostic, Step
 from urdfctl.fix.comparison import EditedFile, edited_file, same_file, same_tree
 from urdfctl.fix.edits import Splice
 from urdfctl.lint import Linted
 from urdfctl.load import Loader, Seen, loader_of, target_of
+from urdfctl.record import NamedTuple
 from urdfctl.serialise import linted_from_json, linted_to_json
 from urdfctl.source.dom import Element
 

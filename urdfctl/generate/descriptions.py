@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.distros import since
@@ -17,6 +16,7 @@ from urdfctl.generate.options import Options
 from urdfctl.generate.parameters import Controller
 from urdfctl.generate.scalars import yaml_float
 from urdfctl.generate.templates import Templates
+from urdfctl.record import NamedTuple
 
 _STATES = ("position", "velocity")
 OF_TRANSMISSIONS = tuple(f"{kind}JointInterface" for kind in ("Effort", "Velocity", "Position", "PosVel", "PosVelAcc"))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from typing import NamedTuple
 
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.errors import UserError
@@ -23,6 +22,7 @@ from urdfctl.generate.options import File, Options
 from urdfctl.generate.parameters import Controller
 from urdfctl.generate.parse_again import checked
 from urdfctl.generate.templates import Templates
+from urdfctl.record import NamedTuple
 
 
 class Order(NamedTuple):

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
 from urdfctl.generate.facts import Vector
 from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Joint, Link, Robot
+from urdfctl.record import NamedTuple
 
 Matrix = tuple[Vector, Vector, Vector]
 _ZERO: Vector = (0.0, 0.0, 0.0)

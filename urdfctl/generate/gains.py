@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
 from urdfctl.generate.facts import JointFacts
+from urdfctl.record import NamedTuple
 
 _HERTZ = 2.0
 """How fast the joint shall answer: slow enough to be stable at 100 Hz."""

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from urdfctl.catalog.distros import generation
+from urdfctl.record import NamedTuple
 
 
 class File(NamedTuple):

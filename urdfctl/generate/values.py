@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import NamedTuple
 
 from urdfctl.generate.facts import JointFacts, RobotFacts
 from urdfctl.generate.gains import Gains, starting_gains
 from urdfctl.generate.options import Options
 from urdfctl.generate.wheels import Measure, across, along, from_centre, radius
+from urdfctl.record import NamedTuple
 
 
 class Left(NamedTuple):

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from urdfctl.generate.facts import JointFacts, Vector
+from urdfctl.record import NamedTuple
 
 _ALONG = 0.9
 """How much of an axis must lie along a direction to count as along it: cos 26 deg."""

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from typing import NamedTuple
 
 from urdfctl.catalog.log_messages import KINDS, LogMessage
 from urdfctl.logs.index import Hit, Spelling, found_among, index
 from urdfctl.logs.partial import partial
 from urdfctl.logs.pattern import single_blanks
+from urdfctl.record import NamedTuple
 
 _MOST_NAMES = 100
 _MOST_UNKNOWN = 100

@@ -6,10 +6,10 @@ import re
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Mapping
 from functools import lru_cache
-from typing import NamedTuple
 
 from urdfctl.catalog.log_messages import LogMessage, log_messages
 from urdfctl.logs.pattern import Match, Pattern, found_in, parsed, single_blanks
+from urdfctl.record import NamedTuple
 
 WORD = re.compile(r"[A-Za-z_][A-Za-z_0-9]{2,}")
 

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from typing import NamedTuple
+
+from urdfctl.record import NamedTuple
 
 _GAP = re.compile(r"\{\{|\}\}|\{(\w*)(:word)?\}")
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import NamedTuple
 
 from urdfctl.model.build_parameters import PARAMETERS_KEY, Flat, Leaf, parameters_of, read_by_rcl, read_by_rosparam
 from urdfctl.model.controllers import (
@@ -16,6 +15,7 @@ from urdfctl.model.controllers import (
     Section,
 )
 from urdfctl.model.parameters import Kind, Parameters, Value
+from urdfctl.record import NamedTuple
 from urdfctl.source.span import Place
 from urdfctl.source.yaml import Entry, Mapping, Node, Scalar, YamlFile
 

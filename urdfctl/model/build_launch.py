@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping
-from typing import NamedTuple
 
 from urdfctl.model.controllers import FileReference
 from urdfctl.model.launch import (
@@ -21,6 +20,7 @@ from urdfctl.model.launch import (
 )
 from urdfctl.model.substitutions import Substitutions
 from urdfctl.model.xacro_command import of_command
+from urdfctl.record import NamedTuple
 from urdfctl.source.dom import Document, Element
 from urdfctl.source.opaque import UNKNOWN, if_known
 from urdfctl.source.span import Place

@@ -5,12 +5,12 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Mapping
-from typing import NamedTuple
 
 from urdfctl.model.descriptions import content_of, moveit_builder, moveit_folder
 from urdfctl.model.launch import Launch, Simulation, Spawn, Word, joined
 from urdfctl.model.launch_nodes import Gathered, Nodes
 from urdfctl.model.launch_texts import Scope, Texts, table_of
+from urdfctl.record import NamedTuple
 from urdfctl.source.launch.terms import (
     Called,
     Constant,

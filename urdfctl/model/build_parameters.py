@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
-from typing import NamedTuple
 
 from urdfctl.model.controllers import Fault, FaultKind, Key, Section
 from urdfctl.model.parameters import Kind, Parameter, Parameters, Value
+from urdfctl.record import NamedTuple
 from urdfctl.source.span import Place
 from urdfctl.source.yaml import Entry, Mapping, Node, Scalar, Sequence, YamlFile
 from urdfctl.source.yaml_types import Typed, is_literal, typed_by_pyyaml, typed_by_rcl

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from enum import Enum, auto
-from typing import NamedTuple
 
 from urdfctl.model.parameters import Parameters, Value
+from urdfctl.record import NamedTuple
 from urdfctl.source.span import Place
 
 

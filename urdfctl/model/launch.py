@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from urdfctl.model.controllers import FileReference
 from urdfctl.model.package import Package
+from urdfctl.record import NamedTuple
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
 

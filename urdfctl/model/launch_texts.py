@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Mapping
-from typing import NamedTuple
 
+from urdfctl.record import NamedTuple
 from urdfctl.source.launch.python import evaluated
 from urdfctl.source.launch.terms import Called, Constant, Context, Items, Table, Term, outside
 from urdfctl.source.opaque import UNKNOWN

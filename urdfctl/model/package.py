@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple
 
+from urdfctl.record import NamedTuple
 from urdfctl.source.span import Place
 
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import NamedTuple
 
+from urdfctl.record import NamedTuple
 from urdfctl.source.kinds import Kind
 from urdfctl.source.span import Place
 

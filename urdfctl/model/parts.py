@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
 
+from urdfctl.record import NamedTuple
 from urdfctl.source.dom import COMMENT, Element
 from urdfctl.source.dom import Text as Characters
 from urdfctl.source.span import Place

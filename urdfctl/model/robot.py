@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from urdfctl.model.parts import Number, Reference, Tag
 from urdfctl.model.ros2_control import Ros2Control
 from urdfctl.model.transmission import Transmission
+from urdfctl.record import NamedTuple
 from urdfctl.source.span import Place
 
 MOVING_TYPES = frozenset({"revolute", "continuous", "prismatic", "floating", "planar"})

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from urdfctl.model.parts import Tag, Text
+from urdfctl.record import NamedTuple
 from urdfctl.source.span import Place
 
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
 from urdfctl.model.launch import Option, Word
+from urdfctl.record import NamedTuple
 from urdfctl.source.opaque import UNKNOWN
 
 WITH_VALUE = frozenset(

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from urdfctl.model.parts import Tag, Text
+from urdfctl.record import NamedTuple
 from urdfctl.source.span import Place
 
 

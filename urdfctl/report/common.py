@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import os
 import re
-from typing import NamedTuple
 
 from urdfctl.diagnostic import Diagnostic, Location, Severity
 from urdfctl.lint import Linted
+from urdfctl.record import NamedTuple
 from urdfctl.source.files import is_launch, is_yaml
 
 

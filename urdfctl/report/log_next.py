@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import NamedTuple
 
 from urdfctl.logs.digest import Known
+from urdfctl.record import NamedTuple
 
 _MOST_CODES = 6
 _URGENT = ("failure", "consequence")

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from typing import NamedTuple
 
 from urdfctl.diagnostic import Diagnostic, Severity
+from urdfctl.record import NamedTuple
 from urdfctl.report.common import Report, is_robot, relative, shown, visible
 from urdfctl.report.concise import place
 from urdfctl.report.words import notes

@@ -6,10 +6,10 @@ A family is loaded when it has something to say of a robot, for the import of a 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import NamedTuple
 
 from urdfctl.catalog.distros import ROS1, ROS2
 from urdfctl.model.project import Project
+from urdfctl.record import NamedTuple
 from urdfctl.rule import Rule
 
 Rules = tuple[Rule, ...]

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
+from urdfctl.record import NamedTuple
 from urdfctl.smoke.engines import Standing
 from urdfctl.smoke.motions import CRUISE, Goal
 from urdfctl.smoke.results import Trouble

@@ -6,11 +6,12 @@ import os
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any
 
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.lint import Selection
 from urdfctl.load import Loader, Target, dead, shared_loader, target_of
+from urdfctl.record import NamedTuple
 from urdfctl.serialise import diagnostic_from_json, diagnostic_to_json, linted_from_json, linted_to_json
 from urdfctl.settings import Settings
 from urdfctl.smoke.anchors import diagnostics_of

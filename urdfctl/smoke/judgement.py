@@ -4,12 +4,12 @@ engine."""
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import NamedTuple
 
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.lint import Outcome
 from urdfctl.load import Seen
 from urdfctl.model.project import Project
+from urdfctl.record import NamedTuple
 from urdfctl.rules import rule_of
 from urdfctl.smoke.anchors import anchors_of, diagnostics_of, silenced
 from urdfctl.smoke.manager import Cycle, life_cycle

@@ -7,7 +7,6 @@ order in which controllers are started; lint's errors for what is wrong in the f
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from typing import NamedTuple
 
 from urdfctl.catalog.distros import generation
 from urdfctl.control.chains import chained_claims
@@ -16,6 +15,7 @@ from urdfctl.control.life import Reason, Stage, Stop, lives
 from urdfctl.control.session import Configured, Session, session_of
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.model.project import Project
+from urdfctl.record import NamedTuple
 from urdfctl.smoke.results import STEPS, ControllerResult, Step, Trouble, Verdict
 from urdfctl.smoke.stages import BY_LIFE, OF_FILES, OF_HARDWARE, OF_ROBOT, concerns, step_of
 from urdfctl.smoke.words import told, words_of, words_of_step

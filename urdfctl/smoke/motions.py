@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from typing import NamedTuple, Protocol
+from typing import Protocol
 
+from urdfctl.record import NamedTuple
 from urdfctl.smoke.engines import Engine
 from urdfctl.smoke.mechanism import Hinge
 from urdfctl.smoke.tasks import Drive, Family, Gains, Task

@@ -11,10 +11,10 @@ import os
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping
 from html import escape
-from typing import NamedTuple
 
 from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Robot
+from urdfctl.record import NamedTuple
 from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
 from urdfctl.smoke.stability import eigenvalues
 from urdfctl.smoke.vectors import Pose, Rotation, Vector

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 from urdfctl.diagnostic import Diagnostic
+from urdfctl.record import NamedTuple
 from urdfctl.report import render
 from urdfctl.report.common import Report, as_json, shown, visible
 from urdfctl.report.json_report import document

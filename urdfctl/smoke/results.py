@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from enum import Enum
-from typing import Any, NamedTuple
+from typing import Any
 
 from urdfctl.lint import Linted
+from urdfctl.record import NamedTuple
 
 
 class Verdict(Enum):

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
+
+from urdfctl.record import NamedTuple
 
 Vector = tuple[float, float, float]
 Rotation = tuple[Vector, Vector, Vector]

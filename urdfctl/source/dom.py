@@ -8,9 +8,9 @@ nothing.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 from xml.dom import NotFoundErr
 
+from urdfctl.record import NamedTuple
 from urdfctl.source.span import Call, Place, SourceText
 
 ELEMENT, TEXT, CDATA, INSTRUCTION, COMMENT, DOCUMENT, DOCTYPE = 1, 3, 4, 7, 8, 9, 10

@@ -7,8 +7,8 @@ import os
 import re
 from collections.abc import Collection, Iterator, Mapping
 from fnmatch import fnmatchcase
-from typing import NamedTuple
 
+from urdfctl.record import NamedTuple
 from urdfctl.source.span import Call, Place
 
 _PARTS = re.compile(r"\$\(\s*arg\s+([^\s()]+)\s*\)|\$\{([^{}]*)\}|\$\([^()]*\)")

@@ -9,8 +9,8 @@ import ast
 import os
 import re
 from collections.abc import Iterator
-from typing import NamedTuple
 
+from urdfctl.record import NamedTuple
 from urdfctl.source.files import first_bytes
 
 _INSTALL = r"(?si)\binstall\s*\(\s*(DIRECTORY|FILES|PROGRAMS)\s+([^)]*)\)"

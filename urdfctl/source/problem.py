@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from enum import Enum, auto
-from typing import NamedTuple
 
+from urdfctl.record import NamedTuple
 from urdfctl.source.span import Place
 
 

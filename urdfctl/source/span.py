@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
+
+from urdfctl.record import NamedTuple
 
 # patterns here and elsewhere stay texts until their first use: compiling them all would show in the start-up
 BOM = b"\xef\xbb\xbf"

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Iterator
-from typing import NamedTuple
 
+from urdfctl.record import NamedTuple
 from urdfctl.source.dom import Element
 from urdfctl.source.span import Call, Place, SourceSpan, SourceText
 

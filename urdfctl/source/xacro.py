@@ -9,8 +9,9 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Mapping
 from types import FrameType, ModuleType
-from typing import Any, NamedTuple
+from typing import Any
 
+from urdfctl.record import NamedTuple
 from urdfctl.source import engine, xacro_hooks
 from urdfctl.source.budget import MAX_CALL_DEPTH, MAX_CALLS, MAX_ELEMENTS, MAX_PROBLEMS, OverBudget
 from urdfctl.source.dom import COMMENT, Cloning, Document, Element, Node, Text

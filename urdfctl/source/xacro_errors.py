@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from types import TracebackType
-from typing import NamedTuple
 
+from urdfctl.record import NamedTuple
 from urdfctl.source.budget import OverBudget
 from urdfctl.source.dom import Element, Node
 from urdfctl.source.files import FileProblem

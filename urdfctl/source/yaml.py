@@ -8,10 +8,11 @@ the C library's own composer, and a few aliases of aliases stand for more than a
 from __future__ import annotations
 
 import re
-from typing import Any, NamedTuple
+from typing import Any
 
 import yaml
 
+from urdfctl.record import NamedTuple
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import BOM, Place, SourceText
 

@@ -9,10 +9,11 @@ from __future__ import annotations
 import math
 import re
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import Any
 
 import yaml
 
+from urdfctl.record import NamedTuple
 from urdfctl.source.kinds import Kind
 from urdfctl.source.yaml import Scalar
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from urdfctl.catalog.map_parameters import expanded
 from urdfctl.model.parameters import Kind, Parameter, Parameters
+from urdfctl.record import NamedTuple
 from urdfctl.rules.controllers.readers import Reader
 
 _CHAIN = "filter_chain"

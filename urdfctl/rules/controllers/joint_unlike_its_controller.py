@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from urdfctl.model.controllers import Controller
+from urdfctl.record import NamedTuple
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import replaced
 from urdfctl.rules.controllers.common import controllers_in

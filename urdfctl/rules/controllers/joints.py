@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from urdfctl.catalog.value_types import type_problem
 from urdfctl.control.claims import Claim, claims
 from urdfctl.control.hardware import Hardware, fixed_joints, hardware_of
 from urdfctl.model.robot import Robot
+from urdfctl.record import NamedTuple
 from urdfctl.rule import Note, Project, Severity
 from urdfctl.rules.common import Names, whole_robot_in
 from urdfctl.rules.controllers.common import controllers_in

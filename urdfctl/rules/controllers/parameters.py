@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
 from functools import lru_cache
-from typing import NamedTuple
 
 from urdfctl.catalog.distros import generation
 from urdfctl.catalog.entries import FormerParameter, Parameter
@@ -15,6 +14,7 @@ from urdfctl.control.parameter_rules import breaches
 from urdfctl.model.controllers import Controller
 from urdfctl.model.parameters import Kind
 from urdfctl.model.parameters import Parameter as Given
+from urdfctl.record import NamedTuple
 from urdfctl.rule import Project
 from urdfctl.rules.controllers.readers import Reader, once_per_reader, readers_of
 from urdfctl.suggest import nearest

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from functools import wraps
-from typing import NamedTuple, TypeVar
+from typing import TypeVar
 
 from urdfctl.catalog.distros import generation, in_words, since
 from urdfctl.catalog.entries import ControllerType, FormerParameter, Parameter
 from urdfctl.control.given import given_values
 from urdfctl.model.controllers import Controller, Manager
 from urdfctl.model.parameters import Kind, Parameters
+from urdfctl.record import NamedTuple
 from urdfctl.rule import Finding, Note, Project, Severity
 from urdfctl.rules.common import once_for_each
 from urdfctl.rules.controllers.common import controllers_in

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from urdfctl.catalog.distros import ROS1, ROS2, generation
 from urdfctl.catalog.entries import Replacement
 from urdfctl.model.controllers import Controller
 from urdfctl.model.parameters import Value
+from urdfctl.record import NamedTuple
 from urdfctl.rule import Project
 from urdfctl.rules.common import once_for_each
 from urdfctl.rules.controllers.common import controllers_in

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from urdfctl.model.launch import Launch, Node, Spawn
+from urdfctl.record import NamedTuple
 from urdfctl.rule import Project
 from urdfctl.rules.common import is_known
 from urdfctl.rules.simulation.common import control_plugins, namespace_of

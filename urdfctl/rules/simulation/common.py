@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from urdfctl.catalog.distros import ROS1, ROS2
 from urdfctl.catalog.hardware import PluginChild, SimulatorPlugin, library_of
 from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Plugin
 from urdfctl.model.ros2_control import Ros2Control
+from urdfctl.record import NamedTuple
 from urdfctl.rule import Project
 from urdfctl.rules.common import is_all_there, is_known, once_for_each, robot_in
 from urdfctl.rules.simulation.facts import BECAME, DRIVES, LIBRARIES, MOVERS

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from urdfctl.record import NamedTuple
 
 PREFIX = "hardware_interface/"
 PACKAGE = "transmission_interface/"

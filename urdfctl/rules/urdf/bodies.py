@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from urdfctl.model.robot import Inertial, Joint, Link, Robot
+from urdfctl.record import NamedTuple
 from urdfctl.rules.urdf.tree import WORLD, Tree, parent_of
 
 LEAST_MASS = 1e-6

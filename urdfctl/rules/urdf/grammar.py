@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Robot
+from urdfctl.record import NamedTuple
 from urdfctl.rules.common import label, once_for_each
 
 ELEMENTS = {

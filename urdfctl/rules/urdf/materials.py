@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Link, Robot
+from urdfctl.record import NamedTuple
 
 
 class Material(NamedTuple):

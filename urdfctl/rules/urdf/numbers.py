@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from urdfctl.catalog.distros import ALL, until
 from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Joint, Link, Robot
+from urdfctl.record import NamedTuple
 from urdfctl.rules.common import is_known, is_xacro
 
 LEXICAL_CAST = until("lunar")

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from importlib import import_module
 from importlib.util import find_spec
-from typing import NamedTuple, Protocol
+from typing import Protocol
+
+from urdfctl.record import NamedTuple
 
 STEP = 0.001
 """Seconds of one step of simulation."""

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping
-from typing import NamedTuple
 
+from urdfctl.record import NamedTuple
 from urdfctl.source.dom import Element
 from urdfctl.source.launch.terms import Called, Constant, Items, Missing, Table, Term
 from urdfctl.source.span import Place

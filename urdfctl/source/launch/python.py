@@ -9,8 +9,8 @@ from __future__ import annotations
 import ast
 import warnings
 from collections.abc import Callable, Mapping, Sequence
-from typing import NamedTuple
 
+from urdfctl.record import NamedTuple
 from urdfctl.source.launch.expressions import Evaluation
 from urdfctl.source.launch.operations import added, shown, truth
 from urdfctl.source.launch.terms import (

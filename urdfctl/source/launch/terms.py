@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import NamedTuple
 
+from urdfctl.record import NamedTuple
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
 
