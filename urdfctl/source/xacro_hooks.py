@@ -164,7 +164,7 @@ def _yaml_loader(expander: Expander) -> Callable[[str], Any]:
 
 def _load_yaml(expander: Expander, filename: str) -> Any:
     """What a YAML file holds, by libyaml where it is there, reading only what may be read."""
-    import yaml
+    from urdfctl.source.pyyaml import yaml
 
     module: Any = expander.module
     base: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
@@ -177,7 +177,7 @@ def _load_yaml(expander: Expander, filename: str) -> Any:
     expander.loaded[path] = None
     module.filestack.append(path)
     try:
-        return module.YamlListWrapper.wrap(yaml.load(text, loader))  # noqa: S506 (a SafeLoader)
+        return module.YamlListWrapper.wrap(yaml.load(text, loader))
     finally:
         module.filestack.pop()
         module.all_includes.append(path)

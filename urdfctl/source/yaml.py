@@ -10,10 +10,9 @@ from __future__ import annotations
 import re
 from typing import Any
 
-import yaml
-
 from urdfctl.record import NamedTuple
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
+from urdfctl.source.pyyaml import yaml
 from urdfctl.source.span import BOM, Place, SourceText
 
 MOST_DEPTH = 64

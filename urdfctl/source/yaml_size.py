@@ -14,7 +14,7 @@ def check_size(text: bytes) -> None:
     """OverBudget where a text is nested deeper than 64, or stands for more than 200 000 nodes."""
     if len(text) < _HARMLESS_BYTES and b"*" not in text:
         return
-    import yaml
+    from urdfctl.source.pyyaml import yaml
 
     total = 0
     sizes: dict[str | None, int] = {}

@@ -11,10 +11,9 @@ import re
 from functools import lru_cache
 from typing import Any
 
-import yaml
-
 from urdfctl.record import NamedTuple
 from urdfctl.source.kinds import Kind
+from urdfctl.source.pyyaml import yaml
 from urdfctl.source.yaml import Scalar
 
 _SUBSTITUTION = r"\$\(|\$\{|<%|\{\{"

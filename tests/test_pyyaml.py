@@ -1,0 +1,39 @@
+"""PyYAML as we load it."""
+
+from __future__ import annotations
+
+import re
+import sys
+
+import pytest
+
+from urdfctl.source import pyyaml
+
+
+@pytest.fixture
+def fresh(monkeypatch: pytest.MonkeyPatch) -> None:
+    """PyYAML's own modules as before they were imported; its library in C can be loaded only once."""
+    for name in [name for name in sys.modules if name.split(".")[0] == "yaml" and name != "yaml._yaml"]:
+        monkeypatch.delitem(sys.modules, name)
+
+
+@pytest.mark.usefixtures("fresh")
+def test_its_reader_knows_what_is_printable_though_the_pattern_is_compiled_late() -> None:
+    yaml = pyyaml.load()
+    reader = yaml.reader.Reader
+    assert not isinstance(reader.NON_PRINTABLE, re.Pattern)
+    assert yaml.load("name: Überall \U0001f916", yaml.SafeLoader) == {"name": "Überall \U0001f916"}
+    with pytest.raises(yaml.YAMLError, match="special characters are not allowed"):
+        yaml.load("name: a\x01b", yaml.SafeLoader)
+
+
+@pytest.mark.usefixtures("fresh")
+def test_other_patterns_are_patterns_and_re_is_left_as_it_was() -> None:
+    before = re.compile
+    yaml = pyyaml.load()
+    assert re.compile is before
+    assert isinstance(yaml.constructor.SafeConstructor.timestamp_regexp, re.Pattern)
+
+
+def test_what_is_loaded_already_is_taken() -> None:
+    assert pyyaml.load() is sys.modules["yaml"]
