@@ -100,6 +100,13 @@ class Linted(NamedTuple):
     arguments: tuple[tuple[str, str], ...] = ()
 
 
+class Found(NamedTuple):
+    """What some rules found; `crashed` where one of them did, which is a finding too."""
+
+    diagnostics: list[Diagnostic]
+    crashed: bool
+
+
 def lint(
     project: Project,
     sources: Sequence[SourceText],
@@ -107,12 +114,18 @@ def lint(
     rules: Iterable[Rule] | None = None,
     reached: Callable[[SourceSpan], bool] = lambda _: True,
 ) -> Outcome:
-    """What the rules find in a project. A rule that crashes is a finding too, and the others go on. `reached` tells
-    whether the robot has anything of the part of a source that a span lies in."""
+    """What the rules find in a project. `reached` tells whether the robot has anything of the part of a source that a
+    span lies in."""
+    suppressed = Suppressed(list(sources))
+    found = found_by(rules_for(project) if rules is None else rules, project, suppressed, selection)
+    return outcome_of(found, project, suppressed, selection, reached)
+
+
+def found_by(rules: Iterable[Rule], project: Project, suppressed: Suppressed, selection: Selection) -> Found:
+    """What some rules find in a project and nobody suppresses. Where a rule crashes the others go on."""
     found: list[Diagnostic] = []
     crashed = False
-    suppressed = Suppressed(list(sources))
-    for rule in rules_for(project) if rules is None else rules:
+    for rule in rules:
         if not (selection.admits(rule.code) and _applies(rule, project)):
             continue
         try:
@@ -126,8 +139,19 @@ def lint(
         except Exception as error:  # noqa: BLE001 (one broken rule must not hide what the others find)
             crashed = True
             found.append(_crash(rule, project, error))
+    return Found(found, crashed)
+
+
+def outcome_of(
+    found: Found,
+    project: Project,
+    suppressed: Suppressed,
+    selection: Selection,
+    reached: Callable[[SourceSpan], bool],
+) -> Outcome:
+    """What all rules found, with what the suppressing comments were good for."""
     uses = list(_uses(suppressed, _silent(project, selection), reached)) if suppressed.all else []
-    return Outcome(found, uses, crashed)
+    return Outcome(found.diagnostics, uses, found.crashed)
 
 
 def _silent(project: Project, selection: Selection) -> set[str]:

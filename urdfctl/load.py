@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import gc
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -29,7 +29,7 @@ from urdfctl.source.span import Place, SourceSpan, SourceText
 from urdfctl.source.suppressions import is_reached
 from urdfctl.source.xacro import HARMLESS, Expander, Expansion
 from urdfctl.source.xml import LATE_DECLARATION, parse
-from urdfctl.worker import Died, Limits, run
+from urdfctl.worker import CAN_FORK, Died, Limits, processors, run
 from urdfctl.workspace import workspace_of
 
 if TYPE_CHECKING:
@@ -65,6 +65,8 @@ class Loader:
     def __init__(self, settings: Settings, selection: Selection, held: Mapping[str, bytes] | None = None) -> None:
         self.settings = settings
         self.selection = selection
+        self.in_two = False
+        """Whether a second process may help to lint a robot."""
         self._held = held or {}
         self._indexes: dict[str, PackageIndex] = {}
 
@@ -214,11 +216,20 @@ class Loader:
             robot.name if robot else None,
             len(robot.links) if robot else None,
             tuple(sources),
-            lint(project, list(sources.values()), self.selection, reached=reached),
+            self._outcome(project, list(sources.values()), reached),
             _controllers_files(project),
             project.launch.path if project.launch else None,
         )
         return Seen(linted, project, root, sources)
+
+    def _outcome(
+        self, project: Project, sources: Sequence[SourceText], reached: Callable[[SourceSpan], bool]
+    ) -> Outcome:
+        if not self.in_two:
+            return lint(project, sources, self.selection, reached=reached)
+        from urdfctl.in_two import lint_in_two
+
+        return lint_in_two(project, sources, self.selection, reached)
 
 
 def _of_files(read: Read | None, launch: Launch | None) -> OfFiles | None:
@@ -314,7 +325,8 @@ def lint_all(
     loader = shared_loader(targets, settings, selection)
     jobs = [job_for(target, settings, selection) for target in targets]
     limits = Limits(settings.timeout, settings.memory, settings.environ)
-    parallel = parallel or os.cpu_count() or 1
+    parallel = parallel or processors()
+    loader.in_two = CAN_FORK and len(targets) == 1 < parallel
     results = run(jobs, partial(_perform_with, loader), limits, parallel, fresh="urdfctl.load:perform", together=16)
     for target, result in zip(targets, results, strict=True):
         yield linted_from_json(result) if isinstance(result, dict) else dead(target, settings, result)

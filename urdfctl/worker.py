@@ -30,6 +30,11 @@ MOST_GROWTH = (48 << 20) if sys.platform == "darwin" else (48 << 10)
 CAN_FORK = hasattr(os, "fork") and sys.platform != "win32"
 
 
+def processors() -> int:
+    """How many processors this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
 class Limits(NamedTuple):
     """Seconds and bytes for one job, and the environment it sees."""
 
