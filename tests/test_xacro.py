@@ -177,6 +177,39 @@ def test_a_macro_of_a_name_that_another_file_has_taken_is_told(tmp_path: Path) -
     assert problems(tmp_path, twice, other) == []
 
 
+MED = f'<robot {NAMESPACE}><xacro:macro name="iiwa_gazebo"><a/></xacro:macro></robot>'
+
+
+def test_a_macro_that_bears_the_name_of_a_file_beside_its_own_is_told(tmp_path: Path) -> None:
+    body = '<xacro:include filename="med.gazebo.xacro"/>'
+    [told] = problems(tmp_path, body, {"med.gazebo.xacro": MED, "iiwa.gazebo.xacro": MED})
+    assert told == (
+        "med.gazebo.xacro:1:71 MACRO_OF_OTHER_FILE macro 'iiwa_gazebo' bears the name of 'iiwa.gazebo.xacro', which "
+        "defines it too: of the two the later one is called"
+    )
+
+
+@pytest.mark.parametrize("name", ["arm.gazebo.xacro", "iiwa.robot.xacro", "gazebo.xacro"])
+def test_a_macro_that_no_file_beside_its_own_defines_under_its_name_is_none_of_theirs(
+    name: str, tmp_path: Path
+) -> None:
+    body = '<xacro:include filename="med.gazebo.xacro"/>'
+    assert problems(tmp_path, body, {"med.gazebo.xacro": MED, name: MED}) == []
+    other = MED.replace("iiwa_gazebo", "iiwa_gazebo_plugin")
+    assert problems(tmp_path, body, {"med.gazebo.xacro": MED, "iiwa.gazebo.xacro": other}) == []
+
+
+def test_a_file_beside_a_macro_that_may_not_be_read_tells_nothing_of_it(tmp_path: Path) -> None:
+    (tmp_path / "elsewhere.xacro").write_text(MED)
+    (tmp_path / "here").mkdir()
+    (tmp_path / "here" / "iiwa.gazebo.xacro").symlink_to(tmp_path / "elsewhere.xacro")
+    (tmp_path / "here" / "med.gazebo.xacro").write_text(MED)
+    path = str(tmp_path / "here" / "med.gazebo.xacro")
+    files = Files([str(tmp_path / "here")])
+    expander = Expander(files, Packages(path, PackageIndex(str(tmp_path / "here"), environ={})), {})
+    assert expander.expand(path, {}).problems == []
+
+
 def test_an_attribute_that_xacro_cannot_write_is_told(tmp_path: Path) -> None:
     body = '<a><xacro:attribute name="b" value="${1 + 1}"/></a>\n<a><xacro:attribute name="b" value="${0}"/></a>'
     assert problems(tmp_path, body) == [

@@ -67,14 +67,16 @@ class Files:
 
     def read(self, path: str) -> SourceText:
         """The text of a file. FileProblem where there is none, it is no regular file, too large or out of bounds."""
-        if path in self._read:
-            return self._read[path]
+        if path not in self._read:
+            self._read[path] = self.glance(path)
+        return self._read[path]
+
+    def glance(self, path: str) -> SourceText:
+        """The text of a file that is looked into, and is none of those that count as read. FileProblem as above."""
         found = self._resolve(path)
         self._check_bounds(found)
         held = self._held.get(os.path.realpath(found)) if self._held else None
-        text = SourceText(_shown(found), _bytes_of(found) if held is None else held)
-        self._read[path] = text
-        return text
+        return SourceText(_shown(found), _bytes_of(found) if held is None else held)
 
     def may_read(self, path: str) -> bool:
         """Whether a path, with its links followed, lies where the run may read."""

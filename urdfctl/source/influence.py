@@ -77,6 +77,16 @@ class Definitions(NamedTuple):
                 pending += [found for name in _NAME.findall(bare) for found in self._definition(name, scoped.call)]
         return Influence(tuple(files), tuple(arguments))
 
+    def arguments_of_file(self, place: Place, expression: str) -> list[str]:
+        """The arguments in the name of a file that could not be read: of the one that an expression loads, or, where
+        none was being evaluated, of the one that is included at a place."""
+        if expression:
+            loads = [names for _, names in self._loads(expression, place.call)]
+            return loads[0] if len(loads) == 1 else []
+        names: list[str] = []
+        self._pattern(_Scoped(_included(place), place.call), names, _DEEPEST)
+        return names
+
     def _definition(self, name: str, call: Call | None) -> list[_Scoped]:
         """The text that a name stands for where it is looked up: a parameter of a macro's call, or else a property."""
         for step in call.chain() if call is not None else ():
@@ -110,6 +120,15 @@ class Definitions(NamedTuple):
             return self._pattern(found[0], names, depth - 1) if found else "*"
 
         return _PARTS.sub(filling, scoped.text) if depth else "*"
+
+
+def _included(place: Place) -> str:
+    """The file's name in an include; empty where something else stands at a place."""
+    tag = place.source.start_tag(place.start)
+    if tag is None or tag.name != "xacro:include":
+        return ""
+    start, end = tag.attributes.get("filename", (0, 0))
+    return place.source.data[start:end].decode("utf-8", "replace")
 
 
 def _expressions(text: str) -> list[str]:

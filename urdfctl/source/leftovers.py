@@ -93,6 +93,13 @@ def unused_arguments(
             yield Problem(ProblemKind.UNKNOWN_ARGUMENT, at, message + did_you_mean(name, declared), name)
 
 
+def empty_default(declared: Element, name: str) -> Problem:
+    """The problem of an argument that is empty by default, and with which a file's name then comes to nothing."""
+    message = f"argument '{name}' is empty by default, and the name of a file needs it: expanding without it fails"
+    hint = "leave the default out: then xacro asks for the argument; or name a file that serves"
+    return Problem(ProblemKind.ARGUMENT_UNUSABLE, declared.at["name"], message, name, hint)
+
+
 def _names_asked_for(sources: Iterable[SourceText]) -> Iterator[str]:
     """The names in `$(arg x)` and `arg('x')`, and every word of a `$(eval ...)`, where one may stand by itself."""
     for source in sources:

@@ -30,6 +30,8 @@ class ProblemKind(Enum):
     FORBIDDEN_EXPRESSION = auto()
     OUTSIDE_WORKSPACE = auto()
     DUPLICATE_MACRO = auto()
+    MACRO_OF_OTHER_FILE = auto()
+    ARGUMENT_UNUSABLE = auto()
     UNUSED_ARGUMENT = auto()
     UNKNOWN_ARGUMENT = auto()
     MANIFEST_MISSING = auto()

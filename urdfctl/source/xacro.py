@@ -6,6 +6,7 @@ kept and costs only the element it is in, so that one run tells all of them.
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Callable, Mapping
 from types import FrameType, ModuleType
@@ -17,12 +18,13 @@ from urdfctl.source.budget import MAX_CALL_DEPTH, MAX_CALLS, MAX_ELEMENTS, MAX_P
 from urdfctl.source.dom import COMMENT, Cloning, Document, Element, Node, Text
 from urdfctl.source.files import FileProblem, Files
 from urdfctl.source.influence import Definitions
-from urdfctl.source.leftovers import leftovers, repeated_condition, unused_arguments
+from urdfctl.source.leftovers import empty_default, leftovers, repeated_condition, unused_arguments
+from urdfctl.source.macro_names import macro_of_other_file
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.packages import Packages
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import Call, Place, SourceText
-from urdfctl.source.xacro_errors import Blame, blame_of, problem_of
+from urdfctl.source.xacro_errors import Blame, blame_of, failed_expression, problem_of
 from urdfctl.source.xml import parse
 
 _CONSEQUENCES = {
@@ -31,12 +33,14 @@ _CONSEQUENCES = {
     ProblemKind.UNDEFINED_ARGUMENT,
     ProblemKind.XACRO,
 }
-
+_OF_FILES = {ProblemKind.FILE_NOT_FOUND, ProblemKind.FILE_UNREADABLE}
 
 HARMLESS = {
     ProblemKind.LATE_DECLARATION,
     ProblemKind.XACRO_WARNING,
     ProblemKind.DUPLICATE_MACRO,
+    ProblemKind.MACRO_OF_OTHER_FILE,
+    ProblemKind.ARGUMENT_UNUSABLE,
     ProblemKind.UNUSED_ARGUMENT,
     ProblemKind.UNKNOWN_ARGUMENT,
     ProblemKind.MANIFEST_MISSING,
@@ -160,7 +164,7 @@ class Expander:
             return parse(self.files.read(filename), self.cloning, include, declarations=self.trust)
         except FileProblem as error:
             module.filestack.pop()
-            absent = error.kind is ProblemKind.FILE_NOT_FOUND
+            absent = error.kind is ProblemKind.FILE_NOT_FOUND or os.path.isdir(error.path)
             if absent:  # an optional include may be absent: xacro looks for an IOError inside
                 raise module.XacroException(exc=_AbsentFile(error)) from error
             raise
@@ -254,6 +258,8 @@ class Expander:
             position = before.source.position(before.start)
             message = f"macro '{name}' is defined again; its definition at {before.source.path}:{position.line} is lost"
             self._add(Problem(ProblemKind.DUPLICATE_MACRO, node.at["name"], message, name))
+        for problem in macro_of_other_file(name, node, self.files):
+            self._add(problem)
 
     def _eval_all(self, node: Element, macros: object, symbols: object) -> None:
         evaluate = self._originals["eval_all"]
@@ -304,6 +310,15 @@ class Expander:
         if blame.element is not None and blame.element.tagName == "xacro:include":
             self._include_failed = True
         self._add(problem)
+        if problem.kind in _OF_FILES and not self.strict:
+            self._blame_arguments(problem.at, failed_expression(error))
+
+    def _blame_arguments(self, at: Place, expression: str) -> None:
+        """A file's name that comes to nothing is the fault of an argument that stands in it and is empty by default."""
+        for name in self.definitions().arguments_of_file(at, expression):
+            declared = self._declared.get(name)
+            if declared is not None and name not in self._given and not declared.attrs.get("default", "-").strip():
+                self._add(empty_default(declared, name))
 
     def _problem(self, blame: Blame, error: BaseException) -> Problem:
         return problem_of(error, blame, self.module.filestack)

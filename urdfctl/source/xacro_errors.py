@@ -73,7 +73,7 @@ def problem_of(error: BaseException, blame: Blame, filestack: list[str]) -> Prob
         if known is not None:
             return known
     text = str(error) or repr(error)
-    expression = _innermost_expression(causes)
+    expression = failed_expression(error)
     for cause in causes:
         found = _by_exception(cause, at, expression, blame)
         if found is not None:
@@ -81,9 +81,9 @@ def problem_of(error: BaseException, blame: Blame, filestack: list[str]) -> Prob
     return _by_text(text, at, expression)
 
 
-def _innermost_expression(causes: list[BaseException]) -> str:
-    """The `${...}`, or the whole `$(...)`, that could not be evaluated; empty where none was being evaluated."""
-    for cause in causes:
+def failed_expression(error: BaseException) -> str:
+    """The innermost `${...}`, or the whole `$(...)`, that could not be evaluated; empty where none was at work."""
+    for cause in _causes(error):
         substitution = getattr(cause, "substitution", None)
         if substitution is not None:
             return str(substitution)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from urdfctl.rule import Rule
+from urdfctl.rules.reading.argument_default_unusable import argument_default_unusable
 from urdfctl.rules.reading.argument_unknown import argument_unknown
 from urdfctl.rules.reading.argument_unused import argument_unused
 from urdfctl.rules.reading.braces_without_dollar import braces_without_dollar
@@ -15,6 +16,7 @@ from urdfctl.rules.reading.forbidden_expression import forbidden_expression
 from urdfctl.rules.reading.launch_file_not_python import launch_file_not_python
 from urdfctl.rules.reading.macro_call_mismatch import macro_call_mismatch
 from urdfctl.rules.reading.macro_defined_twice import macro_defined_twice
+from urdfctl.rules.reading.macro_named_after_other_file import macro_named_after_other_file
 from urdfctl.rules.reading.outside_workspace import outside_workspace
 from urdfctl.rules.reading.over_budget import over_budget
 from urdfctl.rules.reading.package_not_found import package_not_found
@@ -62,5 +64,7 @@ RULES: tuple[Rule, ...] = (
     yaml_key_twice,
     yaml_tab,
     launch_file_not_python,
+    argument_default_unusable,
+    macro_named_after_other_file,
     suppression_unused,
 )

@@ -1,0 +1,43 @@
+"""UC028."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.reading.common import findings_of
+from urdfctl.source.problem import ProblemKind
+
+
+@rule(
+    "UC028",
+    severity=Severity.WARNING,
+    authority="xacro/__init__.py load_yaml(), parse(): the folder of the file at work, opened as a file: 'Is a directory'; "
+    "xacro/substitution_args.py _eval_arg(): 'Undefined substitution argument' without a default",
+    bad={
+        "robot.xacro": """
+            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+              <xacro:arg name="«tool»" default=""/>
+              <xacro:include filename="$(arg tool)"/>
+              <link name="base"/>
+            </robot>
+        """,
+    },
+    good={
+        "robot.xacro": """
+            <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+              <xacro:arg name="tool" default="tool.xacro"/>
+              <xacro:include filename="$(arg tool)"/>
+              <link name="base"/>
+            </robot>
+        """,
+        "tool.xacro": '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"/>',
+    },
+)
+def argument_default_unusable(project: Project) -> Iterator[Finding]:
+    """An argument that the name of a file needs is empty by default.
+
+    The description looks as if it could be expanded without the argument, and cannot: xacro opens a folder, or a file
+    without a name, and its words do not tell of the argument. Without the default xacro asks for it by its name.
+    """
+    yield from findings_of(project, ProblemKind.ARGUMENT_UNUSABLE)

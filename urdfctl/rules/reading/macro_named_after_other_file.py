@@ -1,0 +1,49 @@
+"""UC029."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.reading.common import findings_of
+from urdfctl.source.problem import ProblemKind
+
+
+def _side(macro: str, link: str) -> str:
+    return f"""
+        <robot xmlns:xacro="http://www.ros.org/wiki/xacro">
+          <xacro:macro name="{macro}"><link name="{link}"/></xacro:macro>
+        </robot>
+    """
+
+
+_ROBOT = """
+    <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+      <xacro:include filename="right_arm.xacro"/>
+      <xacro:CALLED/>
+    </robot>
+"""
+
+
+@rule(
+    "UC029",
+    severity=Severity.WARNING,
+    authority="xacro/__init__.py grab_macro(): macros[name] = macro, over whatever was there",
+    bad={
+        "robot.xacro": _ROBOT.replace("CALLED", "left_arm"),
+        "left_arm.xacro": _side("left_arm", "left"),
+        "right_arm.xacro": _side("«left_arm»", "right"),
+    },
+    good={
+        "robot.xacro": _ROBOT.replace("CALLED", "right_arm"),
+        "left_arm.xacro": _side("left_arm", "left"),
+        "right_arm.xacro": _side("right_arm", "right"),
+    },
+)
+def macro_named_after_other_file(project: Project) -> Iterator[Finding]:
+    """A macro bears the name of another file, which defines a macro of that name too.
+
+    A file was copied and its macro kept its name. A robot with both files gets the body of the later one wherever the
+    macro is called, and xacro says nothing.
+    """
+    yield from findings_of(project, ProblemKind.MACRO_OF_OTHER_FILE)
