@@ -28,6 +28,7 @@ class Catalog:
         self._hardware = dict(hardware or {})
         self._made: dict[tuple[str, str], ControllerType | None] = {}
         self._made_hardware: dict[tuple[str, str], HardwareType | None] = {}
+        self._hardware_of: dict[str, tuple[str, ...]] = {}
 
     # -- controllers -------------------------------------------------------------------------------------------------
 
@@ -75,9 +76,11 @@ class Catalog:
 
     def known_hardware(self, distro: str) -> tuple[str, ...]:
         """The hardware plugins that a distro has."""
-        ros = generation(distro)
-        entries = {**plain(ros, "hardware"), **self._hardware}
-        return tuple(name for name, entry in entries.items() if distro in distros_of(entry, ros))
+        if distro not in self._hardware_of:
+            ros = generation(distro)
+            entries = {**plain(ros, "hardware"), **self._hardware}
+            self._hardware_of[distro] = tuple(n for n, entry in entries.items() if distro in distros_of(entry, ros))
+        return self._hardware_of[distro]
 
     def hardware_replacement(self, name: str, distro: str) -> str | None:
         """The hardware plugin that takes the place of one in a distro."""

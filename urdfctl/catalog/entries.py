@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import lru_cache
 from types import MappingProxyType
 
 from urdfctl.record import NamedTuple
@@ -37,19 +38,26 @@ class Parameter(NamedTuple):
     @property
     def types(self) -> tuple[str, ...]:
         """The types that a value may have."""
-        return tuple(part.strip() for part in self.type.split("|"))
+        return _types(self.type)
 
     @property
     def needed(self) -> bool:
         """Whether leaving it out is refused: there is no default, or one that its own validators refuse."""
+        if self.required or self.default is None or not self.validators:
+            return self.required
         from urdfctl.catalog.validators import problem
 
-        return self.required or (self.default is not None and problem(self.default, self.validators) is not None)
+        return problem(self.default, self.validators) is not None
 
     @property
     def is_map(self) -> bool:
         """Whether it stands for one parameter for each element of another."""
         return "<" in self.name
+
+
+@lru_cache(256)
+def _types(text: str) -> tuple[str, ...]:
+    return tuple(part.strip() for part in text.split("|"))
 
 
 class FormerParameter(NamedTuple):

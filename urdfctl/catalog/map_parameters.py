@@ -8,6 +8,7 @@ from functools import lru_cache
 
 from urdfctl.catalog.entries import FormerParameter, Parameter
 from urdfctl.catalog.values import elements, is_known
+from urdfctl.memory import once_per_object
 
 _PLACEHOLDER = re.compile(r"<([^<>]+)>")
 
@@ -44,13 +45,18 @@ def matching(
     """
     if name in parameters:
         return name, None
-    for pattern, parameter in parameters.items():
-        below = getattr(parameter, "type", None) == "none"
-        if "<" in pattern or below:
-            found = _found(pattern, name, below=below)
-            if found is not None:
-                return pattern, found or None
+    for pattern, below in _patterns(parameters):
+        found = _found(pattern, name, below=below)
+        if found is not None:
+            return pattern, found or None
     return None
+
+
+@once_per_object
+def _patterns(parameters: Mapping[str, Parameter] | Mapping[str, FormerParameter]) -> list[tuple[str, bool]]:
+    """The names that others may be meant by, and whether all that stands below them is."""
+    below = {name: getattr(parameter, "type", None) == "none" for name, parameter in parameters.items()}
+    return [(name, free) for name, free in below.items() if free or "<" in name]
 
 
 def _found(pattern: str, name: str, *, below: bool) -> str | None:

@@ -33,9 +33,11 @@ def distros_of(entry: Plain, ros: int) -> tuple[str, ...]:
 def in_distro(entry: Plain, distro: str) -> dict[str, Any] | None:
     """An entry as one distro has it, its overrides applied; None where the distro has it not."""
     ros = generation(distro)
-    if distro not in distros_of(entry, ros):
+    if "distros" in entry and distro not in distros_of(entry, ros):
         return None
     own = dict(entry)
+    if "overrides" not in own:
+        return own
     for span, changes in own.pop("overrides", NOTHING).items():
         if distro in spanned(span, ros):
             claims = {**own.get("claims", NOTHING), **changes.get("claims", NOTHING)}

@@ -106,10 +106,12 @@ class _Evaluation:
     def _of_rule(self, rule: ClaimRule) -> Iterator[Claim]:
         if not _names_item(rule) and not self._holds(rule, None):
             return
+        if not rule.prefix and not rule.best_effort:
+            yield from self._claims(rule)
+            return
+        prefix = self._filled(rule.prefix, None)
         for claim in self._claims(rule):
-            yield claim._replace(
-                component=self._filled(rule.prefix, None) + claim.component, best_effort=rule.best_effort
-            )
+            yield claim._replace(component=prefix + claim.component, best_effort=rule.best_effort)
 
     def _claims(self, rule: ClaimRule) -> Iterator[Claim]:
         if rule.all:
@@ -194,6 +196,8 @@ class _Evaluation:
 
     def _filled(self, text: str, item: str | None) -> str:
         """A text with its placeholders filled in: the controller's name, the element at hand, a parameter's value."""
+        if "{" not in text:
+            return text
 
         def filling(placeholder: re.Match[str]) -> str:
             if placeholder[1] == "controller":

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from urdfctl.memory import once_per_object
 from urdfctl.model.parameters import Kind, Parameters, Value
 from urdfctl.source.opaque import UNKNOWN
 
 
+@once_per_object
 def given_values(parameters: Parameters) -> dict[str, object]:
     """The values by full dotted name, without the maps. What is not known is a text that `is_known` denies."""
     return {leaf.name: plain(leaf.value) for leaf in parameters.leaves if leaf.value.kind is not Kind.MAP}

@@ -58,7 +58,7 @@ def controller_joint_unknown(project: Project) -> Iterator[Finding]:
 
 
 def _unknown(reader: Reader, robot: Robot, hardware: Hardware, names: Names, project: Project) -> Iterator[Finding]:
-    found = list(named(reader))
+    found = named(reader)
     wrong = [one for one in found if is_misnamed(one.claim, hardware) and one.name not in hardware.fixed]
     others = {one.name for one in found} - {one.name for one in wrong}
     meant = [meant_by(names, one, others) for one in wrong]

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from urdfctl.catalog.value_types import type_problem
 from urdfctl.control.claims import Claim, claims
 from urdfctl.control.hardware import Hardware, fixed_joints, hardware_of
+from urdfctl.memory import once_per_object
 from urdfctl.model.robot import Robot
 from urdfctl.record import NamedTuple
 from urdfctl.rule import Note, Project, Severity
@@ -41,8 +42,13 @@ def robot_of(project: Project) -> Robot | None:
     return robot if controllers_in(project).complete else None
 
 
-def named(reader: Reader) -> Iterator[Named]:
+@once_per_object
+def named(reader: Reader) -> tuple[Named, ...]:
     """What a controller's parameters name for its claims, each place once."""
+    return tuple(_named(reader))
+
+
+def _named(reader: Reader) -> Iterator[Named]:
     if reader.type is None or reader.controller is None:
         return
     claimed = claims(reader.type, reader.controller.name, {name: _readable(reader, name) for name in reader.given})

@@ -11,12 +11,13 @@ from urdfctl.catalog.map_parameters import expected, matching, prefixes
 from urdfctl.catalog.validators import problem
 from urdfctl.catalog.value_types import type_problem
 from urdfctl.control.parameter_rules import breaches
+from urdfctl.memory import once_per_object
 from urdfctl.model.controllers import Controller
 from urdfctl.model.parameters import Kind
 from urdfctl.model.parameters import Parameter as Given
 from urdfctl.record import NamedTuple
 from urdfctl.rule import Project
-from urdfctl.rules.controllers.readers import Reader, once_per_reader, readers_of
+from urdfctl.rules.controllers.readers import Reader, readers_of
 from urdfctl.suggest import nearest
 
 OF_EVERY_NODE = ("qos_overrides", "start_type_description_service", "diagnostic_updater", "enable_logger_service")
@@ -42,7 +43,7 @@ def known_as(reader: Reader, name: str) -> tuple[str, str | None] | None:
     return given[name] if name in given else matching(name, reader.known)
 
 
-@once_per_reader
+@once_per_object
 def _known_as(reader: Reader) -> dict[str, tuple[str, str | None] | None]:
     return {parameter.name: matching(parameter.name, reader.known) for parameter in reader.located}
 
@@ -52,15 +53,14 @@ def is_ros1(reader: Reader) -> bool:
     return generation(reader.distro) == 1
 
 
-@once_per_reader
+@once_per_object
 def unread(reader: Reader) -> list[Given]:
     """What is given to a node alone, and it does not read; of a map that it knows nothing of, the map."""
-    starts = _starts(reader)
     told: dict[str, Given] = {}
     for leaf in reader.own.leaves:
-        top = _unknown_part(leaf.name, starts)
-        if top in told or _is_foreign(reader, leaf.name) or known_as(reader, leaf.name):
+        if _is_foreign(reader, leaf.name) or known_as(reader, leaf.name):
             continue
+        top = _unknown_part(leaf.name, _starts(reader))
         found = reader.own.get(top)
         if found is not None:
             told[top] = found
@@ -77,7 +77,7 @@ def _is_foreign(reader: Reader, name: str) -> bool:
     return reader.type is not None and first in reader.type.ignored
 
 
-@once_per_reader
+@once_per_object
 def _starts(reader: Reader) -> dict[str, FormerParameter]:
     """What stands before the dots in the names that a node reads, or that others read, as something to be matched."""
     names = prefixes((*reader.known, *reader.former))
@@ -102,7 +102,7 @@ def _of_last(names: frozenset[str]) -> dict[str, list[str]]:
     return by_last
 
 
-@once_per_reader
+@once_per_object
 def slips(reader: Reader) -> dict[str, str]:
     """Of the unread parameters those that surely mean one that is read, and which: both by their full names."""
     found: dict[str, str] = {}
@@ -142,13 +142,13 @@ def of_other_ros(project: Project, reader: Reader, name: str) -> int | None:
     return generation(distro) if known else None
 
 
-@once_per_reader
+@once_per_object
 def _expected(reader: Reader) -> dict[str, Parameter]:
     """The parameters by the full names that they have with the values that are given."""
     return expected(reader.known, reader.given)
 
 
-@once_per_reader
+@once_per_object
 def missing(reader: Reader) -> list[Missing]:
     """What a node needs and is not given, but for the gains of ROS 1's PID controllers, which have rules of their own."""
     found = {name: Missing(name, refused=True) for name, parameter in _needed(reader) if not _is_given(reader, name)}

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from functools import wraps
-from typing import TypeVar
 
 from urdfctl.catalog.distros import generation, in_words, since
 from urdfctl.catalog.entries import ControllerType, FormerParameter, Parameter
@@ -43,24 +41,6 @@ class Reader(NamedTuple):
 
 
 Judge = Callable[[Reader], Iterator[Finding]]
-_Seen = TypeVar("_Seen")
-_MOST_REMEMBERED = 256
-
-
-def once_per_reader(function: Callable[[Reader], _Seen]) -> Callable[[Reader], _Seen]:
-    """Remember what a function gave for the readers it was asked of: several rules ask the same of each."""
-    known: dict[int, tuple[Reader, _Seen]] = {}
-
-    @wraps(function)
-    def remembered(reader: Reader) -> _Seen:
-        found = known.get(id(reader))
-        if found is None or found[0] is not reader:
-            if len(known) >= _MOST_REMEMBERED:
-                known.clear()
-            found = known[id(reader)] = (reader, function(reader))
-        return found[1]
-
-    return remembered
 
 
 def in_each_distro(project: Project, judge: Judge, *, newest: bool = False) -> Iterator[Finding]:
