@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 import yaml
 from folder import Folder
-from generating import JOINTS, ROBOT, command, made, roles_of, told
+from generating import JOINTS, ROBOT, TEMPLATES, command, made, roles_of, told
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -288,6 +288,37 @@ def test_a_template_of_the_users_comes_before_the_own(folder: Folder) -> None:
     assert command(*words, "mine").stdout.endswith("x: 1\n")
     assert command(*words, "bad").stderr == "urdfctl: template 'controllers/ros2.yaml.j2': 'no' is undefined\n"
     assert "controllers/ros2.yaml.j2\n" in command("gen-controllers", "--list-templates").stdout
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        (b"\xff", "'utf-8' codec can't decode byte 0xff in position 0: invalid start byte"),
+        (b"{{ 1 / 0 }}", "division by zero"),
+        (b"{{ 1 + 'a' }}", "unsupported operand type(s) for +: 'int' and 'str'"),
+        (b"{{ 'a' * 99999999999999 }}", "MemoryError"),
+    ],
+)
+def test_what_a_template_of_the_users_cannot_do_is_told_in_a_line(folder: Folder, text: bytes, told: str) -> None:
+    folder.write({"mine/controllers/ros2.yaml.j2": text})
+    ran = command("gen-controllers", "--joint", "a", "--type", "effort", "--distro", "jazzy", "--templates", "mine")
+    assert (ran.returncode, ran.stderr) == (2, f"urdfctl: template 'controllers/ros2.yaml.j2': {told}\n")
+
+
+def test_what_our_own_templates_cannot_do_is_our_own_fault() -> None:
+    with pytest.raises(TypeError):
+        TEMPLATES.render(
+            "controllers/ros2.yaml",
+            command="",
+            title="",
+            distro="",
+            todos=(),
+            start="",
+            manager="m",
+            rate=1,
+            simulated=False,
+            controllers=1,
+        )
 
 
 def test_the_recipes_speak_of_what_there_is() -> None:

@@ -11,6 +11,8 @@ from urdfctl.generate.scalars import one_line, python_text, xacro_text, xml_comm
 if TYPE_CHECKING:
     import jinja2
 
+_FAULTS = (ArithmeticError, AttributeError, LookupError, MemoryError, OSError, RecursionError, TypeError, ValueError)
+"""What reading a template of the user's, and what stands in it, may raise beside jinja's own."""
 _PACKAGE = os.path.dirname(os.path.dirname(__file__))
 
 
@@ -42,6 +44,10 @@ class Templates:
             text: str = self._environment.get_template(f"{name}.j2").render(values)
         except jinja2.TemplateError as error:
             raise UserError(f"template '{name}.j2': {error}") from None
+        except _FAULTS as error:
+            if self._folder is None:
+                raise
+            raise UserError(f"template '{name}.j2': {str(error) or type(error).__name__}") from None
         lines = [line.rstrip() for line in text.rstrip().splitlines()]
         return "\n".join(lines) + "\n"
 
