@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
@@ -73,6 +74,7 @@ def find(paths: Sequence[str], excluded: Callable[[str], bool] = lambda _: False
         if not os.path.lexists(path):
             raise UserError(f"no such file or folder: '{path}'{nearest_path(path)}")
         if os.path.isdir(path):
+            check_readable(path)
             _search(path, found, excluded)
         elif is_launch(path):
             found.launches.append(path)
@@ -81,6 +83,12 @@ def find(paths: Sequence[str], excluded: Callable[[str], bool] = lambda _: False
         else:
             found.robots.append(path)
     return found
+
+
+def check_readable(folder: str) -> None:
+    """UserError where a folder that is to be looked through cannot be; those below it are passed over silently."""
+    if not os.access(folder, os.R_OK | os.X_OK):
+        raise UserError(f"'{folder}' cannot be read: {os.strerror(errno.EACCES)}")
 
 
 def _enclosing_package() -> str:

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from itertools import takewhile
 
+from urdfctl.discover import check_readable
 from urdfctl.errors import UserError
 from urdfctl.record import NamedTuple
 from urdfctl.source.files import first_bytes
@@ -67,6 +68,7 @@ def _files(path: str) -> Iterator[str]:
     if not os.path.isdir(path):
         yield path
         return
+    check_readable(path)
     for folder, folders, names in os.walk(path):
         folders[:] = sorted(name for name in folders if not name.startswith("."))
         yield from (os.path.normpath(os.path.join(folder, name)) for name in sorted(names))

@@ -1,0 +1,165 @@
+"""Files and folders that may not be read or written, and disks without room: a line says so, and the files stay."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from folder import Folder, environment
+
+if sys.platform == "win32":
+    pytest.skip("rights and limits are told as POSIX tells them", allow_module_level=True)
+import resource
+
+ROBOT = """\
+<robot name="arm">
+  <link name="base"/><link name="fore"/>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/><child link="fore"/><axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="1" velocity="1"/>
+  </joint>
+  <transmission name="t">
+    <type>transmission_interface/SimpleTransmission</type>
+    <joint name="elbow"><hardwareInterface>PositionJointInterface</hardwareInterface></joint>
+    <actuator name="m"><mechanicalReduction>1</mechanicalReduction></actuator>
+  </transmission>
+  <gazebo reference="bas"><mu1>0.9</mu1></gazebo>
+</robot>
+"""
+DROP_FROM_BOUNDS, OVERRIDE, READ_SEARCH = 24, 1, 2  # linux/prctl.h, linux/capability.h
+
+
+def _drop_rights() -> None:
+    """Let permissions bind the super-user too, from the next exec on. An interpreter may lie where only root reads."""
+    libc = ctypes.CDLL(None, use_errno=True)
+    for capability in (OVERRIDE, READ_SEARCH):
+        if libc.prctl(DROP_FROM_BOUNDS, capability, 0, 0, 0):
+            raise OSError(ctypes.get_errno(), "the right to pass over permissions cannot be given up")
+
+
+def _leave_no_room() -> None:
+    resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100))
+
+
+def run(folder: Folder, words: str, limit: Callable[[], None] | None) -> tuple[int, str, str]:
+    ran = subprocess.run(
+        [sys.executable, "-m", "urdfctl", *words.split()],
+        cwd=folder.path,
+        env=environment({}),
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+        preexec_fn=limit,
+    )
+    return ran.returncode, ran.stdout, ran.stderr
+
+
+@pytest.fixture
+def bound(folder: Folder) -> Iterator[Callable[[str], tuple[int, str, str]]]:
+    """Runs a command that permissions bind, in a folder where nothing may be made and some may not be read."""
+    limit = None
+    if os.geteuid() == 0:
+        limit = _drop_rights
+        try:
+            subprocess.run(["true"], preexec_fn=limit, check=True)
+        except (subprocess.SubprocessError, AttributeError):
+            pytest.skip("the super-user cannot be bound by permissions here")
+    folder.write({"a.urdf": ROBOT, "joints.txt": "elbow\n", "secret.urdf": ROBOT, "shut/a.urdf": ROBOT})
+    changed = {"secret.urdf": 0, "shut": 0, ".": 0o555}
+    for name, mode in changed.items():
+        (folder.path / name).chmod(mode)
+    yield lambda words: run(folder, words, limit)
+    for name in changed:
+        (folder.path / name).chmod(0o755)
+
+
+Bound = Callable[[str], tuple[int, str, str]]
+GEN = "--type effort --distro noetic"
+
+
+def test_a_read_only_folder_is_linted_as_any_other(folder: Folder, bound: Bound) -> None:
+    assert bound("lint a.urdf") == run(folder, "lint a.urdf", None)
+    status, out, _ = bound("lint a.urdf --unsafe-fixes --diff")
+    assert (status, '+  <gazebo reference="base">' in out) == (1, True)
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        ("lint a.urdf --write-baseline k.json", "'k.json' cannot be written: Permission denied"),
+        ("lint a.urdf --format json=o.json", "'o.json' cannot be written: Permission denied"),
+        ("lint a.urdf --baseline secret.urdf", "'secret.urdf' cannot be read: Permission denied"),
+        ("lint a.urdf --config secret.urdf", "secret.urdf: Permission denied"),
+        ("lint shut", "'shut' cannot be read: Permission denied"),
+        ("expand a.urdf -o x.urdf", "'x.urdf' cannot be written: Permission denied"),
+        (f"gen-controllers joints.txt {GEN} -o c.yaml", "'c.yaml' cannot be written: Permission denied"),
+        (f"gen-all joints.txt {GEN} -o made", "'made/config' cannot be made: Permission denied"),
+        (f"gen-transmissions a.urdf {GEN} --into secret.urdf", "'secret.urdf' cannot be read: Permission denied"),
+        (f"gen-transmissions a.urdf {GEN} --into a.urdf", "'a.urdf' cannot be written: Permission denied"),
+        ("gen-check shut", "'shut' cannot be read: Permission denied"),
+        ("explain secret.urdf", "'secret.urdf' cannot be read: Permission denied"),
+        ("smoke a.urdf --engine none --report r.html", "'r.html' cannot be written: Permission denied"),
+    ],
+)
+def test_what_may_not_be_read_or_written_is_said_in_one_line(
+    folder: Folder, bound: Bound, words: str, told: str
+) -> None:
+    there = sorted(os.listdir(folder.path))
+    status, _, said = bound(words)
+    assert (status, said) == (2, f"urdfctl: {told}\n")
+    assert (folder.path / "a.urdf").read_text() == ROBOT
+    assert sorted(os.listdir(folder.path)) == there
+
+
+def test_a_robot_that_may_not_be_read_is_a_finding_beside_the_others(bound: Bound) -> None:
+    status, out, _ = bound("lint . --format concise")
+    assert status == 1
+    assert "secret.urdf:1:1: error UC004 'secret.urdf' cannot be read: Permission denied" in out
+    assert "a.urdf:1:1: warning UC133" in out
+
+
+def test_what_cannot_be_fixed_in_a_read_only_folder_is_left_as_it_is(folder: Folder, bound: Bound) -> None:
+    _, _, said = bound("lint a.urdf --unsafe-fixes")
+    assert said.splitlines() == [
+        "urdfctl: 'a.urdf' cannot be written: Permission denied",
+        "urdfctl: fixed 0 of 3 findings in 0 files",
+    ]
+    assert (folder.path / "a.urdf").read_text() == ROBOT
+
+
+@pytest.mark.parametrize(
+    ("words", "file"),
+    [
+        ("lint a.urdf --unsafe-fixes", "a.urdf"),
+        ("lint a.urdf --write-baseline k.json", "k.json"),
+        ("lint a.urdf --format json=o.json", "o.json"),
+        ("expand a.urdf -o x.urdf --force", "x.urdf"),
+        (f"gen-controllers joints.txt {GEN} -o c.yaml --force", "c.yaml"),
+        (f"gen-transmissions a.urdf {GEN} --into a.urdf", "a.urdf"),
+        ("smoke a.urdf --engine none --report r.html", "r.html"),
+    ],
+)
+def test_without_room_a_file_stays_as_it_was_and_nothing_is_left_beside_it(
+    folder: Folder, words: str, file: str
+) -> None:
+    before = {"a.urdf": ROBOT, "joints.txt": "elbow\n", file: ROBOT}
+    folder.write(before)
+    status, _, said = run(folder, words, _leave_no_room)
+    assert said.splitlines()[0] == f"urdfctl: '{file}' cannot be written: File too large"
+    assert status == (0 if "fixes" in words else 2)
+    assert {path.name: path.read_text() for path in folder.path.iterdir()} == before
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is always full")
+@pytest.mark.parametrize(
+    "words",
+    [f"gen-controllers joints.txt {GEN} -o /dev/full", f"gen-controllers joints.txt {GEN} --force -o /dev/full"],
+)
+def test_a_device_that_is_full_is_not_read_first(folder: Folder, words: str) -> None:
+    folder.write({"joints.txt": "elbow\n"})
+    assert run(folder, words, None) == (2, "", "urdfctl: '/dev/full' cannot be written: No space left on device\n")
