@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from urdfctl.source.files import MAX_BYTES, FileProblem, Files, read_error
+from urdfctl.errors import UserError
+from urdfctl.source.files import MAX_BYTES, FileProblem, Files, named_bytes, read_error
 from urdfctl.source.problem import ProblemKind
 from urdfctl.source.span import Place, SourceText
 
@@ -58,6 +59,22 @@ def test_a_folder_is_no_file(tmp_path: Path) -> None:
 def test_a_pipe_is_not_waited_for(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe")
     assert refused(tmp_path / "pipe") == (ProblemKind.FILE_UNREADABLE, f"'{tmp_path}/pipe' is no regular file")
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this system has no pipes in its file system")
+def test_neither_is_one_that_an_option_names(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe")
+    (tmp_path / "large").write_bytes(b"x" * (MAX_BYTES + 1))
+    for name, why in (
+        ("none", "No such file or directory"),
+        ("pipe", "it is no regular file"),
+        ("large", "it is larger than 16 MiB"),
+    ):
+        with pytest.raises(UserError) as refusal:
+            named_bytes(str(tmp_path / name))
+        assert str(refusal.value) == f"'{tmp_path / name}' cannot be read: {why}"
+    (tmp_path / "small").write_bytes(b"elbow\n")
+    assert named_bytes(str(tmp_path / "small")) == b"elbow\n"
 
 
 @pytest.mark.skipif(not Path("/dev/zero").exists(), reason="this system has no devices in its file system")

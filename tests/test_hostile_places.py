@@ -24,6 +24,7 @@ NAMES = [
     ".gitignore",
     "CMakeLists.txt",
 ]
+GEN = "--type effort --distro noetic"
 ARM = """\
 <robot name="arm">
   <link name="base"/><link name="fore"/>
@@ -49,6 +50,44 @@ def test_a_pipe_a_device_or_a_loop_in_the_place_of_a_file_is_not_waited_for(
     ran = folder.run(*words)
     assert ran.returncode in {0, 1, 2}, ran.stderr
     assert "Traceback" not in ran.stderr
+
+
+@needs_posix
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        ("lint a.urdf --baseline pipe", "'pipe' cannot be read: it is no regular file"),
+        ("lint a.urdf --write-baseline pipe", "'pipe' cannot be written: it is a pipe that nobody reads"),
+        ("lint a.urdf --config pipe", "pipe: it is no regular file"),
+        ("lint a.urdf --format json=pipe", "'pipe' cannot be written: it is a pipe that nobody reads"),
+        ("lint a.urdf --workspace pipe", "no such folder: 'pipe'"),
+        ("lint a.urdf --package-path pipe", "no such folder: 'pipe'"),
+        ("smoke a.urdf --engine none --report pipe", "'pipe' cannot be written: it is a pipe that nobody reads"),
+        ("smoke a.urdf --engine none --format json=pipe", "'pipe' cannot be written: it is a pipe that nobody reads"),
+        ("expand a.urdf -o pipe", "'pipe' cannot be written: it is a pipe that nobody reads"),
+        ("explain ./pipe", "'./pipe' is no regular file"),
+        (f"gen-controllers pipe.yaml {GEN}", "'pipe.yaml' cannot be read: it is no regular file"),
+        (f"gen-controllers --joint a {GEN} -o pipe", "'pipe' cannot be written: it is a pipe that nobody reads"),
+        (f"gen-controllers --joint a {GEN} --templates pipe", "no such folder: 'pipe'"),
+        (f"gen-transmissions a.urdf {GEN} --into pipe", "'pipe' cannot be read: it is no regular file"),
+        (f"gen-all --joint a {GEN} -o pipe", "'pipe/config' cannot be made: Not a directory"),
+    ],
+)
+def test_a_pipe_that_an_option_names_is_not_waited_for(folder: Folder, words: str, told: str) -> None:
+    folder.write({"a.urdf": ARM})
+    for name in ("pipe", "pipe.yaml"):
+        os.mkfifo(folder.path / name)
+    ran = folder.run(*words.split())
+    assert (ran.returncode, ran.stderr) == (2, f"urdfctl: {told}\n")
+
+
+@needs_posix
+def test_a_controllers_file_of_smoke_that_is_a_pipe_is_a_finding(folder: Folder) -> None:
+    folder.write({"a.urdf": ARM})
+    os.mkfifo(folder.path / "pipe")
+    ran = folder.run("smoke", "a.urdf", "--engine", "none", "--controllers", "pipe")
+    assert ran.returncode == 1
+    assert "'pipe' is no regular file" in ran.stdout
 
 
 @needs_posix

@@ -10,12 +10,12 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
+from generating import command
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from urdfctl.baseline import read_baseline
 from urdfctl.cli.generate_again import words_that_made
-from urdfctl.cli.generate_command import _whole
 from urdfctl.config import config_of
 from urdfctl.errors import UserError
 from urdfctl.generate.joint_list import joints_listed
@@ -250,8 +250,8 @@ def test_settings_with_keys_of_endless_parts_are_refused(tmp_path: Path) -> None
 
 
 def test_a_list_of_joints_without_end_is_refused() -> None:
-    with pytest.raises(UserError, match="'j' cannot be read: it is larger than 16 MiB"):
-        _whole(io.BytesIO(bytes((16 << 20) + 1)), "'j'")
+    ran = command("gen-controllers", "-", "--type", "effort", "--distro", "noetic", text="j\n" * (9 << 20))
+    assert (ran.returncode, ran.stderr) == (2, "urdfctl: standard input cannot be read: it is larger than 16 MiB\n")
 
 
 @pytest.mark.skipif(os.name != "posix", reason="pipes are made as POSIX makes them")

@@ -4,12 +4,25 @@ from __future__ import annotations
 
 import os
 import stat
+import subprocess
+import sys
 
 import pytest
 from folder import Folder
 
 from urdfctl.cli.writing import encoded, write_file
 from urdfctl.errors import UserError
+
+READER = """
+import os
+handle = os.open("pipe", os.O_RDONLY | os.O_NONBLOCK)
+print("reading", flush=True)
+os.set_blocking(handle, True)
+read = b""
+while len(read) < 400_000:
+    read += os.read(handle, 65536)
+print(len(read))
+"""
 
 
 def test_a_new_file_holds_the_text_and_has_the_usual_permissions(folder: Folder) -> None:
@@ -55,6 +68,19 @@ def test_a_broken_link_is_in_the_way(folder: Folder) -> None:
 def test_a_device_is_written_to_and_stays(folder: Folder) -> None:
     write_file(os.devnull, "text", force=False)
     assert stat.S_ISCHR(os.stat(os.devnull).st_mode)
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this system has no pipes in its file system")
+def test_a_pipe_is_written_to_where_somebody_reads_it(folder: Folder) -> None:
+    os.mkfifo("pipe")
+    with pytest.raises(UserError, match=r"^'pipe' cannot be written: it is a pipe that nobody reads$"):
+        write_file("pipe", "text", force=False)
+    text = "text" * 100_000  # more than a pipe holds
+    reader = subprocess.Popen([sys.executable, "-c", READER], stdout=subprocess.PIPE, text=True)
+    assert reader.stdout is not None
+    assert reader.stdout.readline() == "reading\n"
+    write_file("pipe", text, force=False)
+    assert reader.communicate(timeout=10)[0] == "400000\n"
 
 
 @pytest.mark.parametrize(

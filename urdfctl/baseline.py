@@ -12,6 +12,7 @@ from urdfctl.diagnostic import Diagnostic
 from urdfctl.errors import UserError
 from urdfctl.fingerprint import mark, message_from, path_from
 from urdfctl.record import NamedTuple
+from urdfctl.source.files import first_bytes
 
 _VERSION = 1
 _OURS = "UC000"
@@ -40,8 +41,7 @@ class Compared(NamedTuple):
 def read_baseline(path: str) -> list[Known]:
     """What a file knows. UserError where it is none."""
     try:
-        with open(path, "rb") as file:
-            text = file.read(_MOST_BYTES + 1)
+        text = first_bytes(path, _MOST_BYTES + 1)
     except FileNotFoundError:
         raise UserError(f"no such file: '{path}'; --write-baseline {path} makes it") from None
     except OSError as error:

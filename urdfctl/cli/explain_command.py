@@ -56,7 +56,7 @@ def _unknown(word: str) -> str:
     from urdfctl.rules import all_rules
 
     if os.sep in word or word.endswith((".log", ".txt")):
-        return f"no file '{word}'"
+        return f"'{word}' is no regular file" if os.path.exists(word) else f"no file '{word}'"
     known = [name for one in all_rules() for name in (one.code, one.name)]
     return f"no rule '{word}'{did_you_mean(word, known)}; see urdfctl rules"
 

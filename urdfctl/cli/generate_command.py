@@ -7,7 +7,7 @@ import re
 import shlex
 import sys
 from collections.abc import Iterable, Mapping
-from typing import Any, BinaryIO
+from typing import Any
 
 from urdfctl.catalog.catalog import catalog_with
 from urdfctl.cli.generate_again import words_that_made
@@ -27,7 +27,7 @@ from urdfctl.measure import facts_from
 from urdfctl.report.common import Report
 from urdfctl.report.text import render
 from urdfctl.settings import Settings
-from urdfctl.source.files import MAX_BYTES
+from urdfctl.source.files import MAX_BYTES, named_bytes
 from urdfctl.source.packages import package_name
 
 _LISTS = (".txt", ".csv", ".yaml", ".yml", ".list")
@@ -129,20 +129,13 @@ def _is_part(path: str) -> bool:
 def _text(path: str) -> str:
     try:
         if path == "-":
-            return _whole(sys.stdin.buffer, "standard input")
-        with open(path, "rb") as file:
-            return _whole(file, f"'{path}'")
-    except OSError as error:
-        raise UserError(f"'{path}' cannot be read: {error.strerror}") from None
+            data = sys.stdin.buffer.read(MAX_BYTES + 1)
+            if len(data) > MAX_BYTES:
+                raise UserError(f"standard input cannot be read: it is larger than {MAX_BYTES >> 20} MiB")
+            return data.decode("utf-8")
+        return named_bytes(path).decode("utf-8")
     except UnicodeDecodeError:
         raise UserError(f"'{path}' cannot be read: it is no UTF-8") from None
-
-
-def _whole(stream: BinaryIO, name: str) -> str:
-    data = stream.read(MAX_BYTES + 1)
-    if len(data) > MAX_BYTES:
-        raise UserError(f"{name} cannot be read: it is larger than {MAX_BYTES >> 20} MiB")
-    return data.decode("utf-8")
 
 
 def _options(command: str, given: Mapping[str, Any], settings: Settings, robot: RobotFacts | None) -> Options:

@@ -11,6 +11,7 @@ from urdfctl.cli.writing import is_in_the_way, print_text, write_file
 from urdfctl.errors import UserError
 from urdfctl.generate.options import File
 from urdfctl.record import NamedTuple
+from urdfctl.source.files import MAX_BYTES, first_bytes, named_bytes
 
 
 class Writing(NamedTuple):
@@ -52,7 +53,7 @@ def deliver(files: Sequence[File], writing: Writing, *, many: bool) -> int:
 
 def _insert(file: File, path: str, writing: Writing) -> int:
     """Put what is between the root's tags before the last `</robot>` of a file, whose other bytes stay as they are."""
-    before = _bytes(path)
+    before = named_bytes(path)
     line_end = "\r\n" if b"\r\n" in before else "\n"
     block = _block(file.text).replace("\n", line_end).encode("utf-8", "surrogateescape")
     if block in before:
@@ -77,14 +78,6 @@ def _block(text: str) -> str:
     return f"\n  {comment}\n{body}\n\n"
 
 
-def _bytes(path: str) -> bytes:
-    try:
-        with open(path, "rb") as file:
-            return file.read()
-    except OSError as error:
-        raise UserError(f"'{path}' cannot be read: {error.strerror}") from None
-
-
 def _make_folder(path: str) -> None:
     try:
         os.makedirs(path, exist_ok=True)
@@ -94,8 +87,7 @@ def _make_folder(path: str) -> None:
 
 def _there(path: str) -> str | None:
     try:
-        with open(path, encoding="utf-8", newline="") as file:
-            return file.read()
+        return first_bytes(path, MAX_BYTES).decode("utf-8")
     except (OSError, UnicodeDecodeError):
         return None
 

@@ -31,7 +31,7 @@ def configured(words: list[str] | None, config: str | None, workspace: str | Non
     if config is None:
         paths, _ = split_arguments(words or [])
         return with_environ(config_for(tuple(paths), workspace), os.environ)
-    if not os.path.isfile(config):
+    if not os.path.exists(config):
         raise UserError(f"no such file: '{config}'")
     return with_environ(config_of(config) or Config(config), os.environ)
 

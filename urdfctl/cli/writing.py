@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import errno
 import os
+import stat
 import sys
 
 from urdfctl.errors import UserError
@@ -47,7 +49,7 @@ def write_file(path: str, text: str, *, force: bool) -> None:
         raise UserError(f"'{path}' exists; --force overwrites it")
     try:
         if _is_device(path):
-            with open(path, "wb") as file:
+            with open(path, "wb", opener=_without_waiting) as file:
                 file.write(encoded(text))
             return
         _write_beside(os.path.realpath(path), encoded(text))
@@ -71,6 +73,20 @@ def replace_file(path: str, before: bytes, after: bytes) -> None:
 def _is_device(path: str) -> bool:
     """Whether a path is a device or a pipe, such as /dev/stdout."""
     return os.path.exists(path) and not os.path.isfile(path) and not os.path.isdir(path)
+
+
+def _without_waiting(path: str, flags: int) -> int:
+    """Open a device, or a pipe if somebody reads it."""
+    if sys.platform == "win32":
+        return os.open(path, flags)
+    try:
+        handle = os.open(path, flags | os.O_NONBLOCK)
+    except OSError as error:
+        if error.errno == errno.ENXIO and stat.S_ISFIFO(os.stat(path).st_mode):
+            raise OSError(error.errno, "it is a pipe that nobody reads") from None
+        raise
+    os.set_blocking(handle, True)
+    return handle
 
 
 def _write_beside(path: str, data: bytes) -> None:

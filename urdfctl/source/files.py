@@ -8,6 +8,7 @@ import stat
 from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
 
+from urdfctl.errors import UserError
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import Place, SourceText
 
@@ -124,6 +125,17 @@ def first_bytes(path: str, most: int) -> bytes:
         raise OSError(errno.EINVAL, "it is no regular file", path)
     with open(path, "rb") as file:
         return file.read(most)
+
+
+def named_bytes(path: str) -> bytes:
+    """The bytes of a file that the user names for something else than a robot. UserError where it cannot be read."""
+    try:
+        data = first_bytes(path, MAX_BYTES + 1)
+    except OSError as error:
+        raise UserError(f"'{path}' cannot be read: {error.strerror}") from None
+    if len(data) > MAX_BYTES:
+        raise UserError(f"'{path}' cannot be read: it is larger than {MAX_BYTES >> 20} MiB")
+    return data
 
 
 def read_error(problem: FileProblem, place: Place) -> ReadError:
