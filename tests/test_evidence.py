@@ -126,9 +126,9 @@ def test_else_it_is_the_one_that_the_plugins_of_control_are_made_for(
 
 def test_a_simulator_that_only_a_plugin_names_leaves_hardware_open() -> None:
     guessed = Project(None, simulator="gz", simulator_from="the plugin 'gz_ros2_control-system'")
-    assert (guessed.named_simulator, guessed.may_be_hardware) == (None, True)
+    assert guessed.named_simulator is None
     for source in ("--simulator", "urdfctl.toml", "$URDFCTL_SIMULATOR"):
-        assert not guessed._replace(simulator_from=source).may_be_hardware
+        assert guessed._replace(simulator_from=source).named_simulator == "gz"
 
 
 def test_the_form_of_the_controllers_files_tells_the_generation(folder: Folder) -> None:

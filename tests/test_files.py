@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from urdfctl.errors import UserError
-from urdfctl.source.files import MAX_BYTES, FileProblem, Files, named_bytes, read_error
+from urdfctl.source.files import MAX_BYTES, FileProblem, Files, named_bytes
 from urdfctl.source.problem import ProblemKind
 from urdfctl.source.span import Place, SourceText
 
@@ -142,5 +142,5 @@ def test_a_files_problem_is_blamed_on_who_asked_for_it(tmp_path: Path) -> None:
     place = Place(SourceText("r.xacro", b"<xacro:include/>"), 0)
     with pytest.raises(FileProblem) as raised:
         Files().read(str(tmp_path))
-    problem = read_error(raised.value, place).problem
+    problem = raised.value.at(place)
     assert (problem.at, problem.subject, problem.kind) == (place, str(tmp_path), ProblemKind.FILE_UNREADABLE)

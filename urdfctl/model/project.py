@@ -74,11 +74,6 @@ class Project(NamedTuple):
         """The simulator that the user names; None where only a plugin does: such a robot may be real all the same."""
         return None if (self.simulator_from or "").startswith("the plugin ") else self.simulator
 
-    @property
-    def may_be_hardware(self) -> bool:
-        """Whether real hardware may run it: the user names no simulator."""
-        return self.named_simulator in (None, "none")
-
     def of_kind(self, kind: ProblemKind) -> tuple[Problem, ...]:
         """The problems of a kind that reading met."""
         return tuple(problem for problem in self.problems if problem.kind is kind)

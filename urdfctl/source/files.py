@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
 
 from urdfctl.errors import UserError
-from urdfctl.source.problem import Problem, ProblemKind, ReadError
+from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import Place, SourceText
 
 MAX_BYTES = 16 << 20
@@ -136,8 +136,3 @@ def named_bytes(path: str) -> bytes:
     if len(data) > MAX_BYTES:
         raise UserError(f"'{path}' cannot be read: it is larger than {MAX_BYTES >> 20} MiB")
     return data
-
-
-def read_error(problem: FileProblem, place: Place) -> ReadError:
-    """A file's problem, blamed on a place, to be raised."""
-    return ReadError(problem.at(place))
