@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from urdfctl.catalog.additions import NO_ADDITIONS, Additions
 from urdfctl.catalog.distros import ALL, generation
-from urdfctl.catalog.entries import ControllerType, Parameter, Replacement
+from urdfctl.catalog.entries import NOTHING, ControllerType, Parameter, Replacement
 from urdfctl.catalog.reading import controller_type, distros_of, extension, in_distro, read_parameters, replacement_of
 from urdfctl.catalog.store import plain, renamed
 
@@ -35,8 +35,7 @@ class Catalog:
     def controller(self, name: str, distro: str) -> ControllerType | None:
         """A type of controller as a distro has it; None where it has it not."""
         if (name, distro) not in self._made:
-            entry = self._controller_entry(name, generation(distro))
-            self._made[name, distro] = controller_type(entry, distro) if entry else None
+            self._made[name, distro] = self._controller_type(name, distro)
         return self._made[name, distro]
 
     def known_types(self, distro: str) -> tuple[str, ...]:
@@ -162,6 +161,14 @@ class Catalog:
             {**self._controllers, **{entry["type"]: entry for entry in additions.controllers}},
             {**self._hardware, **{entry["type"]: entry for entry in additions.hardware}},
         )
+
+    def _controller_type(self, name: str, distro: str) -> ControllerType | None:
+        entry = self._controller_entry(name, generation(distro))
+        if entry is None:
+            return None
+        earlier = entry.get("same_as", NOTHING).get(distro)
+        made = self.controller(name, earlier) if earlier else controller_type(entry, distro)
+        return made._replace(distro=distro) if made and earlier else made
 
     def _controller_entries(self, ros: int) -> Iterator[tuple[str, Plain]]:
         for name in {**plain(ros, "controllers"), **self._controllers}:

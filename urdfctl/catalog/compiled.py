@@ -11,7 +11,9 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from urdfctl.catalog.reading import extension
+from urdfctl.catalog.distros import ROS1, ROS2
+from urdfctl.catalog.entries import ControllerType
+from urdfctl.catalog.reading import controller_type, extension
 
 DATA = Path(__file__).parent / "data"
 KINDS = ("controllers", "hardware", "simulators", "transmissions", "interfaces", "manager")
@@ -55,7 +57,23 @@ def _collected(folder: Path, kind: str) -> dict[str, Any]:
     if kind == "controllers":
         groups = _yaml(folder / "groups.yaml") if (folder / "groups.yaml").exists() else {}
         entries = {key: _whole(entry, entries, groups) for key, entry in entries.items() if not entry.get("base")}
-    return {key: _for_program(entry) for key, entry in sorted(entries.items())}
+    made = {key: _for_program(entry) for key, entry in sorted(entries.items())}
+    distros = ROS1 if folder.name == "ros1" else ROS2
+    return {key: _with_likes(entry, distros) for key, entry in made.items()} if kind == "controllers" else made
+
+
+def _with_likes(entry: dict[str, Any], distros: tuple[str, ...]) -> dict[str, Any]:
+    """An entry of a controller with the distros that have it just as an earlier one does, which `same_as` tells."""
+    first: list[ControllerType] = []
+    same: dict[str, str] = {}
+    for distro in distros:
+        made = controller_type(entry, distro)
+        earlier = next((one for one in first if made == one._replace(distro=distro)), None)
+        if earlier is not None:
+            same[distro] = earlier.distro
+        elif made is not None:
+            first.append(made)
+    return {**entry, "same_as": same} if same else entry
 
 
 def _log_messages() -> Iterator[tuple[str, dict[str, Any]]]:

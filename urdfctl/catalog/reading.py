@@ -30,15 +30,15 @@ def distros_of(entry: Plain, ros: int) -> tuple[str, ...]:
     return spanned(entry.get("distros", ".."), ros)
 
 
-def in_distro(entry: Plain, distro: str) -> dict[str, Any] | None:
+def in_distro(entry: Plain, distro: str) -> Plain | None:
     """An entry as one distro has it, its overrides applied; None where the distro has it not."""
     ros = generation(distro)
     if "distros" in entry and distro not in distros_of(entry, ros):
         return None
+    if "overrides" not in entry:
+        return entry
     own = dict(entry)
-    if "overrides" not in own:
-        return own
-    for span, changes in own.pop("overrides", NOTHING).items():
+    for span, changes in own.pop("overrides").items():
         if distro in spanned(span, ros):
             claims = {**own.get("claims", NOTHING), **changes.get("claims", NOTHING)}
             own |= changes
@@ -51,6 +51,7 @@ def extension(base: Plain, entry: Plain) -> dict[str, Any]:
     """An entry that extends another: its parameters go over the other's, its claims, exports and rules come on top."""
     own = {**base, **entry}
     own.pop("base", None)
+    own.pop("same_as", None)
     for key in _JOINED:
         own[key] = {**base.get(key, {}), **entry.get(key, {})}
     for key in ("claims", "exports"):

@@ -18,9 +18,10 @@ def type_problem(value: object, parameter: Parameter, distro: str) -> str | None
     ROS 1 takes integers as doubles and, rounded, doubles as integers; ROS 2 takes neither.
     """
     kinds = parameter.types
-    if any(_fits(value, kind, parameter, distro) for kind in kinds if kind in _WORDS):
-        return None
-    if not all(kind in _WORDS for kind in kinds) or not is_known(value):
+    for kind in kinds:
+        if kind not in _WORDS or _fits(value, kind, parameter, distro):
+            return None
+    if not is_known(value):
         return None
     wanted = " or ".join(_wanted(kind, parameter, distro) for kind in kinds)
     return f"must be {wanted}, not {said(value)}"

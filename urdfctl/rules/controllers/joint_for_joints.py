@@ -40,18 +40,21 @@ def joint_for_joints(project: Project) -> Iterator[Finding]:
 
 
 def _slip(reader: Reader) -> Iterator[Finding]:
-    meant = slips(reader)
-    needed = {lack.name for lack in missing(reader) if lack.refused}
     for parameter in unread(reader):
-        right = meant.get(parameter.name)
+        right = slips(reader).get(parameter.name) if _may_be_one(reader, parameter.name) else None
         if right is None or not is_number_slip(reader, parameter.name, right):
             continue
+        needed = {lack.name for lack in missing(reader) if lack.refused}
         kind = f"a {reader.type.type}" if reader.type else f"'{reader.name}'"
         wants_list = reader.known[right].type.endswith("_array") if right in reader.known else False
         form = "a list" if wants_list else "one name"
         message = f"{kind} reads no '{parameter.name}', but '{right}', {form}"
         severity = Severity.ERROR if right in needed else Severity.WARNING
         yield Finding(parameter.key, message, fix=_fix(parameter, right, wants_list=wants_list), severity=severity)
+
+
+def _may_be_one(reader: Reader, name: str) -> bool:
+    return any(is_number_slip(reader, name, other) for other in (f"{name}s", name.removesuffix("s")))
 
 
 def _fix(parameter: Parameter, right: str, *, wants_list: bool) -> Fix | None:

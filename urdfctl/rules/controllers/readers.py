@@ -48,6 +48,8 @@ def in_each_distro(project: Project, judge: Judge, *, newest: bool = False) -> I
     it, with a note that names those that do. Only what the `newest` of them gives too, where that is asked for."""
     for readers in readers_of(project):
         found: dict[Place, dict[str, Finding]] = {}
+        if newest and next(judge(readers[-1]), None) is None:
+            continue
         for reader in readers:
             for finding in judge(reader):
                 found.setdefault(finding.at, {}).setdefault(reader.distro, finding)
