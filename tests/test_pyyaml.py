@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import datetime as dt
 import re
 import sys
 
@@ -28,11 +29,15 @@ def test_its_reader_knows_what_is_printable_though_the_pattern_is_compiled_late(
 
 
 @pytest.mark.usefixtures("fresh")
-def test_other_patterns_are_patterns_and_re_is_left_as_it_was() -> None:
+def test_it_types_values_as_ever_and_leaves_re_as_it_was() -> None:
     before = re.compile
     yaml = pyyaml.load()
     assert re.compile is before
-    assert isinstance(yaml.constructor.SafeConstructor.timestamp_regexp, re.Pattern)
+    text = "{a: 0x1f, b: 1.5e+3, c: 2026-11-21, d: off, e: ~, f: 1e3, <<: {g: 12:30}}"
+    day = dt.date(2026, 11, 21)
+    known = {"a": 31, "b": 1500.0, "c": day, "d": False, "e": None, "f": "1e3", "g": 750}
+    assert yaml.load(text, yaml.SafeLoader) == known
+    assert yaml.safe_load(yaml.safe_dump(known)) == known
 
 
 def test_what_is_loaded_already_is_taken() -> None:

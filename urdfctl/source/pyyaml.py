@@ -1,16 +1,18 @@
-"""PyYAML, loaded without the dearest of its patterns.
+"""PyYAML, loaded without its patterns.
 
-While it is imported, its reader in pure Python compiles a class of all printable characters of Unicode, which takes as
-long as all else of the import. Where libyaml reads, nobody asks for that pattern: it is compiled when somebody does.
+While it is imported it compiles two dozen of them, one a class of all printable characters of Unicode, which takes as
+long as all else of the import. Where libyaml reads, nobody asks for most: they are compiled when somebody does.
 """
 
 from __future__ import annotations
 
 import re
 import sys
+from importlib import import_module
 from typing import Any
 
-_OF_UNICODE = "\ud7ff"
+_OF_PYTHON = ("base64", "binascii", "codecs", "datetime", "weakref")
+"""What PyYAML imports of others, whose patterns are to be what they are."""
 
 
 class _Later:
@@ -20,7 +22,8 @@ class _Later:
         self._arguments = arguments
 
     def __getattr__(self, name: str) -> Any:
-        return getattr(re.compile(*self._arguments), name)
+        found = self.__dict__[name] = getattr(re.compile(*self._arguments), name)
+        return found
 
 
 def load() -> Any:
@@ -28,13 +31,10 @@ def load() -> Any:
     known = sys.modules.get("yaml")
     if known is not None:
         return known
+    for name in _OF_PYTHON:
+        import_module(name)
     compiled = re.compile
-
-    def compile_later(pattern: Any, *flags: Any) -> Any:
-        of_unicode = isinstance(pattern, str) and _OF_UNICODE in pattern
-        return _Later(pattern, *flags) if of_unicode else compiled(pattern, *flags)
-
-    re.compile = compile_later  # type: ignore[assignment]
+    re.compile = _Later  # type: ignore[assignment]
     try:
         import yaml
     finally:
