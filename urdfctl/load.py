@@ -36,6 +36,11 @@ if TYPE_CHECKING:
     from urdfctl.launching import Launched
     from urdfctl.model.launch import Launch
     from urdfctl.pairing import Read
+    from urdfctl.sharing.assistant import Assistant
+
+
+_LARGE = 40
+"""A robot of so many links costs more to be pickled than to be parted from."""
 
 
 class Target(NamedTuple):
@@ -65,8 +70,9 @@ class Loader:
     def __init__(self, settings: Settings, selection: Selection, held: Mapping[str, bytes] | None = None) -> None:
         self.settings = settings
         self.selection = selection
-        self.in_two = False
-        """Whether a second process may help to lint a robot."""
+        self.may_part = False
+        """Whether a large robot may be linted by two processes."""
+        self.assistant: Assistant | None = None
         self._held = held or {}
         self._indexes: dict[str, PackageIndex] = {}
 
@@ -225,11 +231,16 @@ class Loader:
     def _outcome(
         self, project: Project, sources: Sequence[SourceText], reached: Callable[[SourceSpan], bool]
     ) -> Outcome:
-        if not self.in_two:
-            return lint(project, sources, self.selection, reached=reached)
-        from urdfctl.in_two import lint_in_two
+        large = project.robot is not None and len(project.robot.links) >= _LARGE
+        if self.may_part and large:
+            from urdfctl.sharing.parted import lint_parted
 
-        return lint_in_two(project, sources, self.selection, reached)
+            return lint_parted(project, sources, self.selection, reached)
+        if self.assistant is not None and not large:
+            from urdfctl.sharing.assistant import lint_assisted
+
+            return lint_assisted(self.assistant, project, sources, self.selection, reached)
+        return lint(project, sources, self.selection, reached=reached)
 
 
 def _of_files(read: Read | None, launch: Launch | None) -> OfFiles | None:
@@ -326,10 +337,18 @@ def lint_all(
     jobs = [job_for(target, settings, selection) for target in targets]
     limits = Limits(settings.timeout, settings.memory, settings.environ)
     parallel = parallel or processors()
-    loader.in_two = CAN_FORK and len(targets) == 1 < parallel
-    results = run(jobs, partial(_perform_with, loader), limits, parallel, fresh="urdfctl.load:perform", together=16)
-    for target, result in zip(targets, results, strict=True):
-        yield linted_from_json(result) if isinstance(result, dict) else dead(target, settings, result)
+    loader.may_part = CAN_FORK and len(targets) == 1 < parallel
+    if loader.may_part and (targets[0].controllers or targets[0].launch):
+        from urdfctl.sharing.assistant import hire
+
+        loader.assistant = hire(limits)
+    try:
+        results = run(jobs, partial(_perform_with, loader), limits, parallel, fresh="urdfctl.load:perform", together=16)
+        for target, result in zip(targets, results, strict=True):
+            yield linted_from_json(result) if isinstance(result, dict) else dead(target, settings, result)
+    finally:
+        if loader.assistant is not None:
+            loader.assistant.dismiss()
 
 
 def shared_loader(targets: Sequence[Target], settings: Settings, selection: Selection) -> Loader:

@@ -131,7 +131,7 @@ class _Pool:
             os.close(reading)
             status = 1
             try:
-                _restrict(self.limits)
+                restrict(self.limits)
                 _work([self.jobs[number] for number in numbers], self.perform, self.limits, writing)
                 status = 0
             finally:
@@ -205,13 +205,14 @@ def _work(jobs: Sequence[Json], perform: Callable[[Json], Json], limits: Limits,
 
     at_start = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     for job in jobs:
-        _start_clock(limits)
+        start_clock(limits)
         _write(pipe, _performed(job, perform) + b"\n")
         if resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - at_start > MOST_GROWTH:
             return
 
 
-def _start_clock(limits: Limits) -> None:
+def start_clock(limits: Limits) -> None:
+    """Let this process have no more than so much time from now on; past it OverBudget is raised."""
     import resource
 
     _limit(resource.RLIMIT_CPU, int(time.process_time() + limits.seconds + GRACE) + 1)
@@ -262,7 +263,8 @@ def _write(pipe: int, text: bytes) -> None:
         view = view[os.write(pipe, view) :]
 
 
-def _restrict(limits: Limits) -> None:
+def restrict(limits: Limits) -> None:
+    """Take from this process what a worker has no need of: memory, and most of the environment."""
     import resource
 
     gc.disable()  # a worker lives for milliseconds; the memory limit holds all the same

@@ -1,0 +1,113 @@
+"""A robot with controllers: a second process loads what judges controllers while the first one expands the robot.
+
+It is a worker with the limits of any other. From the first worker it gets the project, pickled, and tells its findings
+as JSON. What it does not live to tell, the first one finds for itself.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from urdfctl.lint import Outcome, Selection
+from urdfctl.model.project import Project
+from urdfctl.record import NamedTuple
+from urdfctl.rules import FAMILIES
+from urdfctl.sharing.part import Part
+from urdfctl.source.span import SourceSpan, SourceText
+from urdfctl.source.suppressions import Suppressed
+from urdfctl.worker import Limits, restrict, start_clock
+
+_ITS_OWN = tuple(number for number, family in enumerate(FAMILIES) if family.prefix in ("UC4", "UC7"))
+_OTHERS = tuple(number for number in range(len(FAMILIES)) if number not in _ITS_OWN)
+
+
+class Assistant(NamedTuple):
+    """The process, and the pipes to it and from it."""
+
+    pid: int
+    asking: int
+    hearing: int
+
+    def dismiss(self) -> None:
+        """End it, whatever it does."""
+        os.kill(self.pid, signal.SIGKILL)
+        os.waitpid(self.pid, 0)
+        os.close(self.asking)
+        os.close(self.hearing)
+
+
+def hire(limits: Limits) -> Assistant:
+    """Start an assistant, which gets ready and waits for a project."""
+    waiting, asking = os.pipe()
+    hearing, telling = os.pipe()
+    pid = os.fork()
+    if pid == 0:  # pragma: no cover (in the other process; `assist` is tested here)
+        try:
+            os.close(asking)
+            os.close(hearing)
+            restrict(limits)
+            start_clock(limits)
+            assist(waiting, telling)
+        finally:
+            os._exit(0)
+    os.close(waiting)
+    os.close(telling)
+    return Assistant(pid, asking, hearing)
+
+
+def assist(waiting: int, telling: int) -> None:
+    """Get ready; then judge the controllers of the project that comes, and tell of it."""
+    from _pickle import loads
+
+    get_ready()
+    with os.fdopen(waiting, "rb") as asked, os.fdopen(telling, "wb") as answer:
+        size = int(asked.readline())
+        project, sources, selection = loads(asked.read(size))
+        part = Part(project, Suppressed(sources), selection)
+        part.work(_ITS_OWN)
+        answer.write(part.told())
+
+
+def get_ready() -> None:
+    """Load what will be needed."""
+    import urdfctl.pairing  # noqa: F401
+    from urdfctl.catalog.store import prepare
+
+    for number in _ITS_OWN:
+        FAMILIES[number].load()
+    prepare()
+
+
+def lint_assisted(
+    assistant: Assistant,
+    project: Project,
+    sources: Sequence[SourceText],
+    selection: Selection,
+    reached: Callable[[SourceSpan], bool],
+) -> Outcome:
+    """What `lint` gives, with an assistant's help."""
+    suppressed = Suppressed(list(sources))
+    part = Part(project, suppressed, selection)
+    asked = _ask(assistant, (project, list(sources), selection))
+    part.work(_OTHERS)
+    if asked:
+        with os.fdopen(assistant.hearing, "rb", closefd=False) as answer:
+            part.learn(answer.read())
+    part.work_on_what_is_left()
+    return part.outcome(reached)
+
+
+def _ask(assistant: Assistant, what: Any) -> bool:
+    """Whether the assistant could be told what to do: it may be gone, and a tree may be too deep to be pickled."""
+    from _pickle import dumps
+
+    try:
+        text = dumps(what, 5)
+        with os.fdopen(assistant.asking, "wb", closefd=False) as asking:
+            asking.write(b"%d\n%b" % (len(text), text))
+    except (RecursionError, OSError):
+        return False
+    return True
