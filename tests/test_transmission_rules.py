@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from arm import Robot, notes
+from folder import Folder
 
 SOUND = """
     <transmission name="elbow_trans">
@@ -268,6 +269,58 @@ def test_a_link_in_the_place_of_a_joint_is_told_of(robot: Robot) -> None:
     assert "'fore' is a link; a transmission drives a joint" in notes(found)
     assert "the joint that moves this link is 'elbow'" in notes(found)
     assert "is a link" in notes(robot.only("UC206", SOUND.replace('"elbow"', '"base"')))
+
+
+OTHER_ARM = """\
+<robot xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="drives" params="arm">
+    <xacro:property name="hardware" value="hardware_interface/EffortJointInterface"/>
+    LINK
+    <transmission name="t1">
+      <type>transmission_interface/SimpleTransmission</type>
+      <joint name="${arm}_axis_1"><hardwareInterface>${hardware}</hardwareInterface></joint>
+      <actuator name="m1"><mechanicalReduction>1</mechanicalReduction></actuator>
+    </transmission>
+    <transmission name="t2">
+      <type>transmission_interface/SimpleTransmission</type>
+      <joint name="SECOND"><hardwareInterface>${hardware}</hardwareInterface></joint>
+      <actuator name="m2"><mechanicalReduction>1</mechanicalReduction></actuator>
+    </transmission>
+  </xacro:macro>
+</robot>
+"""
+CALLING = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:include filename="drives.xacro"/>
+  <link name="base"/><link name="upper"/>
+  <joint name="elbow" type="continuous">
+    <parent link="base"/><child link="upper"/><axis xyz="0 0 1"/>
+  </joint>
+  <xacro:drives arm="other"/>
+</robot>
+"""
+
+
+def told_of_calls(folder: Folder, second: str = "${arm}_axis_2", link: str = "") -> list[str]:
+    folder.write({"drives.xacro": OTHER_ARM.replace("SECOND", second).replace("LINK", link), "robot.xacro": CALLING})
+    said = folder.run("lint", "robot.xacro", "--select", "UC206", "--format", "concise").stdout
+    return said.splitlines()
+
+
+def test_a_macro_for_another_robot_is_told_once_where_it_is_called(folder: Folder) -> None:
+    none = "and this robot has none of them"
+    assert told_of_calls(folder) == [
+        f"robot.xacro:7:3: error UC206 macro 'drives' drives 'other_axis_1' and 'other_axis_2', {none}",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("second", "link"), [("elbow", ""), ("elbo", ""), ("other_axis_2", '<link name="${arm}_tool"/>')]
+)
+def test_a_macro_that_fits_the_robot_in_part_is_told_where_it_does_not(second: str, link: str, folder: Folder) -> None:
+    assert [said.partition(":")[0] for said in told_of_calls(folder, second, link) if "UC206" in said] == [
+        "drives.xacro" for name in ("other_axis_1", second) if name != "elbow"
+    ]
 
 
 def test_an_unknown_joint_is_no_finding_where_a_part_of_the_robot_is_missing(robot: Robot) -> None:

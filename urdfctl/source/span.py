@@ -156,6 +156,11 @@ class Call:
         tag = self.source.start_tag(self.offset)
         return SourceSpan(self.source, self.offset, tag.end if tag else self.offset)
 
+    @property
+    def at(self) -> Place:
+        """The place of the call, and the calls that led to it."""
+        return Place(self.source, self.offset, self.parent)
+
 
 class Place:
     """Where an element, an attribute or a text stands in the source the user wrote, and the calls that led to it."""

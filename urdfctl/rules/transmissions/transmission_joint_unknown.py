@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from urdfctl.catalog.distros import ROS1
-from urdfctl.model.robot import Robot
+from urdfctl.model.robot import Joint, Robot
+from urdfctl.model.transmission import Transmission, TransmissionEnd
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.transmissions.common import in_gazebo, in_place_of_name, joints_by_name, known_joints
+from urdfctl.rules.transmissions.wrong_calls import WrongCall, macro_call, wrong_calls
+from urdfctl.source.span import Call
 from urdfctl.suggest import nearest
 
 
@@ -49,21 +52,36 @@ def transmission_joint_unknown(project: Project) -> Iterator[Finding]:
     """A transmission names a joint that the robot does not have.
 
     Gazebo's hardware simulation stops there, and there is no controller manager at all. Real hardware offers a
-    joint that is in no joint state and no controller's list, and lacks the one that was meant.
+    joint that is in no joint state and no controller's list, and lacks the one that was meant. Where a macro of another
+    file names several joints and none is like one of the robot's, the macro is that of another robot: its call is told.
     """
     robot = project.robot
     if robot is None or not robot.joints:
         return
     severity = Severity.ERROR if in_gazebo(project) else Severity.WARNING
     known = joints_by_name(project)
-    for transmission, joint, name in known_joints(project):
-        if name in known:
+    named = list(known_joints(project))
+    if all(name in known for _, _, name in named):
+        return
+    wrong = _wrong_calls(robot, named, known)
+    for call in wrong.values():
+        yield call.finding._replace(severity=severity)
+    for transmission, joint, name in named:
+        if name in known or macro_call(joint.at) in wrong:
             continue
         right = nearest(name, known)
         reason = f"; did you mean '{right}'?" if right else ", and none of the robot's is like it"
         message = f"unknown joint '{name}' in {transmission.label}{reason}"
         fix = Fix(f"write '{right}'", in_place_of_name(joint.at, name, right)) if right else None
         yield Finding(joint.at["name"], message, tuple(_links(robot, name)), fix, severity)
+
+
+def _wrong_calls(
+    robot: Robot, named: list[tuple[Transmission, TransmissionEnd, str]], known: Mapping[str, Joint]
+) -> dict[Call | None, WrongCall]:
+    """The calls of macros whose transmissions are those of another robot."""
+    places = ((joint.at["name"], name) for _, joint, name in named)
+    return wrong_calls(robot, places, lambda name: name in known or nearest(name, known) is not None)
 
 
 def _links(robot: Robot, name: str) -> Iterator[Note]:
