@@ -98,3 +98,67 @@ def test_a_configuration_outside_of_the_workspace_is_not_read(folder: Folder) ->
     settings = Settings(workspace=str(folder.path / "in"))
     linted = Loader(settings, Selection()).lint(Target("in/ros2_controllers.yaml"))
     assert [path.rpartition("/")[2] for path in linted.files] == ["ros2_controllers.yaml"]
+
+
+# -- ROS 1 ------------------------------------------------------------------------------------------------------------
+
+GRIPPER = """\
+<robot name="r">
+  <link name="base"/><link name="left"/><link name="right"/>
+  <joint name="l_gripper_finger_joint" type="continuous"><parent link="base"/><child link="left"/></joint>
+  <joint name="r_gripper_finger_joint" type="continuous"><parent link="base"/><child link="right"/></joint>
+</robot>
+"""
+DEMO = """\
+<launch>
+  <param name="robot_description" textfile="$(find arm)/gripper.urdf"/>
+  <group ns="robot_description_planning">
+    <rosparam command="load" file="$(find arm)/joint_limits.yaml"/>
+  </group>
+  <group ns="move_group">
+    <rosparam command="load" file="$(find arm)/fake_controllers.yaml"/>
+  </group>
+</launch>
+"""
+
+
+def told_by_demo(folder: Folder, lists: str = "", limits: str = "") -> list[str]:
+    manifest = '<package format="2"><name>arm</name><buildtool_depend>catkin</buildtool_depend></package>'
+    folder.write({"package.xml": manifest, "gripper.urdf": GRIPPER, "demo.launch": DEMO})
+    folder.write({"fake_controllers.yaml": lists, "joint_limits.yaml": limits})
+    linted = Loader(Settings(), Selection(("UC654",))).lint(Target("demo.launch"))
+    return [one.message for one in linted.outcome.diagnostics]
+
+
+def test_joints_that_a_list_for_moveit_misspells_are_told(folder: Folder) -> None:
+    lists = "controller_list: [{name: hand, joints: [l_gripper_joint, r_gripper_joint]}]"
+    absent = "and the robot has no such joint; did you mean"
+    assert told_by_demo(folder, lists) == [
+        f"'l_gripper_joint' is listed for 'hand', {absent} 'l_gripper_finger_joint'?",
+        f"'r_gripper_joint' is listed for 'hand', {absent} 'r_gripper_finger_joint'?",
+    ]
+    limits = "joint_limits: {l_gripper_joint: {max_velocity: 1}, tool: {max_velocity: 1}}"
+    assert told_by_demo(folder, "", limits) == [
+        f"'l_gripper_joint' has limits for MoveIt, {absent} 'l_gripper_finger_joint'?"
+    ]
+
+
+@pytest.mark.parametrize(
+    "lists",
+    [
+        "controller_list: [{name: hand, joints: [l_gripper_finger_joint]}, {name: tool, joints: [drill]}]",
+        "controller_list: [{name: hand, joints: ['$(arg side)_gripper_finger_joint', l_gripper_finger_joint]}]",
+        "controller_list: [{joints: 1}, 2]",
+        "controller_list: x",
+        "[controller_list]",
+        "",
+    ],
+)
+def test_lists_for_moveit_that_fit_the_robot_or_are_of_other_parts_say_nothing(folder: Folder, lists: str) -> None:
+    assert told_by_demo(folder, lists) == []
+
+
+def test_the_limits_that_controllers_of_ros_1_are_given_are_none_of_moveits(folder: Folder) -> None:
+    folder.write({"gripper.urdf": GRIPPER, "limits.yaml": "joint_limits: {l_gripper_joint: {max_velocity: 1}}"})
+    linted = Loader(Settings(), Selection(("UC654",))).lint(Target("gripper.urdf", controllers=("limits.yaml",)))
+    assert linted.outcome.diagnostics == []

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from collections.abc import Sequence as Several
 
 from urdfctl.model.build_controllers import Loaded, controllers_of, form_of
-from urdfctl.model.controllers import Controllers, FileReference, MoveItController
+from urdfctl.model.controllers import Controllers, FileReference, MoveItController, MoveItList
 from urdfctl.model.launch import Launch
 from urdfctl.model.robot import Robot
 from urdfctl.record import NamedTuple
@@ -19,6 +19,7 @@ from urdfctl.source.yaml import Mapping, Scalar, Sequence, YamlFile, read_yaml
 
 _MOST_BYTES_WITH_TABS = 1 << 20
 _OF_MOVEIT, _MOVEIT = "ros2_controllers.yaml", "moveit_controllers.yaml"
+_LISTED = ("controller_list", "joint_limits")
 _NOT_TOLD = (ProblemKind.FILE_NOT_FOUND, ProblemKind.OUTSIDE_WORKSPACE)
 """A file that something names and that is not there is a fact of what names it; rules tell it."""
 
@@ -32,6 +33,7 @@ class Read(NamedTuple):
     problems: tuple[Problem, ...]
     whole: bool = True
     moveit: tuple[MoveItController, ...] = ()
+    moveit_lists: tuple[MoveItList, ...] = ()
 
     @property
     def form(self) -> int | None:
@@ -42,7 +44,7 @@ class Read(NamedTuple):
     def model(self, ros: int | None, started: Several[str] | None) -> Controllers:
         """What the files say to a generation of ROS."""
         made = controllers_of(self.files, ros, started, self.references)
-        return made._replace(whole=self.whole, moveit=self.moveit)
+        return made._replace(whole=self.whole, moveit=self.moveit, moveit_lists=self.moveit_lists)
 
 
 def read_controllers(paths: Iterable[str], robot: Robot | None, launch: Launch | None, files: Files) -> Read | None:
@@ -86,8 +88,8 @@ class _Reader:
     def read(self) -> Read | None:
         used = {loaded.yaml.source.path for loaded in self._loaded}
         problems = [p for path, tree in self._trees.items() if path in used for p in tree.problems]
-        moveit = tuple(self._moveit(used))
-        found = Read(tuple(self._loaded), tuple(self._references), (*self._problems, *problems), self.whole, moveit)
+        told = tuple(self._moveit(used)), tuple(self._moveit_lists())
+        found = Read(tuple(self._loaded), tuple(self._references), (*self._problems, *problems), self.whole, *told)
         return found if found.files or found.references or found.problems or not self.whole else None
 
     def _moveit(self, used: Iterable[str]) -> Iterator[MoveItController]:
@@ -101,6 +103,14 @@ class _Reader:
                     yield from moveit_controllers(self._tree(path))
                 except FileProblem:
                     continue
+
+    def _moveit_lists(self) -> Iterator[MoveItList]:
+        """What the files that are loaded tell ROS 1's MoveIt; each once, though several nodes may load it."""
+        for loaded in {loaded.yaml.source.path: loaded for loaded in self._loaded}.values():
+            if any(isinstance(one, Mapping) and any(map(one.get, _LISTED)) for one in loaded.yaml.documents):
+                from urdfctl.model.moveit import moveit_lists
+
+                yield from moveit_lists(loaded.yaml, loaded.namespace)
 
     def named(self, path: str) -> None:
         """A file that the user names: it has to be there."""

@@ -155,6 +155,14 @@ class MoveItController(NamedTuple):
     first: Place | None
 
 
+class MoveItList(NamedTuple):
+    """The joints that ROS 1's MoveIt is told of: those of a controller in `controller_list`, or, where that is None,
+    those that have limits for planning."""
+
+    controller: str | None
+    joints: tuple[Key, ...]
+
+
 class FileReference(NamedTuple):
     """A controllers' file that something names: `path` is where it lies, None where only the running system can tell;
     `exists` whether a file is there, None where nobody looked."""
@@ -185,7 +193,7 @@ class Controllers(NamedTuple):
     `others` are sections that no manager and no controller of these files reads: other nodes, other settings, or a name
     that is misspelt. `references` are the files that the robot itself or a launch file names. Not `whole`: other files
     may be loaded too, by a launch file whose conditions are not known. `moveit` are those that MoveIt, configured
-    beside one of the files, sends trajectories to.
+    beside one of the files, sends trajectories to; `moveit_lists` what ROS 1's is told of joints.
     """
 
     files: tuple[ControllersFile, ...]
@@ -195,6 +203,7 @@ class Controllers(NamedTuple):
     references: tuple[FileReference, ...] = ()
     whole: bool = True
     moveit: tuple[MoveItController, ...] = ()
+    moveit_lists: tuple[MoveItList, ...] = ()
 
     @property
     def complete(self) -> bool:

@@ -1,8 +1,9 @@
-"""The controllers that MoveIt sends trajectories to, as moveit_controllers.yaml of ROS 2 describes them."""
+"""The controllers that MoveIt sends trajectories to, as moveit_controllers.yaml of ROS 2 describes them, and the joints
+that ROS 1's files list."""
 
 from __future__ import annotations
 
-from urdfctl.model.controllers import Key, MoveItController
+from urdfctl.model.controllers import Key, MoveItController, MoveItList
 from urdfctl.source.yaml import Mapping, Node, Scalar, Sequence, YamlFile
 
 _MANAGER = "moveit_simple_controller_manager"
@@ -17,6 +18,25 @@ def moveit_controllers(file: YamlFile) -> tuple[MoveItController, ...]:
     if not isinstance(inner, Mapping) or not isinstance(names, Sequence):
         return ()
     return tuple(_described(item, inner) for item in names.items if isinstance(item, Scalar))
+
+
+def moveit_lists(file: YamlFile, namespace: str) -> tuple[MoveItList, ...]:
+    """The lists of joints in a file that is loaded into a namespace: of the simple or the fake controller manager, and
+    the limits of `robot_description_planning`."""
+    document = file.documents[0] if file.documents else None
+    if not isinstance(document, Mapping):
+        return ()
+    listed = document.get("controller_list")
+    controllers = [item for item in listed.items if isinstance(item, Mapping)] if isinstance(listed, Sequence) else []
+    found = [MoveItList(_text(one.get("name")), tuple(_keys(one.get("joints")))) for one in controllers]
+    limits = document.get("joint_limits") if namespace.endswith("_planning") else None
+    if isinstance(limits, Mapping):
+        found.append(MoveItList(None, tuple(Key(entry.key.text, entry.key.at) for entry in limits.entries)))
+    return tuple(found)
+
+
+def _text(node: Node | None) -> str:
+    return node.text if isinstance(node, Scalar) else ""
 
 
 def _described(name: Scalar, inner: Mapping) -> MoveItController:

@@ -127,6 +127,11 @@ def _may_move_on(project: Project) -> bool:
     return controlled or project.controllers is not None or _is_simulated(project)
 
 
+def _has_moveit(project: Project) -> bool:
+    found = project.controllers
+    return found is not None and bool(found.moveit or found.moveit_lists)
+
+
 FAMILIES = (
     Family("UC0", _reading, lambda project: bool(project.problems)),
     Family("UC1", _urdf, lambda project: project.robot is not None),
@@ -136,7 +141,7 @@ FAMILIES = (
     Family("UC4", _claims, lambda project: project.controllers is not None),
     Family("UC5", _simulation, _is_simulated),
     Family("UC6", _launch, lambda project: project.launch is not None or bool(project.listed)),
-    Family("UC6", _moveit, lambda project: bool(project.controllers and project.controllers.moveit)),
+    Family("UC6", _moveit, _has_moveit),
     Family("UC7", _migration, _may_move_on),
     Family("UC9", _smoke, lambda _: False),
 )
