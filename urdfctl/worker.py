@@ -97,7 +97,8 @@ class _Worker:
         self.deadline = time.monotonic() + self.limits.seconds + GRACE
 
     def kill(self) -> None:
-        os.kill(self.pid, signal.SIGKILL)
+        if sys.platform != "win32":
+            os.kill(self.pid, signal.SIGKILL)
         self.reap()
 
     def reap(self) -> int:
@@ -123,6 +124,8 @@ class _Pool:
             self.active[worker.pipe] = worker
 
     def _fork(self, numbers: range) -> _Worker:
+        if sys.platform == "win32":
+            raise NotImplementedError
         sys.stdout.flush()
         sys.stderr.flush()
         reading, writing = os.pipe()
@@ -201,6 +204,8 @@ class _Pool:
 
 def _work(jobs: Sequence[Json], perform: Callable[[Json], Json], limits: Limits, pipe: int) -> None:
     """Do one job after the other, a result on each line, until so much memory is used that a new worker is better."""
+    if sys.platform == "win32":
+        raise NotImplementedError
     import resource
 
     at_start = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
@@ -213,6 +218,8 @@ def _work(jobs: Sequence[Json], perform: Callable[[Json], Json], limits: Limits,
 
 def start_clock(limits: Limits) -> None:
     """Let this process have no more than so much time from now on; past it OverBudget is raised."""
+    if sys.platform == "win32":
+        raise NotImplementedError
     import resource
 
     _limit(resource.RLIMIT_CPU, int(time.process_time() + limits.seconds + GRACE) + 1)
@@ -220,6 +227,8 @@ def start_clock(limits: Limits) -> None:
 
 
 def _limit(kind: int, wanted: int) -> None:
+    if sys.platform == "win32":
+        raise NotImplementedError
     import resource
 
     hard = resource.getrlimit(kind)[1]
@@ -253,7 +262,7 @@ def _death(why: str, *, ours: bool) -> bytes:
 
 def _disarm() -> None:
     """Let no alarm cut short what is being told."""
-    if CAN_FORK:
+    if sys.platform != "win32":
         signal.setitimer(signal.ITIMER_REAL, 0)
 
 
@@ -265,6 +274,8 @@ def _write(pipe: int, text: bytes) -> None:
 
 def restrict(limits: Limits) -> None:
     """Take from this process what a worker has no need of: memory, and most of the environment."""
+    if sys.platform == "win32":
+        raise NotImplementedError
     import resource
 
     gc.disable()  # a worker lives for milliseconds; the memory limit holds all the same
@@ -285,9 +296,10 @@ def _too_late(seconds: float) -> Callable[[int, FrameType | None], None]:
 
 
 def _death_of(status: int) -> Died:
-    if -status in (signal.SIGXCPU, signal.SIGKILL):
+    ended_by = signal.Signals(-status).name if status < 0 else ""
+    if ended_by in {"SIGXCPU", "SIGKILL"}:
         return Died("it uses more time or memory than a robot needs")
-    how = f"was ended by {signal.Signals(-status).name}" if status < 0 else f"ended with status {status}"
+    how = f"was ended by {ended_by}" if ended_by else f"ended with status {status}"
     return Died(f"the worker {how} and gave no result", ours=True)
 
 

@@ -108,11 +108,13 @@ def _write_beside(path: str, data: bytes) -> None:
 
 def _keep_owner(path: str, temporary: str) -> None:
     """Give a file the owner of the one that it will replace, where we may."""
+    if sys.platform == "win32":
+        return
     try:
         old, new = os.stat(path), os.stat(temporary)
         if (old.st_uid, old.st_gid) != (new.st_uid, new.st_gid):
             os.chown(temporary, old.st_uid, old.st_gid)
-    except (OSError, AttributeError):  # there is none yet, it is not ours to give, or Windows
+    except OSError:  # there is none yet, or it is not ours to give
         return
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import signal
+import sys
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -19,6 +20,9 @@ from urdfctl.sharing.part import Part
 from urdfctl.source.span import SourceSpan, SourceText
 from urdfctl.source.suppressions import Suppressed
 from urdfctl.worker import Limits, restrict, start_clock
+
+if sys.platform == "win32":
+    raise NotImplementedError
 
 _ITS_OWN = tuple(number for number, family in enumerate(FAMILIES) if family.prefix in ("UC4", "UC7"))
 _OTHERS = tuple(number for number in range(len(FAMILIES)) if number not in _ITS_OWN)

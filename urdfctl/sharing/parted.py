@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import signal
+import sys
 from collections.abc import Callable, Iterator, Sequence
 
 from urdfctl.lint import Outcome, Selection
@@ -16,6 +17,9 @@ from urdfctl.rules import FAMILIES
 from urdfctl.sharing.part import Part
 from urdfctl.source.span import SourceSpan, SourceText
 from urdfctl.source.suppressions import Suppressed
+
+if sys.platform == "win32":
+    raise NotImplementedError
 
 _LONGEST_FIRST = ("UC4", "UC1", "UC5", "UC2", "UC3")
 
