@@ -196,3 +196,29 @@ def test_an_interrupted_generator_ends_quietly(folder: Folder) -> None:
     out, err = process.communicate(timeout=10)
     assert (process.returncode, out) == (130, "")
     assert "Traceback" not in err
+
+
+@needs_posix
+@pytest.mark.parametrize(
+    ("words", "status", "told"),
+    [
+        ("lint settings/a.urdf", 2, "settings/urdfctl.toml: unknown key '\\x1b[31mred'"),
+        (f"gen-controllers names {GEN}", 2, "which robot? names/\\x1b[31m.urdf, names/b.urdf"),
+        ("gen-check made", 0, "'made/c.yaml' is passed over: there is no \\x1b[31mred.urdf"),
+        ("smoke made/\x1b[31m", 2, "no such file or folder: 'made/\\x1b[31m'"),
+    ],
+)
+def test_what_files_and_their_names_hold_is_shown_and_not_obeyed(
+    folder: Folder, words: str, status: int, told: str
+) -> None:
+    folder.write(
+        {
+            "settings/a.urdf": ARM,
+            "settings/urdfctl.toml": '"\\u001b[31mred" = 1\n',
+            "names/\x1b[31m.urdf": ARM,
+            "names/b.urdf": ARM,
+            "made/c.yaml": "# made by urdfctl gen-controllers \x1b[31mred.urdf --type effort\n",
+        }
+    )
+    ran = folder.run(*words.split(" "))
+    assert (ran.returncode, ran.stderr) == (status, f"urdfctl: {told}\n")

@@ -10,7 +10,7 @@ import sys
 import pytest
 from folder import Folder
 
-from urdfctl.cli.writing import encoded, write_file
+from urdfctl.cli.writing import encoded, tell, write_file
 from urdfctl.errors import UserError
 
 READER = """
@@ -108,3 +108,8 @@ def test_nothing_is_left_where_writing_fails(folder: Folder, monkeypatch: pytest
 def test_bytes_of_file_names_that_are_no_text_stay_as_they_are() -> None:
     assert encoded("a\udcffb") == b"a\xffb"
     assert encoded("a\ud800b") == b"a\\ud800b"
+
+
+def test_a_line_on_standard_error_is_one_whatever_it_holds(capsys: pytest.CaptureFixture[str]) -> None:
+    tell("no such file: 'a\n\x1b[31m'")
+    assert capsys.readouterr().err == "urdfctl: no such file: 'a\\n\\x1b[31m'\n"

@@ -15,7 +15,9 @@ def main() -> None:
     try:
         status = _run(sys.argv[1:])
     except UserError as error:
-        sys.stderr.write(f"urdfctl: {error}\n")
+        from urdfctl.cli.writing import tell
+
+        tell(str(error))
         status = 2
     except BrokenPipeError:  # `urdfctl lint | head`
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterable
 
 from urdfctl.cli.patch import patch
 from urdfctl.cli.wanted import Fixing, Wanted, found_in
-from urdfctl.cli.writing import print_bytes, replace_file
+from urdfctl.cli.writing import print_bytes, replace_file, tell
 from urdfctl.errors import UserError
 from urdfctl.fix.rounds import Change, Wishes, fixed
 from urdfctl.lint import Linted
 from urdfctl.load import Target
 from urdfctl.record import NamedTuple
-from urdfctl.report.common import said, visible
+from urdfctl.report.common import said
 from urdfctl.settings import Settings
 
 
@@ -57,4 +56,4 @@ def _is_written(change: Change) -> bool:
 
 def _tell(lines: Iterable[str]) -> None:
     for line in lines:
-        sys.stderr.write(f"urdfctl: {visible(said(line))}\n")
+        tell(said(line))

@@ -5,11 +5,11 @@ from __future__ import annotations
 import os
 import re
 import shlex
-import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from itertools import takewhile
 
+from urdfctl.cli.writing import tell
 from urdfctl.discover import check_readable
 from urdfctl.errors import UserError
 from urdfctl.record import NamedTuple
@@ -103,7 +103,7 @@ def _origin(file: str, words: tuple[str, ...]) -> Origin | None:
     if asked or home is None or "-" in read:
         why = f"its command has {asked}" if asked else f"there is no {' '.join(read)}"
         why = "it was made from standard input" if "-" in read else why
-        sys.stderr.write(f"urdfctl: '{file}' is passed over: {why}\n")
+        tell(f"'{file}' is passed over: {why}")
         return None
     if words[0] != "gen-all":
         return Origin(os.path.abspath(file), words, os.path.abspath(home))

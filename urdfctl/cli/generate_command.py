@@ -13,7 +13,7 @@ from urdfctl.catalog.catalog import catalog_with
 from urdfctl.cli.generate_again import words_that_made
 from urdfctl.cli.generate_writing import Writing, deliver
 from urdfctl.cli.words import configured, settings_from, split_arguments
-from urdfctl.cli.writing import print_text
+from urdfctl.cli.writing import print_text, tell
 from urdfctl.discover import find
 from urdfctl.errors import UserError
 from urdfctl.generate.choice import chosen, stuck
@@ -77,10 +77,10 @@ def run_generate(command: str, given: Mapping[str, Any]) -> int:
     if not joints and command != "gen-gazebo":
         raise UserError(_no_joints(robot))
     if command == "gen-all" and robot and not robot.package:
-        sys.stderr.write(f"urdfctl: '{robot.file}' is in no package, so that no installed file finds it\n")
+        tell(f"'{robot.file}' is in no package, so that no installed file finds it")
     passed_over = stuck(robot, joints) if robot and not (listed or given.get("joints")) else ()
     if passed_over:
-        sys.stderr.write(f"urdfctl: left out, for their limits hold them fast: {', '.join(passed_over)} (--joint)\n")
+        tell(f"left out, for their limits hold them fast: {', '.join(passed_over)} (--joint)")
     order = Order(joints, options, catalog_with(settings.additions), robot or NO_ROBOT, Templates(given["templates"]))
     writing = Writing(given["output"], given["force"], given["diff"], given["check"], given.get("into"))
     return deliver(files(command, order), writing, many=command == "gen-all")
@@ -142,7 +142,7 @@ def _options(command: str, given: Mapping[str, Any], settings: Settings, robot: 
     distro = settings.distro or (robot.distro if robot else None) or settings.environ.get("ROS_DISTRO")
     if not distro:
         distro = _DEFAULT_DISTRO[robot.ros if robot else None]
-        sys.stderr.write(f"urdfctl: no distro is told; {distro} is taken (--distro)\n")
+        tell(f"no distro is told; {distro} is taken (--distro)")
     simulator = settings.simulator or (robot.simulator if robot else None) or "none"
     defaults = Options(distro)
     states = given.get("state")

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import os
-import sys
 from collections.abc import Collection
 
 from urdfctl.baseline import Known, compared, read_baseline, written
-from urdfctl.cli.writing import write_file
+from urdfctl.cli.writing import tell, write_file
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.lint import Selection
 from urdfctl.record import NamedTuple
@@ -26,7 +25,7 @@ class Baseline(NamedTuple):
         if self.to_write is not None:
             write_file(self.to_write, written(findings, self.to_write), force=True)
             known = read_baseline(self.to_write)
-            sys.stderr.write(f"urdfctl: {_counted(known)} written to '{self.to_write}'\n")
+            tell(f"{_counted(known)} written to '{self.to_write}'")
             return compared(findings, known, self.to_write, lambda *_: False).new
         if self.path is None:
             return findings
@@ -37,7 +36,7 @@ class Baseline(NamedTuple):
         told = compared(findings, self.known, self.path, looked_at)
         if told.gone:
             what = f"{_counted(told.gone)} known in '{self.path}'"
-            sys.stderr.write(f"urdfctl: gone: {what}; --write-baseline {self.path} forgets what is gone\n")
+            tell(f"gone: {what}; --write-baseline {self.path} forgets what is gone")
         return told.new
 
 

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from urdfctl.cli.looking import found_by, targets_of
 from urdfctl.cli.progress import watched
 from urdfctl.cli.words import split_arguments
-from urdfctl.cli.writing import print_text, write_file
+from urdfctl.cli.writing import print_text, tell, write_file
 from urdfctl.config import Config
 from urdfctl.errors import UserError
 from urdfctl.lint import Selection, joined, worst
@@ -57,7 +57,7 @@ def run_smoke(asked: Asked, settings: Settings) -> int:
     results = smoke_all(targets, settings, asked.wanted, asked.jobs or None, chosen)
     smoked = list(watched(results, len(targets), "testing"))
     if not smoked:
-        sys.stderr.write(f"urdfctl: no robot found in {', '.join(paths) or 'this folder'}\n")
+        tell(f"no robot found in {', '.join(paths) or 'this folder'}")
     outcomes = [one.linted.outcome for one in smoked]
     findings = [one for one in joined(outcomes, Selection()) if not asked.config.ignores(one.at.file, one.code)]
     report = report_of(smoked, findings)

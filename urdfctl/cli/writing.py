@@ -27,6 +27,13 @@ def print_bytes(data: bytes) -> None:
         raise UserError(f"standard output cannot be written: {error.strerror}") from None
 
 
+def tell(line: str) -> None:
+    """Say a line on standard error. What a stranger's files and their names hold is shown there, not obeyed."""
+    from urdfctl.report.common import visible
+
+    sys.stderr.write(f"urdfctl: {visible(line)}\n")
+
+
 def encoded(text: str) -> bytes:
     """A text as UTF-8; the bytes of file names that are none stay as they are."""
     try:
