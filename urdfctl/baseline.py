@@ -6,11 +6,11 @@ import json
 import os
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
-from typing import Any
 
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.errors import UserError
 from urdfctl.fingerprint import mark, message_from, path_from
+from urdfctl.hints import Any
 from urdfctl.record import NamedTuple
 from urdfctl.source.files import first_bytes
 

@@ -6,10 +6,10 @@ import os
 import re
 import sys
 from collections.abc import Iterable, Iterator, Mapping
-from typing import Any
 
 from urdfctl.catalog.additions import NO_ADDITIONS, Additions, flaws_of_meaning
 from urdfctl.errors import UserError
+from urdfctl.hints import Any
 from urdfctl.record import NamedTuple
 from urdfctl.source.files import first_bytes
 from urdfctl.variants import ConfiguredRobot, robots_of

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import Any
 
 from urdfctl.diagnostic import Diagnostic
+from urdfctl.hints import Any
 from urdfctl.lint import Selection, lint
 from urdfctl.load import Loader, Target, dead
 from urdfctl.model.project import Project

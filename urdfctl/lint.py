@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
-from typing import Any
 
 from urdfctl.catalog.distros import in_words
 from urdfctl.diagnostic import Diagnostic, Finding, Location, Note, Remark, Severity, diagnosed, located
 from urdfctl.errors import UserError
+from urdfctl.hints import Any
 from urdfctl.model.project import Project
 from urdfctl.record import NamedTuple
 from urdfctl.rule import Rule

@@ -6,10 +6,10 @@ import gc
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Any
 
 from urdfctl.diagnostic import Finding, diagnosed
 from urdfctl.evidence import Evidence, OfFiles, ament_package, judged
+from urdfctl.hints import TYPE_CHECKING, Any
 from urdfctl.lint import Linted, Outcome, Selection, lint
 from urdfctl.meshes import mesh_finder
 from urdfctl.model.build_robot import TOP_LEVEL, robot_of

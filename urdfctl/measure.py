@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import Any
 
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.evidence import judged
 from urdfctl.generate.facts import RobotFacts
 from urdfctl.generate.survey import facts_of
+from urdfctl.hints import Any
 from urdfctl.lint import Selection, lint
 from urdfctl.load import Loader, Target, dead, expansion_of
 from urdfctl.model.build_robot import robot_of

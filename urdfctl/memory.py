@@ -4,10 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import wraps
-from typing import TypeVar
 
-_Asked = TypeVar("_Asked")
-_Seen = TypeVar("_Seen")
+from urdfctl.hints import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from typing import TypeVar
+
+    _Asked = TypeVar("_Asked")
+    _Seen = TypeVar("_Seen")
+
 _MOST = 256
 
 

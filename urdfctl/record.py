@@ -8,7 +8,8 @@ under names of their own. Type checkers see typing's.
 from __future__ import annotations
 
 import functools
-from typing import TYPE_CHECKING, Any
+
+from urdfctl.hints import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from typing import NamedTuple as NamedTuple  # noqa: PLC0414 (so that it is exported)

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Replacement, Severity, Step
+from urdfctl.hints import Any
 from urdfctl.lint import Linted, Outcome, SuppressionUse
 
 

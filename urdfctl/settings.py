@@ -5,11 +5,11 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import Any
 
 from urdfctl.catalog.additions import NO_ADDITIONS, Additions
 from urdfctl.catalog.distros import ALL, SIMULATORS
 from urdfctl.errors import UserError
+from urdfctl.hints import Any
 from urdfctl.record import NamedTuple
 from urdfctl.suggest import did_you_mean
 

@@ -6,9 +6,9 @@ import os
 from collections.abc import Iterator, Mapping
 from itertools import product
 from math import prod
-from typing import Any
 
 from urdfctl.errors import UserError
+from urdfctl.hints import Any
 from urdfctl.record import NamedTuple
 from urdfctl.suggest import nearest_path
 

@@ -15,8 +15,8 @@ import sys
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from types import FrameType
-from typing import Any
 
+from urdfctl.hints import Any
 from urdfctl.record import NamedTuple
 from urdfctl.source.budget import OverBudget
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Any
 
+from urdfctl.hints import Any
 from urdfctl.record import NamedTuple
 from urdfctl.suggest import did_you_mean
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from functools import cache
-from typing import TYPE_CHECKING, Any
 
 from urdfctl.catalog.additions import NO_ADDITIONS, Additions
 from urdfctl.catalog.distros import ALL, generation
 from urdfctl.catalog.entries import NOTHING, ControllerType, Parameter, Replacement
 from urdfctl.catalog.reading import controller_type, distros_of, extension, in_distro, read_parameters, replacement_of
 from urdfctl.catalog.store import plain, renamed
+from urdfctl.hints import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from urdfctl.catalog.hardware import HardwareInterface, HardwareType, SimulatorPlugin, TransmissionType

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any, TypeVar
 
 from urdfctl.catalog.distros import generation, spanned
 from urdfctl.catalog.entries import (
@@ -18,9 +17,14 @@ from urdfctl.catalog.entries import (
     ParameterRule,
     Replacement,
 )
+from urdfctl.hints import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from typing import TypeVar
+
+    Made = TypeVar("Made")
 
 Plain = Mapping[str, Any]
-Made = TypeVar("Made")
 _JOINED = ("parameters", "removed_parameters")
 _RULE_KEYS = ("id", "kind", "param", "params", "severity", "when", "when_any", "distros")
 

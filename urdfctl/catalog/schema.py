@@ -7,9 +7,9 @@ import os
 import re
 from collections.abc import Iterator, Mapping
 from functools import lru_cache
-from typing import Any
 
 from urdfctl.catalog.distros import ALL, spanned
+from urdfctl.hints import Any
 from urdfctl.record import NamedTuple
 from urdfctl.suggest import did_you_mean
 

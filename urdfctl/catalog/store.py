@@ -5,7 +5,8 @@ from __future__ import annotations
 import json
 import os
 from functools import cache, lru_cache
-from typing import Any
+
+from urdfctl.hints import Any
 
 _FOLDER = os.path.join(os.path.dirname(__file__), "data")
 

@@ -7,7 +7,6 @@ import re
 import shlex
 import sys
 from collections.abc import Iterable, Mapping
-from typing import Any
 
 from urdfctl.catalog.catalog import catalog_with
 from urdfctl.cli.generate_again import words_that_made
@@ -23,6 +22,7 @@ from urdfctl.generate.joint_list import joints_listed
 from urdfctl.generate.options import Options, Roles
 from urdfctl.generate.scalars import xacro_text
 from urdfctl.generate.templates import Templates, template_names
+from urdfctl.hints import Any
 from urdfctl.measure import facts_from
 from urdfctl.report.common import Report
 from urdfctl.report.text import render

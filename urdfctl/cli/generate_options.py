@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Callable
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 from typer.core import TyperCommand
@@ -21,6 +21,7 @@ from urdfctl.cli.options import (
     Trust,
     Workspace,
 )
+from urdfctl.hints import Any
 
 _Words = Annotated[
     list[str] | None,

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import sys
-from typing import TYPE_CHECKING
 
 from urdfctl.cli.looking import LookedAt, found_by, look_at
 from urdfctl.cli.wanted import Fixing, Wanted, found_in
@@ -13,6 +12,7 @@ from urdfctl.cli.writing import print_text, write_file
 from urdfctl.config import Config
 from urdfctl.diagnostic import Severity
 from urdfctl.errors import UserError
+from urdfctl.hints import TYPE_CHECKING
 from urdfctl.lint import Selection, worst
 from urdfctl.lint import checked as checked_selection
 from urdfctl.report import FORMATS, render

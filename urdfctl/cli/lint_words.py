@@ -7,7 +7,8 @@ typer says what is to be said. A test keeps this table and typer's options the s
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any
+
+from urdfctl.hints import Any
 
 ONE: dict[str, Callable[[str], Any]] = {
     "--distro": str,

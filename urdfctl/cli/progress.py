@@ -5,9 +5,14 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterator
-from typing import TypeVar
 
-Result = TypeVar("Result")
+from urdfctl.hints import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from typing import TypeVar
+
+    Result = TypeVar("Result")
+
 
 SHOWN_FROM = 20
 """Fewer robots are linted before the bar could be read."""

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
 
 from urdfctl.config import Config
 from urdfctl.diagnostic import Diagnostic, Severity
+from urdfctl.hints import TYPE_CHECKING
 from urdfctl.lint import Linted, Selection, joined
 from urdfctl.record import NamedTuple
 

@@ -9,9 +9,9 @@ from __future__ import annotations
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import zip_longest
-from typing import TYPE_CHECKING
 
 from urdfctl.fix.edits import Shift, Splice
+from urdfctl.hints import TYPE_CHECKING
 from urdfctl.record import NamedTuple
 from urdfctl.source.dom import COMMENT, Element, Text
 from urdfctl.source.files import is_yaml

@@ -6,12 +6,12 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
-from typing import Any
 
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.fix.edits import Splice, Taken, edited
 from urdfctl.fix.files import EditableFiles
 from urdfctl.fix.trial import Verdict, perform_with, splices_of, texts
+from urdfctl.hints import Any
 from urdfctl.lint import Linted, Selection
 from urdfctl.load import Target, job_for, shared_loader
 from urdfctl.record import NamedTuple

@@ -6,11 +6,11 @@ from __future__ import annotations
 import os
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
 
 from urdfctl.diagnostic import Diagnostic, Step
 from urdfctl.fix.comparison import EditedFile, edited_file, same_file, same_tree
 from urdfctl.fix.edits import Splice
+from urdfctl.hints import Any
 from urdfctl.lint import Linted
 from urdfctl.load import Loader, Seen, loader_of, target_of
 from urdfctl.record import NamedTuple

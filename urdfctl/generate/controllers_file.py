@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 from urdfctl.generate.bringup import spawner, takes_param_file
 from urdfctl.generate.options import File, Options
@@ -12,6 +11,7 @@ from urdfctl.generate.scalars import one_line
 from urdfctl.generate.settings import lines_of
 from urdfctl.generate.templates import Templates
 from urdfctl.generate.values import TODO, reference
+from urdfctl.hints import Any
 
 
 def controllers_file(made: Sequence[Controller], options: Options, templates: Templates, title: str = "") -> File:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
+from urdfctl.hints import Any
 from urdfctl.record import NamedTuple
 
 Vector = tuple[float, float, float]

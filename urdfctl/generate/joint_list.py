@@ -5,10 +5,10 @@ from __future__ import annotations
 import csv
 import re
 from collections.abc import Iterable, Mapping
-from typing import Any
 
 from urdfctl.errors import UserError
 from urdfctl.generate.facts import JointFacts
+from urdfctl.hints import Any
 from urdfctl.suggest import did_you_mean
 
 _NUMBERS = ("lower", "upper", "effort", "velocity", "reduction", "radius", "inertia")

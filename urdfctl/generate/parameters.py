@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import Any
 
 from urdfctl.catalog.entries import ControllerType
 from urdfctl.catalog.map_parameters import expected
@@ -18,6 +17,7 @@ from urdfctl.generate.least import checked, least_settings
 from urdfctl.generate.recipes import recipe_of
 from urdfctl.generate.settings import Setting
 from urdfctl.generate.values import Left, Task, answer, gains
+from urdfctl.hints import Any
 from urdfctl.record import NamedTuple
 
 _PLACEHOLDER = re.compile(r"<([^<>]+)>")

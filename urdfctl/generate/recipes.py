@@ -6,12 +6,12 @@ import os
 import re
 from collections.abc import Mapping, Sequence
 from functools import cache
-from typing import Any
 
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.entries import ControllerType
 from urdfctl.errors import UserError
 from urdfctl.generate.options import Options
+from urdfctl.hints import Any
 from urdfctl.record import NamedTuple
 from urdfctl.suggest import did_you_mean
 

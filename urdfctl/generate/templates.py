@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING
 
 from urdfctl.errors import UserError
 from urdfctl.generate.scalars import one_line, python_text, xacro_text, xml_comment, xml_text, yaml_text
+from urdfctl.hints import TYPE_CHECKING
 
 if TYPE_CHECKING:
     import jinja2

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from urdfctl.catalog.additions import NO_ADDITIONS, Additions
 from urdfctl.catalog.distros import ALL
+from urdfctl.hints import TYPE_CHECKING
 from urdfctl.model.robot import Robot
 from urdfctl.record import NamedTuple
 from urdfctl.source.influence import Influence, no_influence

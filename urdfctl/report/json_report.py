@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from urdfctl import __version__
 from urdfctl.diagnostic import Diagnostic, Repair, Severity
+from urdfctl.hints import Any
 from urdfctl.report.common import Report, as_json, is_robot, relative, shown
 
 

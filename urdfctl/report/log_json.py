@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import json
-from typing import Any
 
 from urdfctl import __version__
+from urdfctl.hints import Any
 from urdfctl.logs.digest import Digest, Known, Unknown
 from urdfctl.logs.pattern import filled
 from urdfctl.report.log_next import next_commands

@@ -10,12 +10,12 @@ import os
 import re
 from collections.abc import Sequence
 from functools import lru_cache
-from typing import Any
 from urllib.parse import quote
 
 from urdfctl import __version__
 from urdfctl.diagnostic import Diagnostic, Location, Repair, Severity, Step
 from urdfctl.fingerprint import fingerprints
+from urdfctl.hints import Any
 from urdfctl.report.common import Report, as_json, as_text, relative
 from urdfctl.report.words import notes
 from urdfctl.rule import Rule

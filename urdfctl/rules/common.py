@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable
 from functools import wraps
-from typing import TypeVar
 
+from urdfctl.hints import TYPE_CHECKING
 from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Robot
 from urdfctl.rule import Edit, Fix, Project, Severity
@@ -14,11 +14,15 @@ from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place, SourceSpan
 from urdfctl.suggest import enumerated, nearest
 
+if TYPE_CHECKING:
+    from typing import TypeVar
+
+    _Asked = TypeVar("_Asked")
+    _Seen = TypeVar("_Seen")
+
 _MOST_COMPARED = 20
 _CUT_OUT = rb"<xacro:(?!if\b|unless\b|property\b|arg\b)"
 _CONDITION = rb"<xacro:(if|unless)\b"
-_Asked = TypeVar("_Asked")
-_Seen = TypeVar("_Seen")
 
 
 def once_for_each(function: Callable[[_Asked], _Seen]) -> Callable[[_Asked], _Seen]:

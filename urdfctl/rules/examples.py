@@ -9,8 +9,8 @@ from __future__ import annotations
 import re
 import textwrap
 from collections.abc import Iterable, Mapping
-from typing import Any
 
+from urdfctl.hints import Any
 from urdfctl.record import NamedTuple
 from urdfctl.rule import Rule
 from urdfctl.source.files import is_launch, is_yaml

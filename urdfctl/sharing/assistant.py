@@ -10,8 +10,8 @@ import os
 import signal
 import sys
 from collections.abc import Callable, Sequence
-from typing import Any
 
+from urdfctl.hints import Any
 from urdfctl.lint import Outcome, Selection
 from urdfctl.model.project import Project
 from urdfctl.record import NamedTuple

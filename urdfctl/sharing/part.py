@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterable, Iterator
-from typing import Any
 
 from urdfctl.diagnostic import Diagnostic
+from urdfctl.hints import Any
 from urdfctl.lint import Found, Outcome, Selection, found_by, outcome_of
 from urdfctl.model.project import Project
 from urdfctl.rules import FAMILIES

@@ -6,9 +6,9 @@ import os
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
-from typing import Any
 
 from urdfctl.diagnostic import Diagnostic
+from urdfctl.hints import Any
 from urdfctl.lint import Selection
 from urdfctl.load import Loader, Target, dead, shared_loader, target_of
 from urdfctl.record import NamedTuple

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Mapping
-from typing import Any
 
+from urdfctl.hints import Any
 from urdfctl.model.parts import Number, Tag
 from urdfctl.model.robot import Joint, Link, Robot
 from urdfctl.record import NamedTuple

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any
 
 from urdfctl.diagnostic import Diagnostic
+from urdfctl.hints import Any
 from urdfctl.record import NamedTuple
 from urdfctl.report import render
 from urdfctl.report.common import Report, as_json, shown, visible

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from enum import Enum
-from typing import Any
 
+from urdfctl.hints import Any
 from urdfctl.lint import Linted
 from urdfctl.record import NamedTuple
 

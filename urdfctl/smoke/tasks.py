@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from enum import Enum
-from typing import Any
 
 from urdfctl.catalog.values import elements, is_known
 from urdfctl.control.session import Configured
 from urdfctl.control.values import Values
+from urdfctl.hints import Any
 from urdfctl.record import NamedTuple
 
 

@@ -15,10 +15,10 @@ import sys
 from functools import lru_cache
 from importlib.machinery import SourceFileLoader
 from types import CodeType, ModuleType, SimpleNamespace
-from typing import Any
 from xml.dom import Node, NotFoundErr
 
 from urdfctl.errors import UserError
+from urdfctl.hints import Any
 
 KNOWN_VERSIONS = "2.1.0 and 2.1.1"
 REQUIRED = (

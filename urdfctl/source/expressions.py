@@ -13,8 +13,8 @@ from collections.abc import Iterator
 from functools import lru_cache
 from keyword import iskeyword
 from types import CodeType
-from typing import Any
 
+from urdfctl.hints import Any
 from urdfctl.source.guards import MOST_PLACES, ForbiddenExpression, check_places
 
 __all__ = ["OPERATORS", "ForbiddenExpression", "compile_checked", "plain_path"]

@@ -7,8 +7,8 @@ import math
 import re
 from collections.abc import Callable, Iterable
 from types import ModuleType
-from typing import Any
 
+from urdfctl.hints import Any
 from urdfctl.source.opaque import Opaque
 
 MOST_PLACES = 10_000

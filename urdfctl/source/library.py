@@ -4,8 +4,8 @@ fragment, whose undefined names are not known either."""
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any
 
+from urdfctl.hints import Any
 from urdfctl.source.dom import Document, Element, Node
 from urdfctl.source.expressions import ForbiddenExpression
 from urdfctl.source.leftovers import leftovers, unused_arguments

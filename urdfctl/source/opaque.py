@@ -7,7 +7,12 @@ rule can claim anything that depends on it.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any, NoReturn
+
+from urdfctl.hints import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from typing import NoReturn
+
 
 UNKNOWN = "\ue000"
 """Stands in a text for a value that could not be worked out; no rule may claim anything of such a text."""

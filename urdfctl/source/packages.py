@@ -9,8 +9,8 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING
 
+from urdfctl.hints import TYPE_CHECKING
 from urdfctl.source.files import first_bytes
 
 if TYPE_CHECKING:

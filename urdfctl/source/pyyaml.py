@@ -9,7 +9,8 @@ from __future__ import annotations
 import re
 import sys
 from importlib import import_module
-from typing import Any
+
+from urdfctl.hints import Any
 
 _OF_PYTHON = ("base64", "binascii", "codecs", "datetime", "weakref")
 """What PyYAML imports of others, whose patterns are to be what they are."""

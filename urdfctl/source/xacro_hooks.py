@@ -10,8 +10,8 @@ from collections.abc import Callable
 from functools import lru_cache, partial, reduce
 from operator import getitem
 from types import FunctionType, ModuleType, SimpleNamespace
-from typing import TYPE_CHECKING, Any
 
+from urdfctl.hints import TYPE_CHECKING, Any
 from urdfctl.source import engine, guards
 from urdfctl.source.expressions import OPERATORS, compile_checked, plain_path
 from urdfctl.source.files import Files

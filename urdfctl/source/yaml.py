@@ -8,8 +8,8 @@ the C library's own composer, and a few aliases of aliases stand for more than a
 from __future__ import annotations
 
 import re
-from typing import Any
 
+from urdfctl.hints import Any
 from urdfctl.record import NamedTuple
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.pyyaml import yaml

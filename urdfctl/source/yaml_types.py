@@ -9,8 +9,8 @@ from __future__ import annotations
 import math
 import re
 from functools import lru_cache
-from typing import Any
 
+from urdfctl.hints import Any
 from urdfctl.record import NamedTuple
 from urdfctl.source.kinds import Kind
 from urdfctl.source.pyyaml import yaml

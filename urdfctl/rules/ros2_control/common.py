@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Container, Iterable, Iterator
-from typing import TYPE_CHECKING
 
 from urdfctl.catalog.distros import ROS2, since, until
+from urdfctl.hints import TYPE_CHECKING
 from urdfctl.model.parts import Tag, Text
 from urdfctl.model.ros2_control import Interface, Parameter, Part, Ros2Control
 from urdfctl.rule import Edit, Fix, Note, Project

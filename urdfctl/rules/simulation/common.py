@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfctl.catalog.distros import ROS1, ROS2
 from urdfctl.catalog.hardware import PluginChild, SimulatorPlugin, library_of
+from urdfctl.hints import TYPE_CHECKING
 from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Plugin
 from urdfctl.model.ros2_control import Ros2Control

@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 import tempfile
 import time
-from typing import Any
 
+from urdfctl.hints import Any
 from urdfctl.smoke.engines import GRIPS, SLIDES, STEP, Refused, Setup, Standing
 
 MOST_JOINTS = 127

@@ -7,8 +7,8 @@ weight on it carried, as far as its effort goes.
 from __future__ import annotations
 
 import math
-from typing import Any
 
+from urdfctl.hints import Any
 from urdfctl.smoke.engines import GRIPS, SLIDES, STEP, Refused, Setup, Standing
 from urdfctl.smoke.prepare import quoted
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import ast
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
 
+from urdfctl.hints import TYPE_CHECKING, Any
 from urdfctl.source.launch.operations import binary, compared, item_of, method, shown, text_at, truth
 from urdfctl.source.launch.terms import (
     MOST_ITEMS,
