@@ -20,7 +20,7 @@ from urdfctl.rule import Finding, Project, rule
 from urdfctl.rules import FAMILIES
 from urdfctl.serialise import outcome_to_json
 from urdfctl.settings import Settings
-from urdfctl.sharing.assistant import assist, hire
+from urdfctl.sharing.assistant import Assistant, assist
 from urdfctl.source.budget import OverBudget
 from urdfctl.source.span import SourceText
 from urdfctl.worker import Limits
@@ -99,8 +99,10 @@ def test_no_process_is_left_behind(target: Target) -> None:
 def with_assistant(target: Target, treat: Callable[[int], None] = lambda _: None) -> Outcome:
     """What this process finds with an assistant to whom something is done before it is asked."""
     loader = Loader(Settings(environ={}), Selection())
-    loader.assistant = hire(LIMITS)
+    loader.assistant = Assistant(LIMITS)
     try:
+        loader.assistant.start()
+        assert loader.assistant.pid
         treat(loader.assistant.pid)
         return loader.lint(target).outcome
     finally:

@@ -330,20 +330,31 @@ _PREPARED_FROM = 12
 
 
 def lint_all(
-    targets: Sequence[Target], settings: Settings, selection: Selection, parallel: int | None = None
+    targets: Sequence[Target],
+    settings: Settings,
+    selection: Selection,
+    parallel: int | None = None,
+    meanwhile: Callable[[], object] = lambda: None,
 ) -> Iterator[Linted]:
-    """The findings of each target, in their order, each from a limited worker."""
+    """The findings of each target, in their order, each from a limited worker. `meanwhile` is called then."""
     loader = shared_loader(targets, settings, selection)
     jobs = [job_for(target, settings, selection) for target in targets]
     limits = Limits(settings.timeout, settings.memory, settings.environ)
     parallel = parallel or processors()
     loader.may_part = CAN_FORK and len(targets) == 1 < parallel
     if loader.may_part and (targets[0].controllers or targets[0].launch):
-        from urdfctl.sharing.assistant import hire
+        from urdfctl.sharing.assistant import Assistant
 
-        loader.assistant = hire(limits)
+        loader.assistant = Assistant(limits)
+    perform_job = partial(_perform_with, loader)
+
+    def also() -> None:
+        if loader.assistant is not None:
+            loader.assistant.start()
+        meanwhile()
+
     try:
-        results = run(jobs, partial(_perform_with, loader), limits, parallel, fresh="urdfctl.load:perform", together=16)
+        results = run(jobs, perform_job, limits, parallel, fresh="urdfctl.load:perform", together=16, meanwhile=also)
         for target, result in zip(targets, results, strict=True):
             yield linted_from_json(result) if isinstance(result, dict) else dead(target, settings, result)
     finally:

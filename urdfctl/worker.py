@@ -62,10 +62,12 @@ def run(
     *,
     fresh: str,
     together: int = 1,
+    meanwhile: Callable[[], object] = lambda: None,
 ) -> Iterator[Result]:
     """The result of each job, in their order; as many at once as `parallel` says. `fresh` names what performs a job in
     a process that knows nothing of this one: `package.module:function`. A worker may do up to `together` jobs, one
-    after the other, each within the limits; what one of them does not survive is tried again in a worker of its own."""
+    after the other, each within the limits; what one of them does not survive is tried again in a worker of its own.
+    `meanwhile` is called when the first workers are at work."""
     if not CAN_FORK:
         yield from _run_all_fresh(jobs, limits, parallel, fresh)
         return
@@ -75,6 +77,8 @@ def run(
         jobs, perform, limits, [range(start, min(start + size, len(jobs))) for start in range(0, len(jobs), size)]
     )
     try:
+        pool.fill(at_once)
+        meanwhile()
         for wanted in range(len(jobs)):
             while wanted not in pool.results:
                 pool.fill(at_once)

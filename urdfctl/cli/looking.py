@@ -52,7 +52,7 @@ def look_at(found: Found, arguments: tuple[tuple[str, str], ...], settings: Sett
     """What the words mean, linted."""
 
     def linted(targets: list[Target]) -> Iterator[tuple[Target, Linted]]:
-        found = lint_all(targets, settings, wanted.selection, wanted.jobs or None)
+        found = lint_all(targets, settings, wanted.selection, wanted.jobs or None, wanted.prepare_to_tell)
         return zip(targets, watched(found, len(targets)), strict=True)
 
     told_of = wanted.config.robots

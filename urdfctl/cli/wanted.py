@@ -9,6 +9,7 @@ from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.hints import TYPE_CHECKING
 from urdfctl.lint import Linted, Selection, joined
 from urdfctl.record import NamedTuple
+from urdfctl.report import module_of
 
 if TYPE_CHECKING:
     from urdfctl.cli.known_findings import Baseline
@@ -36,6 +37,11 @@ class Wanted(NamedTuple):
     statistics: bool = False
     fixing: Fixing | None = None
     shard: Shard | None = None
+
+    def prepare_to_tell(self) -> None:
+        """Load what will tell of the findings."""
+        for name, _ in self.outputs:
+            module_of(name)
 
 
 def found_in(linted: Iterable[Linted], wanted: Wanted) -> list[Diagnostic]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from importlib import import_module
+from types import ModuleType
 
 from urdfctl.report.common import Report
 
@@ -20,7 +21,12 @@ _MODULES = {
 FORMATS = tuple(_MODULES)
 
 
+def module_of(name: str) -> ModuleType:
+    """What writes one of the forms, loaded when it is asked for."""
+    return import_module(f"{__name__}.{_MODULES[name]}")
+
+
 def render(report: Report, name: str) -> str:
-    """A report in one of the forms, whose module is loaded when it is asked for."""
-    written: Callable[[Report], str] = import_module(f"{__name__}.{_MODULES[name]}").render
+    """A report in one of the forms."""
+    written: Callable[[Report], str] = module_of(name).render
     return written(report)

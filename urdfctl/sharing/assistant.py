@@ -14,7 +14,6 @@ from collections.abc import Callable, Sequence
 from urdfctl.hints import Any
 from urdfctl.lint import Outcome, Selection
 from urdfctl.model.project import Project
-from urdfctl.record import NamedTuple
 from urdfctl.rules import FAMILIES
 from urdfctl.sharing.part import Part
 from urdfctl.source.span import SourceSpan, SourceText
@@ -28,38 +27,47 @@ _ITS_OWN = tuple(number for number, family in enumerate(FAMILIES) if family.pref
 _OTHERS = tuple(number for number in range(len(FAMILIES)) if number not in _ITS_OWN)
 
 
-class Assistant(NamedTuple):
-    """The process, and the pipes to it and from it."""
+class Assistant:
+    """The process, and the pipes to it and from it. They are there before it is, for the first worker to know them."""
 
-    pid: int
-    asking: int
-    hearing: int
+    def __init__(self, limits: Limits) -> None:
+        self._limits = limits
+        waiting, self.asking = os.pipe()
+        self.hearing, telling = os.pipe()
+        self._of_answering: tuple[int, ...] = (waiting, telling)
+        self.pid: int | None = None
 
-    def dismiss(self) -> None:
-        """End it, whatever it does."""
-        os.kill(self.pid, signal.SIGKILL)
-        os.waitpid(self.pid, 0)
+    def start(self) -> None:
+        """Let it get ready and wait for a project."""
+        self.pid = os.fork()
+        if self.pid == 0:  # pragma: no cover (in the other process; `assist` is tested here)
+            try:
+                self.leave_asking()
+                restrict(self._limits)
+                start_clock(self._limits)
+                assist(*self._of_answering)
+            finally:
+                os._exit(0)
+        self.leave_answering()
+
+    def leave_asking(self) -> None:
+        """Close the ends of who asks: a pipe comes to its end when nobody else holds it open."""
         os.close(self.asking)
         os.close(self.hearing)
 
+    def leave_answering(self) -> None:
+        """Close the ends of who answers, if that is not done."""
+        for end in self._of_answering:
+            os.close(end)
+        self._of_answering = ()
 
-def hire(limits: Limits) -> Assistant:
-    """Start an assistant, which gets ready and waits for a project."""
-    waiting, asking = os.pipe()
-    hearing, telling = os.pipe()
-    pid = os.fork()
-    if pid == 0:  # pragma: no cover (in the other process; `assist` is tested here)
-        try:
-            os.close(asking)
-            os.close(hearing)
-            restrict(limits)
-            start_clock(limits)
-            assist(waiting, telling)
-        finally:
-            os._exit(0)
-    os.close(waiting)
-    os.close(telling)
-    return Assistant(pid, asking, hearing)
+    def dismiss(self) -> None:
+        """End it, whatever it does."""
+        if self.pid is not None:
+            os.kill(self.pid, signal.SIGKILL)
+            os.waitpid(self.pid, 0)
+        self.leave_answering()
+        self.leave_asking()
 
 
 def assist(waiting: int, telling: int) -> None:
@@ -93,8 +101,8 @@ def lint_assisted(
     reached: Callable[[SourceSpan], bool],
 ) -> Outcome:
     """What `lint` gives, with an assistant's help."""
-    suppressed = Suppressed(list(sources))
-    part = Part(project, suppressed, selection)
+    assistant.leave_answering()
+    part = Part(project, Suppressed(list(sources)), selection)
     asked = _ask(assistant, (project, list(sources), selection))
     part.work(_OTHERS)
     if asked:
