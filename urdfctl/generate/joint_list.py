@@ -33,7 +33,10 @@ def joints_listed(text: str, source: str) -> tuple[JointFacts, ...]:
 
 
 def _of_csv(lines: Iterable[str], source: str) -> Iterable[JointFacts]:
-    rows = [[cell.strip() for cell in row] for row in csv.reader(lines, skipinitialspace=True)]
+    try:
+        rows = [[cell.strip() for cell in row] for row in csv.reader(lines, skipinitialspace=True)]
+    except csv.Error as error:  # a cell of more than 128 KiB; in Python 3.10 a NUL, too
+        raise UserError(f"{source}: no CSV: {error}") from None
     if not rows:
         return
     header = rows[0] if "name" in rows[0] else None
