@@ -6,7 +6,6 @@ the system can fork, a worker is a fork; elsewhere it is a fresh Python that run
 
 from __future__ import annotations
 
-import contextlib
 import gc
 import json
 import os
@@ -237,8 +236,10 @@ def _limit(kind: int, wanted: int) -> None:
 
     hard = resource.getrlimit(kind)[1]
     most = wanted if hard == resource.RLIM_INFINITY else min(wanted, hard)
-    with contextlib.suppress(ValueError, OSError, OverflowError):  # macOS refuses RLIMIT_AS
+    try:
         resource.setrlimit(kind, (most, hard))
+    except (ValueError, OSError, OverflowError):  # macOS refuses RLIMIT_AS
+        return
 
 
 def _performed(job: Json, perform: Callable[[Json], Json]) -> bytes:

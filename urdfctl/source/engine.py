@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import builtins
 import importlib
-import importlib.util
 import itertools
 import os
 import sys
@@ -62,11 +61,9 @@ def load() -> ModuleType:
     command_line = ModuleType(f"{name}.cli")  # never used here, and optparse is dear
     command_line.process_args = None  # type: ignore[attr-defined]
     sys.modules[command_line.__name__] = command_line
-    path = os.path.join(_location(), "__init__.py")
-    spec = importlib.util.spec_from_file_location(name, path, submodule_search_locations=[_location()])
-    if spec is None:  # pragma: no cover (a path that ends in .py always has a spec)
-        raise UserError(f"the package xacro at {_location()} cannot be loaded")
-    module = importlib.util.module_from_spec(spec)
+    module = ModuleType(name)
+    module.__package__, module.__path__ = name, [_location()]
+    module.__file__ = os.path.join(_location(), "__init__.py")
     sys.modules[name] = module
     _part(f"{name}.xmlutils")
     _run(module, "__init__")
@@ -117,6 +114,7 @@ _MINIDOM = SimpleNamespace(
 )
 _STAND_INS = {
     "xml.dom.minidom": SimpleNamespace(dom=SimpleNamespace(minidom=_MINIDOM, Node=Node, NotFoundErr=NotFoundErr)),
+    "ast": _Lazy("ast"),
     "copy": SimpleNamespace(deepcopy=list),
     "glob": _Lazy("glob"),
     "yaml": _Lazy("yaml"),

@@ -7,7 +7,7 @@ operators that can make a small expression endless become calls of `guards`.
 
 from __future__ import annotations
 
-import ast
+import _ast as ast  # all that is needed of ast, whose own import is dear
 import re
 from collections.abc import Iterator
 from functools import lru_cache
@@ -54,7 +54,7 @@ def compile_checked(expression: str, *, function: bool = False) -> CodeType:
     ForbiddenExpression where it leaves the allow-list, SyntaxError where it is no expression."""
     if len(expression) > _LONGEST:
         raise ForbiddenExpression(f"the expression is longer than {_LONGEST} characters")
-    tree = _guarded(ast.parse(expression, "<expression>", "eval"), _DEEPEST)
+    tree = _guarded(compile(expression, "<expression>", "eval", ast.PyCF_ONLY_AST, dont_inherit=True), _DEEPEST)
     if not function:
         return compile(tree, "<expression>", "eval")
     given = [ast.arg(arg=name, annotation=None, type_comment=None, **_SOMEWHERE) for name in OPERATORS]
@@ -171,7 +171,7 @@ def _check_template(template: ast.expr) -> None:
 
 
 def _check_format_spec(spec: ast.expr) -> None:
-    for part in ast.walk(spec):
+    for part in _walk(spec):
         if isinstance(part, ast.FormattedValue):
             raise ForbiddenExpression("a computed width is not allowed in an expression")
         if isinstance(part, ast.Constant):
@@ -194,6 +194,16 @@ def _check_repeated(repeated: ast.AST) -> None:
 
 
 def _attributes(tree: ast.AST) -> Iterator[ast.Attribute]:
-    for node in ast.walk(tree):
+    for node in _walk(tree):
         if isinstance(node, ast.Attribute):
             yield node
+
+
+def _walk(tree: ast.AST) -> Iterator[ast.AST]:
+    """A node and all below it, as ast.walk gives them."""
+    pending = [tree]
+    for node in pending:
+        for name in node._fields:
+            value = getattr(node, name, None)
+            pending += [part for part in (value if isinstance(value, list) else [value]) if isinstance(part, ast.AST)]
+        yield node

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import glob
 import keyword
 import os
 import re
@@ -75,7 +74,9 @@ def _glob(files: Files, pattern: str) -> list[str]:
     fixed = re.split(r"[*?[]", pattern, maxsplit=1)[0]
     if not files.may_read(os.path.dirname(fixed)):
         return []
-    return glob.glob(pattern)
+    from glob import glob
+
+    return glob(pattern)
 
 
 def _lexer(module: Any) -> Callable[[str], list[tuple[int, str]]]:
