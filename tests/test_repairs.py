@@ -43,6 +43,19 @@ def test_tags_of_xacro_get_their_prefix(before: str, after: str, tmp_path: Path)
     assert not sure
 
 
+@pytest.mark.parametrize(
+    "before",
+    ['<?xml version="1.0"?>\n<!-- <robot> -->\n<robot name="r">', "<robot\n  name='r'>", '\ufeff<robot name="r">'],
+)
+def test_the_prefix_that_tags_of_xacro_get_is_declared(before: str, tmp_path: Path) -> None:
+    rest = '<{0}property name="a" value="1"/><link name="base"/></robot>'
+    text, sure = mended("UC018", before + rest.format(""), tmp_path, "robot.xacro")
+    prolog, name = before.rsplit("<robot", 1)
+    declared = f'{prolog}<robot xmlns:xacro="http://www.ros.org/wiki/xacro"{name}'
+    assert text == declared + rest.format("xacro:")
+    assert not sure
+
+
 def test_braces_get_their_dollar(tmp_path: Path) -> None:
     before = '<xacro:property name="side" value="left"/>\n<link name="größe_{side}_{ side }_${side}"/>'
     text, sure = mended("UC020", XACRO.format(before), tmp_path, "robot.xacro")

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import marks
 from urdfctl.source.problem import ProblemKind
-from urdfctl.source.span import Place, SourceSpan
+from urdfctl.source.span import Place, SourceSpan, SourceText
+
+_XACRO = "http://www.ros.org/wiki/xacro"
+_PROLOG = rb"(?s)(?:\xef\xbb\xbf)?(?:\s+|<\?.*?\?>|<!--.*?-->|<!DOCTYPE[^>\[]*>)*"
 
 
 @rule(
@@ -39,7 +43,18 @@ def xacro_prefix_missing(project: Project) -> Iterator[Finding]:
     where every reader passes over it. The inertia or the wheel that it stands for is missing.
     """
     for problem in project.of_kind(ProblemKind.PREFIX_MISSING):
-        yield Finding(problem.at, problem.message, fix=Fix(problem.hint, _prefixed(problem.at)))
+        edits = (*_declared(problem.at.source), *_prefixed(problem.at))
+        yield Finding(problem.at, problem.message, fix=Fix(problem.hint, edits))
+
+
+def _declared(source: SourceText) -> tuple[Edit, ...]:
+    """The edit that declares the prefix in the root element of a file; none where that does so already."""
+    prolog = re.match(_PROLOG, source.data)
+    root = source.start_tag(prolog.end()) if prolog else None
+    if root is None or "xmlns:xacro" in root.attributes:
+        return ()
+    behind_name = root.start + 1 + len(root.name.encode())
+    return (Edit(SourceSpan(source, behind_name, behind_name), f' xmlns:xacro="{_XACRO}"'),)
 
 
 def _prefixed(at: Place) -> tuple[Edit, ...]:
