@@ -250,6 +250,12 @@ def test_settings_with_keys_of_endless_parts_are_refused(tmp_path: Path) -> None
         config_of(str(tmp_path / "urdfctl.toml"))
 
 
+def test_settings_with_a_number_of_endless_digits_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "urdfctl.toml").write_text(f"a = {'9' * 5000}")
+    with pytest.raises(UserError, match="no good TOML: Exceeds the limit"):
+        config_of(str(tmp_path / "urdfctl.toml"))
+
+
 def test_a_list_of_joints_without_end_is_refused() -> None:
     ran = command("gen-controllers", "-", "--type", "effort", "--distro", "noetic", text="j\n" * (9 << 20))
     assert (ran.returncode, ran.stderr) == (2, "urdfctl: standard input cannot be read: it is larger than 16 MiB\n")
