@@ -42,7 +42,11 @@ def _drop_rights() -> None:
 
 
 def _leave_no_room() -> None:
-    resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100))
+    _leave_room_for(100)
+
+
+def _leave_room_for(size: int) -> None:
+    resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
 
 
 def run(folder: Folder, words: str, limit: Callable[[], None] | None) -> tuple[int, str, str]:
@@ -124,7 +128,8 @@ def test_a_robot_that_may_not_be_read_is_a_finding_beside_the_others(bound: Boun
 
 
 def test_what_cannot_be_fixed_in_a_read_only_folder_is_left_as_it_is(folder: Folder, bound: Bound) -> None:
-    _, _, said = bound("lint a.urdf --unsafe-fixes")
+    status, out, said = bound("lint a.urdf --unsafe-fixes")
+    assert (status, "warning UC133" in out) == (2, True)
     assert said.splitlines() == [
         "urdfctl: 'a.urdf' cannot be written: Permission denied",
         "urdfctl: fixed 0 of 3 findings in 0 files",
@@ -151,7 +156,18 @@ def test_without_room_a_file_stays_as_it_was_and_nothing_is_left_beside_it(
     folder.write(before)
     status, _, said = run(folder, words, _leave_no_room)
     assert said.splitlines()[0] == f"urdfctl: '{file}' cannot be written: File too large"
-    assert status == (0 if "fixes" in words else 2)
+    assert status == 2
+    assert {path.name: path.read_text() for path in folder.path.iterdir()} == before
+
+
+def test_where_one_of_several_files_cannot_be_fixed_the_others_are_as_they_were(folder: Folder) -> None:
+    small = '<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:include filename="%s"/>%s</robot>\n'
+    slip = '<gazebo reference="bas"/>'
+    long = ROBOT.replace(slip[:10], slip + slip[:10]).replace("</robot>", "<!--" + 20_000 * "-=" + "--></robot>")
+    before = {"a.xacro": small % ("z.xacro", slip), "z.xacro": long}
+    folder.write(before)
+    status, _, said = run(folder, "lint a.xacro --unsafe-fixes", lambda: _leave_room_for(10_000))
+    assert (status, said.splitlines()[0]) == (2, "urdfctl: 'z.xacro' cannot be written: File too large")
     assert {path.name: path.read_text() for path in folder.path.iterdir()} == before
 
 

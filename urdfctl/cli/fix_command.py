@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 
 from urdfctl.cli.patch import patch
 from urdfctl.cli.wanted import Fixing, Wanted, found_in
@@ -17,10 +17,12 @@ from urdfctl.settings import Settings
 
 
 class Done(NamedTuple):
-    """How many files were changed, or would be, and what would be left to find."""
+    """How many files were changed, or would be, and what would be left to find; `failed` where they could not all be
+    written, so that none is."""
 
     files: int
     left: tuple[Linted, ...]
+    failed: bool = False
 
 
 def fix(looked_at: Iterable[tuple[Target, Linted]], settings: Settings, wanted: Wanted, fixing: Fixing) -> Done:
@@ -29,7 +31,8 @@ def fix(looked_at: Iterable[tuple[Target, Linted]], settings: Settings, wanted: 
     result = fixed(tuple(looked_at), settings, wishes, wanted.jobs or None)
     _tell(result.refused)
     if not fixing.as_diff:
-        return Done(sum([_is_written(change) for change in result.changes]), result.linted)
+        written = _write_all(result.changes)
+        return Done(len(result.changes) if written else 0, result.linted, failed=not written)
     print_bytes(patch(result.changes))
     return Done(len(result.changes), result.linted)
 
@@ -45,13 +48,26 @@ def _counted(number: int, what: str) -> str:
     return f"{number} {what}" if number == 1 else f"{number} {what}s"
 
 
-def _is_written(change: Change) -> bool:
-    try:
-        replace_file(change.file, change.before, change.after)
-    except UserError as error:
-        _tell([str(error)])
-        return False
+def _write_all(changes: Sequence[Change]) -> bool:
+    """Write all files, or none: only together they were tried."""
+    written: list[Change] = []
+    for change in changes:
+        try:
+            replace_file(change.file, change.before, change.after)
+        except UserError as error:
+            _tell([str(error), *_taken_back(written)])
+            return False
+        written.append(change)
     return True
+
+
+def _taken_back(written: Iterable[Change]) -> Iterator[str]:
+    """Undo what was written; tell of each file where that fails."""
+    for change in written:
+        try:
+            replace_file(change.file, change.after, change.before)
+        except UserError as error:
+            yield f"{error}, though another fix could not be written"
 
 
 def _tell(lines: Iterable[str]) -> None:

@@ -8,7 +8,7 @@ import sys
 from urdfctl.cli.looking import LookedAt, found_by, look_at
 from urdfctl.cli.wanted import Fixing, Wanted, found_in
 from urdfctl.cli.words import codes, configured, output_of, settings_from, split_arguments
-from urdfctl.cli.writing import print_text, write_file
+from urdfctl.cli.writing import print_text, tell, write_file
 from urdfctl.config import Config
 from urdfctl.diagnostic import Severity
 from urdfctl.errors import UserError
@@ -84,7 +84,7 @@ def run_lint(wanted: Wanted, settings: Settings) -> int:
     paths, arguments = split_arguments(wanted.words)
     found = found_by(paths, wanted.config)
     if not (found.descriptions() or found.controllers or found.launches or found.controllers_candidates):
-        sys.stderr.write(f"urdfctl: no robot found in {', '.join(paths) or 'this folder'}\n")
+        tell(f"no robot found in {', '.join(paths) or 'this folder'}")
     looked_at = look_at(found, tuple(arguments.items()), settings, wanted)
     if wanted.fixing is None:
         return _status(_report(looked_at, wanted), looked_at, wanted)
@@ -98,7 +98,7 @@ def run_lint(wanted: Wanted, settings: Settings) -> int:
     looked_at = look_at(found, tuple(arguments.items()), settings, wanted) if done.files else before
     report = _report(looked_at, wanted)
     tell_of(done.files, before.linted, looked_at.linted, wanted, wanted.fixing)
-    return _status(report, looked_at, wanted)
+    return 2 if done.failed else _status(report, looked_at, wanted)
 
 
 def _status(report: Report, looked_at: LookedAt, wanted: Wanted) -> int:
