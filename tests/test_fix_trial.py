@@ -11,8 +11,9 @@ from urdfctl.cli.lint_command import lint_words
 from urdfctl.fix.edits import Splice, edited
 from urdfctl.fix.rounds import Wishes, fixed
 from urdfctl.fix.trial import Verdict, perform
+from urdfctl.jobs import job_for
 from urdfctl.lint import Selection
-from urdfctl.load import Loader, Target, job_for
+from urdfctl.load import Loader, Target
 from urdfctl.settings import Settings
 
 MACRO = """\

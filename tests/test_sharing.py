@@ -14,8 +14,9 @@ from folder import Folder
 
 from urdfctl import worker
 from urdfctl.diagnostic import Severity
+from urdfctl.jobs import lint_all
 from urdfctl.lint import Linted, Outcome, Selection
-from urdfctl.load import Loader, Target, lint_all
+from urdfctl.load import Loader, Target
 from urdfctl.rule import Finding, Project, rule
 from urdfctl.rules import FAMILIES
 from urdfctl.serialise import outcome_to_json

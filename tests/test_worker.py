@@ -16,8 +16,9 @@ from folder import Folder
 
 from urdfctl import worker
 from urdfctl.expand import expand_one
+from urdfctl.jobs import lint_all
 from urdfctl.lint import Selection
-from urdfctl.load import Target, lint_all
+from urdfctl.load import Target
 from urdfctl.settings import Settings
 from urdfctl.worker import Died, Json, Limits, run
 
@@ -303,7 +304,7 @@ def test_without_fork_a_job_that_sends_its_standard_output_elsewhere_is_heard(
 
 
 def test_without_fork_an_exception_of_ours_is_told(folder: Folder, without_fork: None) -> None:
-    [found] = run([{"target": "of the wrong form"}], dict, GENEROUS, 1, fresh="urdfctl.load:perform")
+    [found] = run([{"target": "of the wrong form"}], dict, GENEROUS, 1, fresh="urdfctl.jobs:perform")
     assert isinstance(found, Died)
     assert found.ours
     assert "load.py" in found.why

@@ -7,8 +7,9 @@ from collections.abc import Mapping
 
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.hints import Any
+from urdfctl.jobs import dead
 from urdfctl.lint import Selection, lint
-from urdfctl.load import Loader, Target, dead
+from urdfctl.load import Loader, Target
 from urdfctl.model.project import Project
 from urdfctl.record import NamedTuple
 from urdfctl.serialise import outcome_from_json, outcome_to_json

@@ -2,24 +2,18 @@
 
 from __future__ import annotations
 
-import gc
 import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import partial
+from collections.abc import Callable, Mapping, Sequence
 
-from urdfctl.diagnostic import Finding, diagnosed
 from urdfctl.evidence import Evidence, OfFiles, ament_package, judged
-from urdfctl.hints import TYPE_CHECKING, Any
+from urdfctl.hints import TYPE_CHECKING
 from urdfctl.lint import Linted, Outcome, Selection, lint
 from urdfctl.meshes import mesh_finder
 from urdfctl.model.build_robot import TOP_LEVEL, robot_of
 from urdfctl.model.project import Project
 from urdfctl.model.robot import Robot
 from urdfctl.record import NamedTuple
-from urdfctl.rules import all_rules, rule_of
-from urdfctl.serialise import linted_from_json, linted_to_json
 from urdfctl.settings import ALL_STARTED, Settings
-from urdfctl.source import engine
 from urdfctl.source.dom import Document, Element
 from urdfctl.source.files import FileProblem, Files, is_launch, is_yaml
 from urdfctl.source.library import LibraryExpander
@@ -29,7 +23,6 @@ from urdfctl.source.span import Place, SourceSpan, SourceText
 from urdfctl.source.suppressions import is_reached
 from urdfctl.source.xacro import HARMLESS, Expander, Expansion
 from urdfctl.source.xml import LATE_DECLARATION, parse
-from urdfctl.worker import CAN_FORK, Died, Limits, processors, run
 from urdfctl.workspace import workspace_of
 
 if TYPE_CHECKING:
@@ -321,102 +314,3 @@ def _is_library(expansion: Expansion) -> bool:
     if root is None or any(child.tagName in TOP_LEVEL for child in root.elements()):
         return False
     return all(problem.kind in HARMLESS | _OF_INCLUDES for problem in expansion.problems)
-
-
-_SURVEYED_FROM = 4
-"""So many targets are worth to learn of their workspace before workers part."""
-_PREPARED_FROM = 12
-"""From so many targets on it is cheaper to load everything once than what each needs in its worker."""
-
-
-def lint_all(
-    targets: Sequence[Target],
-    settings: Settings,
-    selection: Selection,
-    parallel: int | None = None,
-    meanwhile: Callable[[], object] = lambda: None,
-) -> Iterator[Linted]:
-    """The findings of each target, in their order, each from a limited worker. `meanwhile` is called then."""
-    loader = shared_loader(targets, settings, selection)
-    jobs = [job_for(target, settings, selection) for target in targets]
-    limits = Limits(settings.timeout, settings.memory, settings.environ)
-    parallel = parallel or processors()
-    loader.may_part = CAN_FORK and len(targets) == 1 < parallel
-    if loader.may_part and (targets[0].controllers or targets[0].launch):
-        from urdfctl.sharing.assistant import Assistant
-
-        loader.assistant = Assistant(limits)
-    perform_job = partial(_perform_with, loader)
-
-    def also() -> None:
-        if loader.assistant is not None:
-            loader.assistant.start()
-        meanwhile()
-
-    try:
-        results = run(jobs, perform_job, limits, parallel, fresh="urdfctl.load:perform", together=16, meanwhile=also)
-        for target, result in zip(targets, results, strict=True):
-            yield linted_from_json(result) if isinstance(result, dict) else dead(target, settings, result)
-    finally:
-        if loader.assistant is not None:
-            loader.assistant.dismiss()
-
-
-def shared_loader(targets: Sequence[Target], settings: Settings, selection: Selection) -> Loader:
-    """A loader for workers, which knows what each of many targets would else learn for itself."""
-    loader = Loader(settings, selection)
-    if len(targets) >= _SURVEYED_FROM:
-        loader.survey(targets)
-    if len(targets) >= _PREPARED_FROM:
-        _prepare()
-    return loader
-
-
-def _prepare() -> None:
-    """Load what the workers would else load again and again; they share it as long as nobody writes to it."""
-    import urdfctl.launching
-    import urdfctl.pairing  # noqa: F401
-    from urdfctl.catalog.store import prepare
-
-    all_rules()
-    prepare()
-    engine.release(engine.load())
-    gc.freeze()
-
-
-def job_for(target: Target, settings: Settings, selection: Selection) -> dict[str, Any]:
-    """What a worker is told of a target."""
-    return {"target": target._asdict(), "settings": settings.to_json(), "selection": selection._asdict()}
-
-
-def _perform_with(loader: Loader, job: dict[str, Any]) -> dict[str, Any]:
-    return linted_to_json(loader.lint(target_of(job)))
-
-
-def target_of(job: dict[str, Any]) -> Target:
-    """The target of a job."""
-    arguments = tuple((str(name), str(value)) for name, value in job["target"]["arguments"])
-    target = job["target"]
-    return Target(target["path"], arguments, target["fragment"], tuple(target["controllers"]), target["launch"])
-
-
-def perform(job: dict[str, Any]) -> dict[str, Any]:
-    """Lint the target of a job that came as JSON."""
-    return _perform_with(loader_of(job), job)
-
-
-def loader_of(job: dict[str, Any]) -> Loader:
-    """A loader with the settings of a job that came as JSON."""
-    return Loader(Settings.from_json(job["settings"]), Selection.from_json(job["selection"]))
-
-
-def dead(target: Target, settings: Settings, death: Died) -> Linted:
-    """A worker's death as the one finding of its robot."""
-    path = os.path.abspath(target.path)
-    place = Place(SourceText(path, b""), 0, end=0)
-    rule = rule_of("UC000" if death.ours else "UC014")
-    message = f"urdfctl crashed: {death.why}" if death.ours else f"the description is not linted: {death.why}"
-    finding = diagnosed(rule.code, rule.name, rule.severity, Finding(place, message))
-    outcome = Outcome([finding], [], crashed=death.ours)
-    distro, simulator = settings.distro, settings.simulator
-    return Linted(path, None, distro, None, simulator, False, target.fragment, None, None, (path,), outcome)  # noqa: FBT003

@@ -10,8 +10,9 @@ from urdfctl.evidence import judged
 from urdfctl.generate.facts import RobotFacts
 from urdfctl.generate.survey import facts_of
 from urdfctl.hints import Any
+from urdfctl.jobs import dead
 from urdfctl.lint import Selection, lint
-from urdfctl.load import Loader, Target, dead, expansion_of
+from urdfctl.load import Loader, Target, expansion_of
 from urdfctl.model.build_robot import robot_of
 from urdfctl.model.project import Project
 from urdfctl.record import NamedTuple

@@ -10,8 +10,9 @@ from urdfctl.cli.progress import watched
 from urdfctl.cli.wanted import Wanted
 from urdfctl.config import Config
 from urdfctl.discover import Found, find
+from urdfctl.jobs import lint_all
 from urdfctl.lint import Linted
-from urdfctl.load import Target, lint_all
+from urdfctl.load import Target
 from urdfctl.record import NamedTuple
 from urdfctl.settings import Settings
 from urdfctl.variants import ConfiguredRobot

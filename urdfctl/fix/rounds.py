@@ -12,8 +12,9 @@ from urdfctl.fix.edits import Splice, Taken, edited
 from urdfctl.fix.files import EditableFiles
 from urdfctl.fix.trial import Verdict, perform_with, splices_of, texts
 from urdfctl.hints import Any
+from urdfctl.jobs import job_for, shared_loader
 from urdfctl.lint import Linted, Selection
-from urdfctl.load import Target, job_for, shared_loader
+from urdfctl.load import Target
 from urdfctl.record import NamedTuple
 from urdfctl.settings import Settings
 from urdfctl.worker import Died, Limits, run

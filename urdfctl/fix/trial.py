@@ -11,8 +11,9 @@ from urdfctl.diagnostic import Diagnostic, Step
 from urdfctl.fix.comparison import EditedFile, edited_file, same_file, same_tree
 from urdfctl.fix.edits import Splice
 from urdfctl.hints import Any
+from urdfctl.jobs import loader_of, target_of
 from urdfctl.lint import Linted
-from urdfctl.load import Loader, Seen, loader_of, target_of
+from urdfctl.load import Loader, Seen
 from urdfctl.record import NamedTuple
 from urdfctl.serialise import linted_from_json, linted_to_json
 from urdfctl.source.dom import Element

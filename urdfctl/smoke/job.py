@@ -9,8 +9,9 @@ from functools import partial
 
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.hints import Any
+from urdfctl.jobs import dead, shared_loader, target_of
 from urdfctl.lint import Selection
-from urdfctl.load import Loader, Target, dead, shared_loader, target_of
+from urdfctl.load import Loader, Target
 from urdfctl.record import NamedTuple
 from urdfctl.serialise import diagnostic_from_json, diagnostic_to_json, linted_from_json, linted_to_json
 from urdfctl.settings import Settings
