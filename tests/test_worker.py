@@ -307,7 +307,7 @@ def test_without_fork_an_exception_of_ours_is_told(folder: Folder, without_fork:
     [found] = run([{"target": "of the wrong form"}], dict, GENEROUS, 1, fresh="urdfctl.jobs:perform")
     assert isinstance(found, Died)
     assert found.ours
-    assert "load.py" in found.why
+    assert "jobs.py" in found.why
 
 
 def test_without_fork_a_worker_sees_only_the_environment_it_is_given(
