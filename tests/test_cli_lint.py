@@ -85,6 +85,7 @@ def test_the_exit_status_tells_what_was_found(folder: Folder, text: str, words: 
         (["arm.urdf", "--fail-on", "fatal"], "urdfctl: --fail-on is one of error, warning, info; not 'fatal'\n"),
         (["arm.urdf", "--select", "UC8"], "urdfctl: no rule's code begins with 'UC8'; see urdfctl rules\n"),
         (["arm.urdf", "--workspace", "nowhere"], "urdfctl: no such folder: 'nowhere'\n"),
+        (["arm.urdf", "--workspace", ""], "urdfctl: no such folder: ''\n"),
         (
             ["arm.urdf", "--jobs=-1"],
             "urdfctl: --jobs is a number of robots, or 0 for as many as there are processors; not -1\n",

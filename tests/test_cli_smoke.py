@@ -163,6 +163,9 @@ def test_a_worker_can_begin_with_a_job_alone() -> None:
         (["--jobs", "-1"], "--jobs is a number of robots"),
         (["--format", "jsn"], "unknown format 'jsn'; did you mean 'json'?"),
         (["--format", "json="], "--format json= names no file"),
+        (["--report", ""], "--report names no file"),
+        (["--controllers", ""], "--controllers names no file"),
+        (["--shard", ""], "--shard is written K/N"),
     ],
 )
 def test_what_means_nothing_is_an_error_of_the_user(words: list[str], why: str) -> None:

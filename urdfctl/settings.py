@@ -59,7 +59,7 @@ def checked(settings: Settings) -> Settings:
     if settings.simulator is not None and settings.simulator not in SIMULATORS:
         near = did_you_mean(settings.simulator, SIMULATORS)
         raise UserError(f"unknown simulator '{settings.simulator}'{near}; known are {', '.join(SIMULATORS)}")
-    for folder in (*settings.package_paths, *([settings.workspace] if settings.workspace else [])):
+    for folder in (*settings.package_paths, *([] if settings.workspace is None else [settings.workspace])):
         if not os.path.isdir(folder):
             raise UserError(f"no such folder: '{folder}'")
     if not 0 < settings.timeout <= MOST_SECONDS:

@@ -40,11 +40,15 @@ def smoke_words(  # noqa: PLR0913, PLR0917 (one for each option)
         raise UserError(f"--jobs is a number of robots, or 0 for as many as there are processors; not {jobs}")
     if not 0 < duration <= MOST_DURATION:
         raise UserError(f"--duration is a number of seconds up to {MOST_DURATION:g}, not {duration:g}")
+    if report == "":
+        raise UserError("--report names no file")
+    if "" in (controllers or ()):
+        raise UserError("--controllers names no file")
     chosen = configured(paths, config, workspace)
     settings = settings_from(chosen, distro, simulator, start, workspace, package_path, env, trust, timeout, memory)
     names = tuple(name.strip() for text in only or () for name in text.split(",") if name.strip())
     outputs = tuple(output_of(text, SMOKE_FORMATS) for text in formats or ("text",))
-    of_several = parsed_shard(shard) if shard else None
+    of_several = None if shard is None else parsed_shard(shard)
     instead = installed()[1:] if engine == "auto" else ()
     asked = Asked(
         tuple(paths or ()),
