@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import re
 import shlex
 import textwrap
@@ -63,8 +64,14 @@ def test_each_command_on_a_page_has_the_options_that_stand_there(page: str) -> N
 
 @pytest.mark.parametrize("name", COMMANDS)
 def test_the_help_of_every_command_has_an_example_and_the_pages_name_it(name: str) -> None:
-    assert re.search(rf"Example: urdfctl {name}\b", " ".join(command(name, "--help").stdout.split()))
+    [example] = re.findall(r"^  Example: (urdfctl .*)$", command(name, "--help").stdout, re.MULTILINE)
+    assert example in inspect.cleandoc(str(COMMANDS[name].help)), "it is not broken, for it is copied"
+    assert example.startswith(f"urdfctl {name} ")
     assert f"urdfctl {name}" in (CHECKOUT / "docs/commands.md").read_text(encoding="utf-8")
+
+
+def test_the_list_of_commands_says_each_to_its_end() -> None:
+    assert "..." not in command("--help").stdout.partition("Commands:")[2]
 
 
 @pytest.mark.parametrize("page", PAGES)

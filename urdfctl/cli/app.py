@@ -49,7 +49,7 @@ def main(
     """Lint, smoke-test, expand and explain the control configuration of robots in URDF and xacro, without ROS."""
 
 
-@app.command()
+@app.command(short_help="Find what keeps a robot from starting and moving.")
 def lint(
     paths: Arguments = None,
     distro: Distro = None,
@@ -100,6 +100,7 @@ def lint(
 ) -> None:
     """Find what keeps a robot from loading, starting and moving.
 
+    \b
     Example: urdfctl lint urdf/robot.xacro prefix:=left_ --distro noetic
     """
     from urdfctl.cli.lint_command import lint_words
@@ -108,7 +109,7 @@ def lint(
     raise typer.Exit(lint_words(**given))
 
 
-@app.command()
+@app.command(short_help="Load, start and move each controller, without ROS.")
 def smoke(
     paths: Arguments = None,
     controllers: Annotated[
@@ -138,6 +139,7 @@ def smoke(
 ) -> None:
     """Spawn robots without ROS, and take each of their controllers through its life: load, activate, move.
 
+    \b
     Example: urdfctl smoke urdf/robot.xacro --controllers config/controllers.yaml
     """
     from urdfctl.cli.smoke_words import smoke_words
@@ -146,7 +148,7 @@ def smoke(
     raise typer.Exit(smoke_words(**given))
 
 
-@app.command()
+@app.command(short_help="Expand xacro without ROS.")
 def expand(
     file: Annotated[str, typer.Argument(help="The xacro file.", show_default=False)],
     arguments: Annotated[list[str] | None, typer.Argument(help="name:=value", show_default=False)] = None,
@@ -162,6 +164,7 @@ def expand(
 ) -> None:
     """Expand xacro without ROS, byte for byte as xacro writes it.
 
+    \b
     Example: urdfctl expand urdf/robot.xacro prefix:=left_ -o robot.urdf
     """
     from urdfctl.cli.expand_command import run_expand
@@ -179,6 +182,7 @@ def rules(
 ) -> None:
     """List the rules.
 
+    \b
     Example: urdfctl rules --select UC2
     """
     from urdfctl.cli.rules_command import run_rules
@@ -187,7 +191,7 @@ def rules(
     raise typer.Exit(run_rules(output_format, codes(select)))
 
 
-@app.command()
+@app.command(short_help="Tell what a rule finds, or what a message means.")
 def explain(
     what: Annotated[
         list[str] | None,
@@ -199,7 +203,10 @@ def explain(
 ) -> None:
     """Tell what a rule finds, or what the messages of ROS and Gazebo mean: why they are printed, and what to do.
 
-    Example: urdfctl explain UC201; urdfctl explain "No p gain specified for pid."; urdfctl explain gazebo.log
+    \b
+    Example: urdfctl explain UC201
+             urdfctl explain "No p gain specified for pid."
+             urdfctl explain gazebo.log
     """
     from urdfctl.cli.explain_command import run_explain
 

@@ -121,12 +121,12 @@ COMMANDS: dict[str, tuple[str, str, tuple[str, ...]]] = {
         (*_JOINTS, "command", "hardware", *(o for o in _CONTROLLERS if o != "interface"), *_WRITING, "into"),
     ),
     "gen-gazebo": (
-        "Write the plugin that runs the controllers in a simulator, as a xacro file to include.",
+        "Write the simulator's plugin that runs the controllers, as a xacro file to include.",
         "urdfctl gen-gazebo --simulator gz --distro jazzy --package my_robot --into urdf/robot.xacro",
         (*_JOINTS, "namespace", "package", "controllers", *_WRITING, "into"),
     ),
     "gen-launch": (
-        "Write a launch file that starts the robot and its controllers.",
+        "Write a launch file that starts robot and controllers.",
         "urdfctl gen-launch robot.xacro --type trajectory --simulator gz -o launch/control.launch.py",
         (*_JOINTS, *_CONTROLLERS, "package", "controllers", "form", *_WRITING),
     ),
@@ -148,9 +148,15 @@ class _OneDash(TyperCommand):
 def add_commands(app: typer.Typer) -> None:
     """Add the commands to the application."""
     for name, (summary, example, options) in COMMANDS.items():
-        app.command(name, cls=_OneDash, help=f"{summary}\n\nExample: {example}")(_command(name, options))
+        short = re.split("[,:]", summary)[0].rstrip(".") + "."
+        app.command(name, cls=_OneDash, short_help=short, help=f"{summary}\n\n\b\nExample: {example}")(
+            _command(name, options)
+        )
     about = "Make generated files again, each by the command that its first lines name; exit with 1 if one is stale."
-    app.command("gen-check", help=f"{about}\n\nExample: urdfctl gen-check config urdf launch")(_check_command)
+    short = "Tell whether generated files are up to date."
+    app.command("gen-check", short_help=short, help=f"{about}\n\n\b\nExample: urdfctl gen-check config urdf launch")(
+        _check_command
+    )
 
 
 def _check_command(
