@@ -118,6 +118,25 @@ def test_an_assistant_that_is_gone_is_done_without(target: Target) -> None:
     assert with_assistant(target, kill) == with_assistant(target) == alone(target)
 
 
+@pytest.mark.parametrize("links", [5, 60])
+def test_where_no_more_processes_may_be_made_one_does_it_all(
+    folder: Folder, links: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder.write({"arm.urdf": robot(links), "controllers.yaml": CONTROLLERS})
+    target = Target("arm.urdf", controllers=("controllers.yaml",))
+    expected = alone(target)
+
+    def refused() -> int:
+        raise BlockingIOError(11, "Resource temporarily unavailable")
+
+    monkeypatch.setattr(os, "fork", refused)
+    loader = Loader(Settings(environ={}), Selection())
+    loader.may_part, loader.assistant = True, Assistant(LIMITS)
+    loader.assistant.start()
+    assert loader.lint(target).outcome == expected
+    loader.assistant.dismiss()
+
+
 def test_a_tree_too_deep_to_be_handed_over_is_judged_alone(folder: Folder) -> None:
     depth = 1200
     folder.write({"arm.urdf": robot(5, "<gazebo>" + "<a>" * depth + "</a>" * depth + "</gazebo>\n")})

@@ -38,8 +38,12 @@ class Assistant:
         self.pid: int | None = None
 
     def start(self) -> None:
-        """Let it get ready and wait for a project."""
-        self.pid = os.fork()
+        """Let it get ready and wait for a project; where none can be made, who asks hears of nobody."""
+        try:
+            self.pid = os.fork()
+        except OSError:
+            self.leave_answering()
+            return
         if self.pid == 0:  # pragma: no cover (in the other process; `assist` is tested here)
             try:
                 self.leave_asking()

@@ -27,12 +27,15 @@ _LONGEST_FIRST = ("UC4", "UC1", "UC5", "UC2", "UC3")
 def lint_parted(
     project: Project, sources: Sequence[SourceText], selection: Selection, reached: Callable[[SourceSpan], bool]
 ) -> Outcome:
-    """What `lint` gives, from two processes."""
+    """What `lint` gives, from two processes; from one where no more may be made."""
     part = Part(project, Suppressed(list(sources)), selection)
     untaken = _offered(sorted(range(len(FAMILIES)), key=_turn_of))
     reading, writing = os.pipe()
     seconds = signal.getitimer(signal.ITIMER_REAL)[0]
-    pid = os.fork()
+    try:
+        pid = os.fork()
+    except OSError:
+        pid = None
     if pid == 0:  # pragma: no cover (what it runs is all counted in the process that it parted from)
         _do_a_part(part, untaken, writing, seconds)
     os.close(writing)
@@ -42,8 +45,9 @@ def lint_parted(
             part.learn(telling.read())
         part.work_on_what_is_left()
     finally:
-        os.kill(pid, signal.SIGKILL)
-        os.waitpid(pid, 0)
+        if pid is not None:
+            os.kill(pid, signal.SIGKILL)
+            os.waitpid(pid, 0)
     return part.outcome(reached)
 
 
