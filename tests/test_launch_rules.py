@@ -128,6 +128,10 @@ def test_controllers_that_are_alternatives_are_told_of_in_one_finding(folder: Fo
     assert found(folder, launched(*nodes, controllers=more), "UC603") == [
         ("UC603", "info", "'gripper' and 'arm_controller' are configured, and not spawned by the launch file"),
     ]
+    slip = spawner("grippr")
+    assert [one[2] for one in found(folder, launched(*nodes, slip, controllers=more), "UC603")] == [
+        "'arm_controller' is configured, and not spawned by the launch file"
+    ]
     elsewhere = spawner("gripper arm_controller").replace("<node ", '<node if="false" ')
     assert found(folder, launched(*nodes, elsewhere, controllers=more), "UC603") == []
 

@@ -8,6 +8,7 @@ from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import in_words
 from urdfctl.rules.launch.common import is_sure, spawners
 from urdfctl.rules.launch.samples import BROADCASTER, CONTROLLERS, MANAGER, PUBLISHER, SOUND, launched
+from urdfctl.suggest import nearest
 
 
 @rule(
@@ -33,6 +34,8 @@ def controller_not_spawned(project: Project) -> Iterator[Finding]:
     if launch is None or controllers is None or not launch.spawns or not is_sure(launch):
         return
     spawned = {name.rpartition("/")[2] for spawn in spawners(launch) for name, _ in spawn.names}
+    declared = [one.name for one in controllers.controllers if one.declared_at]
+    spawned |= {nearest(name, declared) or name for name in spawned if name not in declared}  # UC601 tells of slips
     left = [c for c in controllers.controllers if c.declared_at and c.type and c.name not in spawned]
     if left and left[0].declared_at:
         names = in_words(dict.fromkeys(controller.name for controller in left))
