@@ -196,6 +196,11 @@ def test_a_number_that_yaml_takes_for_a_text_is_told_in_ros_1(tmp_path: Path) ->
     assert told(findings(tmp_path, text, "noetic")) == ["UC432 error 3"]
 
 
+def test_a_parameter_without_value_is_told_once(tmp_path: Path) -> None:
+    text = "states:\n  type: joint_state_controller/JointStateController\n  publish_rate:\n"
+    assert told(findings(tmp_path, text, "noetic")) == ["UC406 error 3"]
+
+
 def test_what_ros_1_reads_for_itself_alone_is_a_warning(tmp_path: Path) -> None:
     text = (
         "arm:\n  type: position_controllers/JointTrajectoryController\n  joints: [a]\n"

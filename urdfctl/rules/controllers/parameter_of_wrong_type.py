@@ -65,6 +65,8 @@ def _wrong(reader: Reader) -> Iterator[Finding]:
         parameter = reader.known[found[0]]
         if parameter.ignored or (given.value.kind is Kind.MAP and given.name in _fathers(reader)):
             continue
+        if given.value.kind is Kind.NULL:
+            continue  # UC406 tells it
         if not is_ros1(reader) and len({item.kind for item in given.value.items}) > 1:
             continue  # UC408 tells it
         value: object = {} if given.value.kind is Kind.MAP else reader.given.get(given.name)
