@@ -416,6 +416,16 @@ def test_a_package_may_come_with_another(folder: Folder, more: str) -> None:
     assert found(folder, files, "UC614") == []
 
 
+def test_of_a_controller_that_is_gone_no_package_is_asked_for(folder: Folder) -> None:
+    gone = samples.SOUND["controllers.yaml"].replace(
+        "joint_state_broadcaster/JointStateBroadcaster", "joint_state_controller/JointStateController"
+    )
+    files = {**samples.SOUND, "controllers.yaml": gone, "package.xml": without("joint_trajectory_controller")}
+    assert [one[2] for one in found(folder, files, "UC614")] == [
+        "'joint_trajectory_controller' is used by a launch file, and is no <exec_depend>"
+    ]
+
+
 def test_a_manifest_of_the_first_format_has_another_word_for_it(folder: Folder) -> None:
     files = {**samples.SOUND, "package.xml": "<package><name>arm</name></package>"}
     messages = [one[2] for one in found(folder, files, "UC614")]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.catalog.distros import MAINTAINED
 from urdfctl.model.launch import Launch
 from urdfctl.model.package import Package
 from urdfctl.rule import Edit, Finding, Fix, Note, Project, Severity, rule
@@ -79,10 +80,11 @@ def _used(project: Project, launch: Launch, package: Package) -> Iterator[tuple[
 
 
 def _of_controller(project: Project, name: str) -> str:
-    """The package of a spawned controller's type; empty where it is not known."""
+    """The package of a spawned controller's type; empty where it is not known, or gone from all that is maintained."""
     found = project.controllers.controller(name.rpartition("/")[2]) if project.controllers else None
     kind = found.type.text if found and found.type else ""
-    known = (project.catalog.controller(kind, distro) for distro in project.distros) if kind else ()
+    distros = [distro for distro in project.distros if distro in MAINTAINED] or project.distros
+    known = (project.catalog.controller(kind, distro) for distro in distros) if kind else ()
     return next((one.package for one in known if one), "")
 
 
