@@ -68,6 +68,6 @@ def _notes(session: Session, one: Configured, kind: Kind, claims: list[Claim], a
         yield Note(f"what the hardware exports of '{claim.component}' stands here", offers[0].at)
     type_at = home(one.controller)
     if claim.interface_parameter is None and one.type is not None and type_at is not at:
-        yield Note(f"a '{one.type.type}' claims '{claim.interface}' of each of them", type_at)
+        yield Note(f"controllers of type '{one.type.type}' claim '{claim.interface}' of each of them", type_at)
     if hardware.open and claim.component not in hardware.exact:
         yield Note("a driver may export more than its description says; of this one it is not known")
