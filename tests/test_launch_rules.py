@@ -515,7 +515,7 @@ def test_a_file_that_is_not_there_is_told_of_unless_it_may_be_made(folder: Folde
 def test_an_argument_that_hangs_on_the_file_s_name_is_told(folder: Folder) -> None:
     publisher = PUBLISHER.replace("arm.urdf'", "arm.urdfprefix:=left_'")
     assert [one[2] for one in found(folder, launched(publisher), "UC617")] == [
-        "there is no blank before 'prefix:=' in this command",
+        "there is no space before 'prefix:=' in this command",
     ]
 
 

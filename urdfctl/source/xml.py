@@ -160,7 +160,7 @@ def _syntax_problem(source: SourceText, builder: _Builder, error: ExpatError) ->
         message, offset = "the file is empty", 0
     elif said.startswith("XML or text declaration not at start"):
         message = "the XML declaration <?xml ...?> is not at the very start of the file"
-        hint = "remove the blanks, lines or comments before it"
+        hint = "remove the spaces, lines or comments before it"
         subject = LATE_DECLARATION
     elif said.startswith("junk after document element"):
         message = "text stands after the end of the root element"

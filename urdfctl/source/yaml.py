@@ -290,10 +290,10 @@ class _Reader:
             indent = re.match(_TAB_INDENT, self.source.line(line))
             if indent:
                 at = Place(self.source, self.source.offset(line), end=self.source.offset(line) + indent.end())
-                message = "this line is indented with a tab, which YAML does not allow: use blanks"
+                message = "this line is indented with a tab, which YAML does not allow: use spaces"
                 return ReadError(Problem(ProblemKind.YAML_TAB, at, message))
         if self.source.data[start : start + 1] == b"\t":
-            message = "a tab stands where YAML allows blanks only"
+            message = "a tab stands where YAML allows spaces only"
             return ReadError(Problem(ProblemKind.YAML_TAB, Place(self.source, start, end=start + 1), message))
         why = " ".join(part for part in (error.context, error.problem) if part) or "no YAML"
         at = Place(self.source, start, end=min(start + 1, len(self.source.data)))

@@ -24,7 +24,7 @@ _GLUED = r"\.(?:xacro|urdf)(?=\w+:=)"
     good=SOUND,
 )
 def xacro_command_malformed(project: Project) -> Iterator[Finding]:
-    """A blank is missing in the command that makes the robot description.
+    """A space is missing in the command that makes the robot description.
 
     The parts of `Command([...])` are put together without anything between them: `xacro` and the file become one word,
     or the file and the argument behind it.
@@ -33,6 +33,6 @@ def xacro_command_malformed(project: Project) -> Iterator[Finding]:
     for described in launch.descriptions if launch else ():
         command = described.command or ""
         if re.match(r"xacro[^\s.]*/", command):
-            yield Finding(described.at, "there is no blank between 'xacro' and the file in this command")
+            yield Finding(described.at, "there is no space between 'xacro' and the file in this command")
         elif glued := re.search(_GLUED + r"(\w+:=)", command):
-            yield Finding(described.at, f"there is no blank before '{glued.group(1)}' in this command")
+            yield Finding(described.at, f"there is no space before '{glued.group(1)}' in this command")

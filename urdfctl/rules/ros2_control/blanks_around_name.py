@@ -47,7 +47,7 @@ from urdfctl.source.span import SourceSpan
     },
 )
 def blanks_around_name(project: Project) -> Iterator[Finding]:
-    """Blanks or line ends stand around a name in a component.
+    """Spaces or line ends stand around a name in a component.
 
     Up to iron, and in jazzy and kilted before 2026, they are part of it: there is no plugin, joint or interface of
     that name. Newer releases cut them off.
@@ -58,7 +58,7 @@ def blanks_around_name(project: Project) -> Iterator[Finding]:
         for hardware in control.hardware[-1:]:
             for plugin in hardware.plugins[:1]:
                 if plugin.padded and is_known(plugin.value):
-                    message = f"blanks stand around '{plugin.past_comments}' in <plugin>, and belong to the name"
+                    message = f"spaces stand around '{plugin.past_comments}' in <plugin>, and belong to the name"
                     yield Finding(plugin.at, message, fix=_bare(plugin), severity=severity_where(project, OLD))
         for tag in _named(control):
             for attribute in ("name", "type") if tag.name == "ros2_control" else ("name",):
@@ -66,7 +66,7 @@ def blanks_around_name(project: Project) -> Iterator[Finding]:
                 if text != text.strip() and text.strip() and is_known(text):
                     fix = replaced(tag.at[attribute], text, text.strip(), safe=True)
                     message = (
-                        f"blanks stand around '{text.strip()}' in '{attribute}' of <{tag.name}>, and belong to the name"
+                        f"spaces stand around '{text.strip()}' in '{attribute}' of <{tag.name}>, and belong to the name"
                     )
                     yield Finding(tag.at[attribute], message, fix=fix)
 

@@ -48,10 +48,10 @@ _PLUGIN = "gazebo_ros2_control"
     },
 )
 def comment_breaks_parameter(project: Project) -> Iterator[Finding]:
-    """A comment has a colon with a blank behind it, or a blank with # behind it.
+    """A comment has a colon with a space behind it, or a space with # behind it.
 
     Gazebo Classic's plugin of humble (from 0.4.7 on) hands the whole description to the controller manager as a
-    parameter, which is read as YAML: there a colon and a blank make a key, and a blank and # a comment. The
+    parameter, which is read as YAML: there a colon and a space make a key, and a space and # a comment. The
     simulation then has no controller manager.
     """
     robot = robot_in(project)
@@ -60,6 +60,6 @@ def comment_breaks_parameter(project: Project) -> Iterator[Finding]:
     for comment in robot.tag.comments() if robot.tag else ():
         broken = re.search(r":\s|\s#", comment.text)
         if broken:
-            what = "a colon with a blank behind it" if ":" in broken.group() else "a blank with # behind it"
+            what = "a colon with a space behind it" if ":" in broken.group() else "a space with # behind it"
             message = f"this comment has {what}: Gazebo's plugin of humble cannot pass the description on"
             yield Finding(comment.at, message, fix=Fix("take it out of the comment, or the comment out of the file"))

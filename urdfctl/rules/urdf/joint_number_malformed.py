@@ -40,8 +40,8 @@ from urdfctl.rules.urdf.numbers import Numbers, fault_of, is_subnormal, mended, 
 def joint_number_malformed(project: Project) -> Iterator[Finding]:
     """What a joint gives as a number or vector is not read as one.
 
-    urdfdom gives no model for the whole robot. It reads finite decimals without units or blanks behind them, and vectors
-    of three with blanks, not tabs or commas, between. Up to lunar it took inf and nan, and no blank before a number.
+    urdfdom gives no model for the whole robot. It reads finite decimals without units or spaces behind them, and vectors
+    of three with spaces, not tabs or commas, between. Up to lunar it took inf and nan, and no space before a number.
     """
     robot = robot_in(project)
     if robot is None:

@@ -41,8 +41,8 @@ def link_number_malformed(project: Project) -> Iterator[Finding]:
     """What a link gives as a number or vector is not read as one.
 
     urdfdom prints an error and drops the <inertial>, <visual> or <collision>, and what follows in the link, but goes on:
-    first the inertial is read, then the visuals, then the collisions. It reads finite decimals without units or blanks
-    behind them, and vectors of three with blanks, not tabs or commas, between.
+    first the inertial is read, then the visuals, then the collisions. It reads finite decimals without units or spaces
+    behind them, and vectors of three with spaces, not tabs or commas, between.
     """
     robot = robot_in(project)
     if robot is None:

@@ -93,12 +93,12 @@ def _fault_of_vector(field: Field) -> str:
     pieces = field.text.split()
     wrong = [piece for piece in pieces if not _DECIMAL.fullmatch(piece)]
     if "," in field.text:
-        return f"has commas; write {field.size} numbers with blanks between them"
+        return f"has commas; write {field.size} numbers with spaces between them"
     if len(pieces) != field.size:
         return f"has {len(pieces)} numbers; {field.size} are read"
     if wrong:
         return f"holds '{wrong[0]}', which is not a number"
-    return "has a tab or line end; blanks stand between the numbers"
+    return "has a tab or line end; spaces stand between the numbers"
 
 
 def _fault_of_number(text: str) -> str:
@@ -107,7 +107,7 @@ def _fault_of_number(text: str) -> str:
     if not text.strip():
         return "is empty; a number is due"
     if _DECIMAL.fullmatch(text.strip()):
-        return "has a blank or line end around the number"
+        return "has a space or line end around the number"
     if _DECIMAL.fullmatch(text.replace(",", ".", 1)):
         return "has a comma; the decimal mark is a point"
     if _NOT_FINITE.fullmatch(text.strip()):

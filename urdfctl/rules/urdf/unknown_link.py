@@ -36,7 +36,7 @@ from urdfctl.rules.urdf.tree import child_of
 def unknown_link(project: Project) -> Iterator[Finding]:
     """A joint's parent or child is no link of the robot.
 
-    urdfdom cannot build the tree and gives no model. Names are compared letter by letter, with their case and blanks.
+    urdfdom cannot build the tree and gives no model. Names are compared letter by letter, with their case and spaces.
     """
     robot = whole_robot_in(project)
     if robot is None:
