@@ -132,6 +132,23 @@ def test_a_refusal_of_ros1_is_told_with_the_managers_words(tmp_path: Path, yaml:
     assert told == [f"arm: {verdict}", f"the controller manager says: {words}"]
 
 
+def test_what_lint_says_of_it_is_named_where_it_is_one_thing(tmp_path: Path) -> None:
+    yaml = "arm: {type: position_controllers/JointPositionController, joint: elbow}"
+    made = smoked(target_of(tmp_path, files(yaml, TRANSMISSION)), distro="noetic", simulator="gazebo-classic")
+    [found] = made.linted.outcome.diagnostics
+    assert found.message.endswith("is not loaded: no hardware offers 'elbow' in the PositionJointInterface")
+    assert [note.message for note in found.notes] == [
+        "the controller manager says: Could not find resource 'elbow' in 'hardware_interface::PositionJointInterface'.",
+        "urdfctl lint tells of it as UC461",
+    ]
+
+
+def test_nothing_is_said_for_a_manager_that_is_never_asked(tmp_path: Path) -> None:
+    yaml = f"arm: {{type: effort_controllers/JointPositionController, joint: shoulder, {PID}, gain: }}"
+    told = said(tmp_path, yaml, TRANSMISSION, distro="noetic", simulator="gazebo-classic")
+    assert told == ["arm: failed load"]
+
+
 def test_two_controllers_of_one_joint_are_a_conflict_in_ros1(tmp_path: Path) -> None:
     kind = f"{{type: effort_controllers/JointPositionController, joint: elbow, {PID}}}"
     told = said(

@@ -113,8 +113,10 @@ def _ways(session: Session, errors: Sequence[Diagnostic], blocked: Refusal | Non
     for life in (*(lives(session) if started else ()), *lives(alone)):
         named = any(error.code in _OF_TYPES and concerns(error, life.controller.controller) for error in errors)
         stops = [stop for stop in life.stops if _is_sure(stop, named=named)]
+        lint_says = {one.code for one in errors if one.code in BY_LIFE and concerns(one, life.controller.controller)}
+        told_by = lint_says.pop() if len(lint_says) == len(stops) == 1 else ""
         of_life[id(life.controller)] = [
-            Refusal(Step(stop.stage.value), told(stop), words_of(life.controller, stop, ros)) for stop in stops
+            Refusal(Step(stop.stage.value), told(stop), words_of(life.controller, stop, ros), told_by) for stop in stops
         ]
     everyone = (*started, *alone.controllers)
     of_files = [
@@ -152,7 +154,10 @@ def _is_sure(stop: Stop, *, named: bool) -> bool:
 
 
 def _in_its_words(first: Refusal, of_life: Sequence[Refusal]) -> Refusal:
-    """A refusal with what the manager prints where it says more than that it did not go well."""
+    """A refusal with what the manager prints where it says more than that it did not go well; nothing where its file
+    is refused before the manager is asked."""
+    if first.told_by in OF_FILES:
+        return first._replace(words="")
     return first._replace(words=next((one.words for one in of_life if one.step is first.step), first.words))
 
 

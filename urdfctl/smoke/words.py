@@ -5,6 +5,7 @@ ROS 2: controller_manager.cpp, as jazzy says it; ROS 1: controller_manager.cpp a
 
 from __future__ import annotations
 
+from urdfctl.control.claims import Claim
 from urdfctl.control.hardware import Kind
 from urdfctl.control.life import Reason, Stop
 from urdfctl.control.session import Configured
@@ -69,6 +70,13 @@ def _of_ros1(one: Configured, stop: Stop, written: str) -> str:
     return words_of_step(one, Step(stop.stage.value), 1)
 
 
+def _in_ros1(claim: Claim | None) -> str:
+    """A joint and the interface of ROS 1 in which a controller wants it; empty for one of ROS 2."""
+    if claim is None or not claim.interface.startswith("hardware_interface/"):
+        return ""
+    return f"'{claim.component}' in the {claim.interface.partition('/')[2]}"
+
+
 def told(stop: Stop) -> str:
     """A stop in our words."""
     claim = f"'{stop.claim.name}'" if stop.claim else ""
@@ -78,7 +86,7 @@ def told(stop: Stop) -> str:
         Reason.TYPE_MISSING: "its type is not given",
         Reason.TYPE_UNKNOWN: "its type is not known in this distro",
         Reason.PARAMETERS: stop.words,
-        Reason.NOT_OFFERED: f"no hardware offers the {kind} interface {claim}",
+        Reason.NOT_OFFERED: f"no hardware offers {_in_ros1(stop.claim) or f'the {kind} interface {claim}'}",
         Reason.NOT_EXPORTED: f"controller {other} does not export {claim}",
         Reason.NOT_CHAINABLE: f"it wants {claim} of controller {other}, which exports nothing",
         Reason.CLAIMED_TWICE: f"it claims {claim} twice",
