@@ -44,7 +44,7 @@ EFFORT = ("--type", "effort", "--distro", "jazzy")
         (("gen-controllers", "one/still.urdf", "--joint", "f", *EFFORT), "the joint 'f' cannot be controlled"),
         (("gen-controllers", "two/r.urdf", "--distro", "jazzy"), "what kind of controllers? Say --type, such as"),
         (("gen-controllers", "two/r.urdf", *EFFORT, "--check"), "--check needs -o FILE: the file to be checked"),
-        (("gen-all", "two/r.urdf", *EFFORT), "-o names the folder that the files go to"),
+        (("gen-all", "two/r.urdf", *EFFORT), "-o FOLDER is missing: where the package is to be written"),
         (
             ("gen-all", "two/r.urdf", *EFFORT, "-o", "latin.txt/x"),
             "'latin.txt/x/config' cannot be made: Not a directory",
@@ -113,6 +113,17 @@ def test_a_file_says_the_command_that_makes_it_again(words: str, folder: Folder)
     said = line.partition("made by urdfctl ")[2].removesuffix(" -->")
     assert sorted(shlex.split(re.sub("(?<= )-(?=[a-z])", "--", said))) == sorted(shlex.split(words))
     assert command(*shlex.split(said), "-o", "made", "--check").returncode == 0
+
+
+def test_the_folder_of_a_file_is_made(folder: Folder) -> None:
+    assert command("gen-controllers", "--joint", "a", *EFFORT, "-o", "config/controllers.yaml") == (0, "", "")
+    assert (folder.path / "config/controllers.yaml").is_file()
+
+
+def test_a_package_of_templates_that_say_no_start_has_none_told(folder: Folder) -> None:
+    folder.write({"mine/launch/ros2.launch.py.j2": "x = 1\n"})
+    ran = command("gen-all", "--joint", "a", *EFFORT, "--templates", "mine", "-o", "out")
+    assert ran.stderr == "urdfctl: 6 files written to 'out'\n"
 
 
 def test_what_would_be_inserted_is_shown_and_checked_and_inserted_once(folder: Folder) -> None:

@@ -7,7 +7,7 @@ import os
 import re
 from collections.abc import Sequence
 
-from urdfctl.cli.writing import is_in_the_way, print_text, write_file
+from urdfctl.cli.writing import is_in_the_way, print_text, tell, write_file
 from urdfctl.errors import UserError
 from urdfctl.generate.options import File
 from urdfctl.record import NamedTuple
@@ -30,7 +30,9 @@ def deliver(files: Sequence[File], writing: Writing, *, many: bool) -> int:
         return _insert(files[0], writing.into, writing)
     if (writing.check or many) and writing.output is None:
         raise UserError(
-            "-o names the folder that the files go to" if many else "--check needs -o FILE: the file to be checked"
+            "-o FOLDER is missing: where the package is to be written"
+            if many
+            else "--check needs -o FILE: the file to be checked"
         )
     if writing.output is None:
         print_text("".join(file.text for file in files))
@@ -45,10 +47,18 @@ def deliver(files: Sequence[File], writing: Writing, *, many: bool) -> int:
     if in_the_way and not writing.force:
         raise UserError(f"'{in_the_way[0]}' exists; --force overwrites it, --diff shows what would change")
     for path, text in stale:
-        if many:
-            _make_folder(os.path.dirname(path))
+        _make_folder(os.path.dirname(path))
         write_file(path, text, force=writing.force)
+    if many and stale:
+        tell(_what_next(len(stale), writing.output, files))
     return 0
+
+
+def _what_next(written: int, folder: str, files: Sequence[File]) -> str:
+    """What was written, and how it is started: the launch file's first lines say so."""
+    what = f"{written} file{'s' * (written > 1)} written to '{folder}'"
+    start = next((found[1] for file in files if (found := re.search(r"Start it: (.*?)(?: -->)?\n", file.text))), None)
+    return f"{what}; build the workspace, then: {start}" if start else what
 
 
 def _insert(file: File, path: str, writing: Writing) -> int:
@@ -80,7 +90,7 @@ def _block(text: str) -> str:
 
 def _make_folder(path: str) -> None:
     try:
-        os.makedirs(path, exist_ok=True)
+        os.makedirs(path or ".", exist_ok=True)
     except OSError as error:
         raise UserError(f"'{path}' cannot be made: {error.strerror}") from None
 
