@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
+from functools import lru_cache
 
 from urdfctl.record import NamedTuple
 from urdfctl.source.dom import COMMENT, Element
@@ -60,7 +61,13 @@ class Number(NamedTuple):
     @property
     def value(self) -> float | None:
         """The number, if all of the text is one: decimal, without units, commas, inf or nan."""
-        return float(self.text) if re.fullmatch(_NUMBER, self.text.strip()) else None
+        return _number(self.text)
+
+
+@lru_cache(8192)
+def _number(text: str) -> float | None:
+    """Robots say the same few numbers again and again, and rules ask for each more than once."""
+    return float(text) if re.fullmatch(_NUMBER, text.strip()) else None
 
 
 def leading_number(text: str) -> float | None:
