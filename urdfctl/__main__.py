@@ -58,6 +58,11 @@ def _run(words: list[str]) -> int:
             from urdfctl.cli.lint_command import lint_words
 
             return lint_words(**options)
+    if words == ["--version"]:  # what scripts ask before anything else
+        from urdfctl import __version__
+
+        sys.stdout.write(f"urdfctl {__version__}\n")
+        return 0
     from urdfctl.cli.app import app
 
     try:
