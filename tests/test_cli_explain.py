@@ -112,6 +112,11 @@ def test_nothing_to_explain_is_the_user_s_error(words: list[str], told: str) -> 
     assert str(nothing.value).startswith(told)
 
 
+def test_of_a_family_the_way_to_its_rules_is_told(folder: Folder) -> None:
+    told = "urdfctl: no rule 'uc2'; those whose code begins so: urdfctl rules --select UC2\n"
+    assert folder.run("explain", "uc2").stderr == told
+
+
 def test_an_empty_log_has_status_2(folder: Folder) -> None:
     folder.write({"empty.log": ""})
     ran = folder.run("explain", "empty.log")

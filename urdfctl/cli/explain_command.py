@@ -57,6 +57,8 @@ def _unknown(word: str) -> str:
 
     if os.sep in word or word.endswith((".log", ".txt")):
         return f"'{word}' is no regular file" if os.path.exists(word) else f"no file '{word}'"
+    if any(one.code.startswith(word.upper()) for one in all_rules()):
+        return f"no rule '{word}'; those whose code begins so: urdfctl rules --select {word.upper()}"
     known = [name for one in all_rules() for name in (one.code, one.name)]
     return f"no rule '{word}'{did_you_mean(word, known)}; see urdfctl rules"
 
