@@ -519,6 +519,21 @@ def test_an_argument_that_hangs_on_the_file_s_name_is_told(folder: Folder) -> No
     ]
 
 
+@pytest.mark.parametrize(
+    ("command", "distro", "told"),
+    [
+        ("rosrun xacro xacro.py $(find arm)/arm.urdf", "noetic", ["error"]),
+        ("$(find xacro)/xacro.py $(find arm)/arm.urdf", None, ["info"]),
+        ("$(find xacro)/xacro.py $(find arm)/arm.urdf", "melodic", []),
+        ("$(find arm)/xacro.py $(find arm)/arm.urdf", "noetic", []),
+    ],
+)
+def test_xacro_is_called_by_its_old_name(folder: Folder, command: str, distro: str | None, told: list[str]) -> None:
+    files = ros1(robot='<gazebo><plugin name="c" filename="libgazebo_ros_control.so"/></gazebo>')
+    files["arm.launch"] = f'<launch><param name="robot_description" command="{command}"/></launch>'
+    assert [one[1] for one in found(folder, files, "UC620", distro=distro)] == told
+
+
 def test_an_included_file_that_takes_all_arguments_is_given_those_that_it_has(folder: Folder) -> None:
     include = '<include file="$(find arm)/inner.launch" pass_all_args="true"><arg name="gui" value="1"/></include>'
     files = {**ros1(include), "inner.launch": '<launch><group><arg name="gui" default="0"/></group></launch>'}

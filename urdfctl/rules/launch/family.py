@@ -22,6 +22,7 @@ from urdfctl.rules.launch.spawner_option_unknown import spawner_option_unknown
 from urdfctl.rules.launch.spawner_program_gone import spawner_program_gone
 from urdfctl.rules.launch.spawner_without_manager import spawner_without_manager
 from urdfctl.rules.launch.xacro_command_malformed import xacro_command_malformed
+from urdfctl.rules.launch.xacro_program_gone import xacro_program_gone
 
 RULES: tuple[Rule, ...] = (
     spawned_controller_unknown,
@@ -43,4 +44,5 @@ RULES: tuple[Rule, ...] = (
     xacro_command_malformed,
     include_argument_unknown,
     listed_joint_unknown,
+    xacro_program_gone,
 )
