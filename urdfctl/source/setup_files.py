@@ -13,11 +13,7 @@ def rules_of_setup(text: str, folder: str, package: str) -> Iterator[Installed]:
     """What the pairs of `data_files` install, as far as they are written out."""
     if "data_files" not in text:
         return
-    try:
-        tree = ast.parse(text)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return
-    for node in ast.walk(tree):
+    for node in _nodes(text):
         if isinstance(node, ast.Tuple) and len(node.elts) == 2:  # noqa: PLR2004 (a pair of data_files)
             destination = _text_of(node.elts[0], package)
             target = below_share(destination, package) if destination else None
@@ -28,13 +24,9 @@ def rules_of_setup(text: str, folder: str, package: str) -> Iterator[Installed]:
 
 def is_plain_setup(text: str, package: str) -> bool:
     """Whether setup.py lists all its data files as texts and patterns."""
-    try:
-        tree = ast.parse(text)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return False
     given = [
         keyword.value
-        for node in ast.walk(tree)
+        for node in _nodes(text)
         if isinstance(node, ast.Call)
         for keyword in node.keywords
         if keyword.arg == "data_files"
@@ -42,6 +34,15 @@ def is_plain_setup(text: str, package: str) -> bool:
     if len(given) != 1 or not isinstance(given[0], ast.List):
         return False
     return all(isinstance(pair, ast.Tuple) and _is_plain_pair(pair.elts, package) for pair in given[0].elts)
+
+
+def _nodes(text: str) -> Iterator[ast.AST]:
+    """All nodes of the syntax tree; none where the text is no Python."""
+    try:
+        tree = ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return
+    yield from ast.walk(tree)
 
 
 def _is_plain_pair(pair: list[ast.expr], package: str) -> bool:
