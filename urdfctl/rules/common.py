@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
-from functools import wraps
+from collections.abc import Iterable
 
-from urdfctl.hints import TYPE_CHECKING
 from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Robot
 from urdfctl.rule import Edit, Fix, Project, Severity
@@ -14,29 +12,9 @@ from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place, SourceSpan
 from urdfctl.suggest import enumerated, nearest
 
-if TYPE_CHECKING:
-    from typing import TypeVar
-
-    _Asked = TypeVar("_Asked")
-    _Seen = TypeVar("_Seen")
-
 _MOST_COMPARED = 20
 _CUT_OUT = rb"<xacro:(?!if\b|unless\b|property\b|arg\b)"
 _CONDITION = rb"<xacro:(if|unless)\b"
-
-
-def once_for_each(function: Callable[[_Asked], _Seen]) -> Callable[[_Asked], _Seen]:
-    """Remember what a function gave for the robot or project it was last asked of: several rules ask the same of each,
-    one by one."""
-    last: list[tuple[_Asked, _Seen]] = []
-
-    @wraps(function)
-    def remembered(asked: _Asked) -> _Seen:
-        if not last or last[0][0] is not asked:
-            last[:] = [(asked, function(asked))]
-        return last[0][1]
-
-    return remembered
 
 
 def robot_in(project: Project) -> Robot | None:

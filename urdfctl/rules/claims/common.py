@@ -9,16 +9,17 @@ from urdfctl.control.claims import Claim
 from urdfctl.control.hardware import Absence, Kind
 from urdfctl.control.names import is_misnamed
 from urdfctl.control.session import Configured, Missing, Session, sessions
+from urdfctl.memory import once_for_the_last
 from urdfctl.model.controllers import Controller
 from urdfctl.rule import Finding, Note, Project, Severity
-from urdfctl.rules.common import once_for_each, whole_robot_in
+from urdfctl.rules.common import whole_robot_in
 from urdfctl.rules.controllers.common import controllers_in
 from urdfctl.source.span import Place
 
 Judge = Callable[[Session, Configured], Iterator[Finding]]
 
 
-@once_for_each
+@once_for_the_last
 def seen(project: Project) -> tuple[Session, ...]:
     """What each distro makes of a project; nothing where robot or controllers are not all known."""
     robot = whole_robot_in(project)

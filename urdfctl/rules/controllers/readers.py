@@ -7,11 +7,11 @@ from collections.abc import Callable, Iterator, Mapping
 from urdfctl.catalog.distros import generation, in_words, since
 from urdfctl.catalog.entries import ControllerType, FormerParameter, Parameter
 from urdfctl.control.given import given_values
+from urdfctl.memory import once_for_the_last
 from urdfctl.model.controllers import Controller, Manager
 from urdfctl.model.parameters import Kind, Parameters
 from urdfctl.record import NamedTuple
 from urdfctl.rule import Finding, Note, Project, Severity
-from urdfctl.rules.common import once_for_each
 from urdfctl.rules.controllers.common import controllers_in
 from urdfctl.source.span import Place
 
@@ -86,7 +86,7 @@ def may_be_started(project: Project, controller: Controller) -> bool:
     return "all" in project.started or any(one is controller for one in found)
 
 
-@once_for_each
+@once_for_the_last
 def readers_of(project: Project) -> tuple[tuple[Reader, ...], ...]:
     """Each node, as each of the distros has it that know it."""
     controllers = controllers_in(project)

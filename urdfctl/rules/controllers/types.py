@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1, ROS2, generation
 from urdfctl.catalog.entries import Replacement
+from urdfctl.memory import once_for_the_last
 from urdfctl.model.controllers import Controller
 from urdfctl.model.parameters import Value
 from urdfctl.record import NamedTuple
 from urdfctl.rule import Project
-from urdfctl.rules.common import once_for_each
 from urdfctl.rules.controllers.common import controllers_in
 from urdfctl.rules.controllers.readers import is_of_ros2, type_of
 from urdfctl.suggest import nearest
@@ -33,7 +33,7 @@ class Typed(NamedTuple):
         return generation(self.distros[0])
 
 
-@once_for_each
+@once_for_the_last
 def typed(project: Project) -> tuple[Typed, ...]:
     """The controllers whose type stands literally in their file."""
     found = []
@@ -47,7 +47,7 @@ def typed(project: Project) -> tuple[Typed, ...]:
     return tuple(found)
 
 
-@once_for_each
+@once_for_the_last
 def _known(project: Project) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """The types of each generation that come with ros_control and ros2_control themselves."""
     return tuple(tuple(_own_types(project, family)) for family in (ROS1, ROS2))  # type: ignore[return-value]

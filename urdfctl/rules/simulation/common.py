@@ -7,12 +7,13 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ROS1, ROS2
 from urdfctl.catalog.hardware import PluginChild, SimulatorPlugin, library_of
 from urdfctl.hints import TYPE_CHECKING
+from urdfctl.memory import once_for_the_last
 from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Plugin
 from urdfctl.model.ros2_control import Ros2Control
 from urdfctl.record import NamedTuple
 from urdfctl.rule import Project
-from urdfctl.rules.common import is_all_there, is_known, once_for_each, robot_in
+from urdfctl.rules.common import is_all_there, is_known, robot_in
 from urdfctl.rules.simulation.facts import BECAME, DRIVES, LIBRARIES, MOVERS
 from urdfctl.source.span import Place
 from urdfctl.suggest import folded, is_slip
@@ -86,7 +87,7 @@ class Loaded(NamedTuple):
         return next((tag for own, tag in self.settings() if own == name), None)
 
 
-@once_for_each
+@once_for_the_last
 def loaded(project: Project) -> tuple[Loaded, ...]:
     """The plugins of the robot as a whole, but for those that only another simulator loads than the user names."""
     robot = robot_in(project)

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.memory import once_for_the_last
 from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Robot
 from urdfctl.record import NamedTuple
-from urdfctl.rules.common import label, once_for_each
+from urdfctl.rules.common import label
 
 ELEMENTS = {
     "robot": ("link", "joint", "material", "transmission", "gazebo", "ros2_control"),
@@ -71,7 +72,7 @@ class ReadTag(NamedTuple):
     owner: str
 
 
-@once_for_each
+@once_for_the_last
 def read_tags(robot: Robot) -> tuple[ReadTag, ...]:
     """The elements of links, joints and materials that are read."""
     return tuple(_walk(robot))
