@@ -38,10 +38,12 @@ def fix(looked_at: Iterable[tuple[Target, Linted]], settings: Settings, wanted: 
 
 
 def tell_of(files: int, before: Iterable[Linted], after: Iterable[Linted], wanted: Wanted, fixing: Fixing) -> None:
-    """Tell how many of the findings are fixed, or would be."""
-    known, left = len(found_in(before, wanted)), len(found_in(after, wanted))
-    done = f"{'would fix' if fixing.as_diff else 'fixed'} {max(known - left, 0)}"
-    _tell([f"{done} of {_counted(known, 'finding')} in {_counted(files, 'file')}"])
+    """Tell how many of the findings are fixed, or would be, and for how many more there is an unsafe fix to try."""
+    known, left = len(found_in(before, wanted)), found_in(after, wanted)
+    done = f"{'would fix' if fixing.as_diff else 'fixed'} {max(known - len(left), 0)}"
+    unsafe = sum(one.fix is not None and bool(one.fix.edits) and not one.fix.safe for one in left)
+    more = f"; --unsafe-fixes tries {unsafe} more" if unsafe and not fixing.unsafe else ""
+    _tell([f"{done} of {_counted(known, 'finding')} in {_counted(files, 'file')}{more}"])
 
 
 def _counted(number: int, what: str) -> str:
