@@ -184,6 +184,20 @@ def test_generated_files_are_made_again_by_the_commands_that_they_name(folder: F
     assert command("gen-check", "src/r/controllers.yaml", "src/made/package.xml") == (0, "", "")
 
 
+def test_a_package_of_the_robot_that_was_found_is_made_again(folder: Folder) -> None:
+    folder.write({"package.xml": "<package format='3'><name>r</name></package>", "urdf/r.urdf": ROBOT})
+    assert command("gen-all", *EFFORT, "-o", "made").returncode == 0
+    assert (
+        (folder.path / "made/config/controllers.yaml").read_text().startswith("# made by urdfctl gen-all urdf/r.urdf")
+    )
+    assert command("gen-check") == (0, "", "")
+
+
+def test_what_cannot_be_made_again_is_named(folder: Folder) -> None:
+    folder.write({"r.urdf": ROBOT, "c.yaml": "# made by urdfctl gen-controllers r.urdf --type efort --distro jazzy\n"})
+    assert command("gen-check").stderr.startswith("urdfctl: 'c.yaml' cannot be made again: unknown type 'efort'")
+
+
 @pytest.mark.parametrize(
     ("said", "why"),
     [

@@ -46,9 +46,12 @@ def run_again(paths: Sequence[str], *, update: bool) -> int:
     stale = False
     for origin in dict.fromkeys(_origins(paths or ["."])):
         with _standing_in(origin.home):
-            status = get_command(app).main(
-                [*origin.command, "--force" if update else "--check"], prog_name="urdfctl", standalone_mode=False
-            )
+            try:
+                status = get_command(app).main(
+                    [*origin.command, "--force" if update else "--check"], prog_name="urdfctl", standalone_mode=False
+                )
+            except UserError as error:
+                raise UserError(f"'{os.path.relpath(origin.path)}' cannot be made again: {error}") from None
         stale = stale or bool(status)
     return int(stale)
 

@@ -72,6 +72,8 @@ def run_generate(command: str, given: Mapping[str, Any]) -> int:
     except Unreadable as error:
         sys.stderr.write(str(error))
         return 1
+    if robot and robot.file and not split_arguments(words)[0]:
+        given = {**given, "words": [os.path.relpath(robot.file), *words]}  # it was found: what is made here may hide it
     options = _options(command, given, settings, robot)
     joints = chosen(robot, listed, given.get("joints") or (), given.get("exclude") or ())
     if not joints and command != "gen-gazebo":
