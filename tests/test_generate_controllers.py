@@ -126,7 +126,7 @@ def test_the_robots_joints_are_those_that_move_and_mimic_no_other(folder: Folder
     folder.write({"robot.urdf": ARM})
     done = command("gen-controllers", "--type", "effort", "--distro", "jazzy")
     assert read(done.stdout)["effort_controller"]["ros__parameters"]["joints"] == ["shoulder", "elbow"]
-    assert done.stdout.startswith("# made by urdfctl gen-controllers --type effort --distro jazzy\n")
+    assert done.stdout.startswith("# made by urdfctl gen-controllers robot.urdf --type effort --distro jazzy\n")
 
 
 def test_joints_are_chosen_by_regular_expressions(folder: Folder) -> None:
