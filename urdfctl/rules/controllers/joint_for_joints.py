@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.model.parameters import Kind, Parameter, Value
 from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
-from urdfctl.rules.controllers.parameters import is_number_slip, missing, slips, unread
+from urdfctl.rules.controllers.parameters import missing, number_slips, slips, unread
 from urdfctl.rules.controllers.readers import Reader, in_each_distro
 
 
@@ -41,20 +41,17 @@ def joint_for_joints(project: Project) -> Iterator[Finding]:
 
 def _slip(reader: Reader) -> Iterator[Finding]:
     for parameter in unread(reader):
-        right = slips(reader).get(parameter.name) if _may_be_one(reader, parameter.name) else None
-        if right is None or not is_number_slip(reader, parameter.name, right):
+        others = number_slips(reader, parameter.name)
+        right = slips(reader).get(parameter.name) if others else None
+        if right is None or right not in others:
             continue
         needed = {lack.name for lack in missing(reader) if lack.refused}
         kind = f"a {reader.type.type}" if reader.type else f"'{reader.name}'"
-        wants_list = reader.known[right].type.endswith("_array") if right in reader.known else False
+        wants_list = reader.known[right].type.endswith("_array")
         form = "a list" if wants_list else "one name"
         message = f"{kind} reads no '{parameter.name}', but '{right}', {form}"
         severity = Severity.ERROR if right in needed else Severity.WARNING
         yield Finding(parameter.key, message, fix=_fix(parameter, right, wants_list=wants_list), severity=severity)
-
-
-def _may_be_one(reader: Reader, name: str) -> bool:
-    return any(is_number_slip(reader, name, other) for other in (f"{name}s", name.removesuffix("s")))
 
 
 def _fix(parameter: Parameter, right: str, *, wants_list: bool) -> Fix | None:

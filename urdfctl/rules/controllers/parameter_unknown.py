@@ -10,10 +10,10 @@ from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import replaced
 from urdfctl.rules.controllers.parameters import (
     is_another,
-    is_number_slip,
     is_ros1,
     missing,
     namesakes,
+    number_slips,
     of_other_ros,
     slips,
     unread,
@@ -70,7 +70,7 @@ def _unknown(project: Project, reader: Reader) -> Iterator[Finding]:
     needed = {lack.name for lack in missing(reader) if lack.refused}
     for parameter in unread(reader):
         right = meant.get(parameter.name)
-        told = matching(parameter.name, reader.former) is not None or is_number_slip(reader, parameter.name, right)
+        told = matching(parameter.name, reader.former) is not None or right in number_slips(reader, parameter.name)
         why = None if told else _why(project, reader, parameter, right)
         if why is not None:
             message = f"'{reader.name}' reads no '{parameter.name}'{why}"

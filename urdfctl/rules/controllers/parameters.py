@@ -203,8 +203,8 @@ def is_lacking(project: Project, controller: Controller, names: Collection[str] 
     return False
 
 
-def is_number_slip(reader: Reader, name: str, meant: str | None) -> bool:
-    """Whether one name is the other's plural: `joint` for `joints`, which has a rule of its own."""
-    if meant not in (f"{name}s", name.removesuffix("s")):
-        return False
-    return meant in reader.known and reader.known[meant].type.startswith("string")
+def number_slips(reader: Reader, name: str) -> list[str]:
+    """The parameters that a name is the plural of, or that are its plural: `joints` for `joint`, which has a rule of
+    its own."""
+    others = (f"{name}s", name.removesuffix("s"))
+    return [other for other in others if other in reader.known and reader.known[other].type.startswith("string")]
