@@ -2,20 +2,8 @@
 
 from __future__ import annotations
 
-CONTROLLERS = """
-    controller_manager:
-      ros__parameters:
-        update_rate: 100
-        joint_state_broadcaster:
-          type: joint_state_broadcaster/JointStateBroadcaster
-        arm_controller:
-          type: joint_trajectory_controller/JointTrajectoryController
-    arm_controller:
-      ros__parameters:
-        joints: [shoulder, elbow]
-        command_interfaces: [position]
-        state_interfaces: [position, velocity]
-"""
+from urdfctl.rules.launch.samples import CONTROLLERS
+
 MOVEIT = """
     moveit_controller_manager: moveit_simple_controller_manager/MoveItSimpleControllerManager
     moveit_simple_controller_manager:
