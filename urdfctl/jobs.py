@@ -31,7 +31,8 @@ def lint_all(
     parallel: int | None = None,
     meanwhile: Callable[[], object] = lambda: None,
 ) -> Iterator[Linted]:
-    """The findings of each target, in their order, each from a limited worker. `meanwhile` is called then."""
+    """The findings of each target, in their order, each from a limited worker. `meanwhile` is called while they
+    work."""
     loader = shared_loader(targets, settings, selection)
     jobs = [job_for(target, settings, selection) for target in targets]
     limits = Limits(settings.timeout, settings.memory, settings.environ)

@@ -17,7 +17,7 @@ from urdfctl.lint import Linted, Selection
 from urdfctl.load import Target
 from urdfctl.record import NamedTuple
 from urdfctl.settings import Settings
-from urdfctl.worker import Died, Limits, run
+from urdfctl.worker import Died, Limits, processors, run
 
 MOST_ROUNDS = 20
 MOST_TRIALS = 400
@@ -74,7 +74,7 @@ def fixed(
     linted: Sequence[tuple[Target, Linted]], settings: Settings, wishes: Wishes, parallel: int | None = None
 ) -> Fixed:
     """What fixing makes of some linted robots: all of one run, for what they share is only changed where all agree."""
-    mending = _Mending(linted, settings, wishes, parallel or os.cpu_count() or 1)
+    mending = _Mending(linted, settings, wishes, parallel or processors())
     for _ in range(MOST_ROUNDS):
         suggestions = mending.suggestions()
         if not suggestions:

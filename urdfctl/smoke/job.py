@@ -21,7 +21,7 @@ from urdfctl.smoke.picture import picture_of
 from urdfctl.smoke.planning import plan_of
 from urdfctl.smoke.results import ControllerResult, Smoked, Step, Trouble, Verdict
 from urdfctl.smoke.trial import MOTION, Plan, Tried, tried
-from urdfctl.worker import Died, Limits, run
+from urdfctl.worker import Died, Limits, processors, run
 
 SECONDS, SECONDS_FOR_JOINT = 30.0, 0.1
 """How long an engine may take: half a minute, and a second for every ten joints."""
@@ -90,7 +90,7 @@ def smoke_all(
     chosen: Callable[[list[Smoked]], Iterable[int]] | None = None,
 ) -> Iterator[Smoked]:
     """The smoke test of each target, in their order; of those only that are chosen once they are judged, by index."""
-    parallel = parallel or os.cpu_count() or 1
+    parallel = parallel or processors()
     read = list(_read_all(targets, settings, wanted, parallel))
     indices = list(range(len(read)) if chosen is None else chosen([one.smoked for one in read]))
     kept = [read[index] for index in indices]
