@@ -1,8 +1,8 @@
-"""Components of the small arm, written as `<ros2_control>` tags, and what the family of rules on them says."""
+"""`<ros2_control>` components for the small arm, and the findings of the rules on them."""
 
 from __future__ import annotations
 
-from arm import Robot
+from robots import Robot
 
 MOCK = "<hardware><plugin>mock_components/GenericSystem</plugin></hardware>"
 GZ = "<hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>"
@@ -18,15 +18,15 @@ MIMIC = FINGER.replace("</joint>", '<mimic joint="elbow"/></joint>')
 
 
 def component(inside: str = MOCK + ELBOW, attributes: str = 'name="arm" type="system"') -> str:
-    """A part of a robot: one <ros2_control>."""
+    """Return a `<ros2_control>` element."""
     return f"<ros2_control {attributes}>{inside}</ros2_control>"
 
 
 def joint(inside: str, attributes: str = "", hardware: str = MOCK) -> str:
-    """A component with the joint elbow."""
+    """Return a component with the joint elbow."""
     return component(f'{hardware}<joint name="elbow"{attributes}>{inside}</joint>')
 
 
 def told(robot: Robot, part: str, distro: str | None = "jazzy", **options: str) -> list[str]:
-    """Severities and codes of what the family finds."""
-    return [found for found in robot.says(part, distro=distro, **options) if " UC3" in found]
+    """Return the severities and codes of the findings of the UC3 family."""
+    return [finding for finding in robot.says(part, distro=distro, **options) if " UC3" in finding]

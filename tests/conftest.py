@@ -1,12 +1,39 @@
-"""What the tests share."""
+"""Fixtures for all tests."""
 
 from __future__ import annotations
 
+import atexit
 import os
+import shutil
+import sys
+import tempfile
 from pathlib import Path
 
 import pytest
-from folder import UNWANTED, Folder
+from folder import UNWANTED, Folder, checkout_first
+from hypothesis import HealthCheck, settings
+from robots import Robot
+
+# no clock, for the machine may be busy; by default the same examples each time
+settings.register_profile("sample", deadline=None, suppress_health_check=[HealthCheck.too_slow], derandomize=True)
+settings.register_profile("whole", deadline=None, suppress_health_check=[HealthCheck.too_slow], max_examples=1000)
+settings.load_profile("sample")
+
+
+def pytest_configure() -> None:
+    """Make every process that a test starts import this checkout, with its bytecode cached."""
+    os.environ["PYTHONPATH"] = checkout_first(os.environ.get("PYTHONPATH"))
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+    cache = tempfile.mkdtemp(prefix="urdfctl-tests-")  # no results of an earlier test run
+    os.environ["XDG_CACHE_HOME"] = cache
+    atexit.register(shutil.rmtree, cache, ignore_errors=True)
+    sys.addaudithook(refuse_to_crawl_everything)
+
+
+def refuse_to_crawl_everything(event: str, arguments: tuple[object, ...]) -> None:
+    """Fail a test whose workspace is the root folder: it would depend on the machine, and take long."""
+    if event == "os.scandir" and arguments[0] == "/":
+        raise AssertionError("a test searches '/'; give it a workspace or a package path")
 
 
 @pytest.fixture
@@ -15,3 +42,8 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Folder:
     for name in [name for name in os.environ if name.startswith("ROS_") or name in UNWANTED]:
         monkeypatch.delenv(name)
     return Folder(tmp_path)
+
+
+@pytest.fixture
+def robot(tmp_path: Path) -> Robot:
+    return Robot(tmp_path)

@@ -1,4 +1,4 @@
-"""A session of a controller manager, made of a part of a small arm and of controllers' YAML."""
+"""Build a controller manager session from parts of a small arm and a controller file."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ STATES = '<state_interface name="position"/><state_interface name="velocity"/>'
 
 
 def component(inside: str, plugin: str = "mock_components/GenericSystem", kind: str = "system") -> str:
-    """A `<ros2_control>` tag."""
+    """Return a `<ros2_control>` element."""
     return (
         f'<ros2_control name="hw" type="{kind}"><hardware><plugin>{plugin}</plugin></hardware>{inside}</ros2_control>'
     )
 
 
 def joint(name: str, interfaces: str = POSITION + STATES) -> str:
-    """A joint of a component."""
+    """Return a joint of a component."""
     return f'<joint name="{name}">{interfaces}</joint>'
 
 
@@ -33,7 +33,7 @@ ARM = component(joint("shoulder") + joint("elbow"))
 
 
 def transmission(name: str, interface: str = "PositionJointInterface") -> str:
-    """A transmission of ROS 1."""
+    """Return a ROS 1 transmission."""
     return f"""
         <transmission name="{name}_trans">
           <type>transmission_interface/SimpleTransmission</type>
@@ -46,7 +46,10 @@ def transmission(name: str, interface: str = "PositionJointInterface") -> str:
 def session(
     part: str, yaml: str = "", distro: str = "jazzy", started: tuple[str, ...] | None = None, *, in_order: bool = False
 ) -> Session:
-    """What a distro's manager makes of the arm (links base, upper and fore, joints shoulder and elbow) with a part."""
+    """Return the session of a distro's controller manager for the arm with a part added to it.
+
+    The arm has the links base, upper and fore, and the joints shoulder and elbow.
+    """
     tree = parse(SourceText("/robot.urdf", completed("robot.urdf", part).encode()))
     root = tree.documentElement
     assert root is not None
@@ -58,10 +61,12 @@ def session(
 
 
 def stops(life: Life) -> list[str]:
-    """What stops a controller, in short."""
-    return [f"{s.stage.value} {s.reason.name} {s.claim.name if s.claim else ''}".strip() for s in life.stops]
+    """Return the reasons why a controller does not start, in short."""
+    return [
+        f"{stop.stage.value} {stop.reason.name} {stop.claim.name if stop.claim else ''}".strip() for stop in life.stops
+    ]
 
 
-def ways(made: Session) -> dict[str, list[str]]:
-    """What stops each controller."""
-    return {life.controller.name: stops(life) for life in lives(made)}
+def ways(session: Session) -> dict[str, list[str]]:
+    """Return the reasons why each controller does not start, by controller."""
+    return {life.controller.name: stops(life) for life in lives(session)}

@@ -1,4 +1,4 @@
-"""The corpus of public robots that lies beside a checkout; tests that read it are skipped where it is absent."""
+"""The corpus of public robots beside a checkout. Tests that read it are skipped if it is missing."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ needs_corpus = pytest.mark.skipif(not CORPUS.is_dir(), reason="the corpus of pub
 
 
 def roots() -> list[dict[str, Any]]:
-    """The roots of the corpus's index; none where there is no corpus."""
+    """Return the roots in the index of the corpus; none if there is no corpus."""
     if not CORPUS.is_dir():
         return []
     index = (CORPUS / "index.yaml").read_text(encoding="utf-8")

@@ -1,4 +1,4 @@
-"""Expands small literal files, for tests: with urdfctl, and with xacro itself."""
+"""Expand small literal files with urdfctl and with xacro itself."""
 
 from __future__ import annotations
 
@@ -7,18 +7,18 @@ from pathlib import Path
 
 import plain_xacro
 
+from urdfctl.expand.xml_writer import write
 from urdfctl.source.dom import Element, Node
 from urdfctl.source.files import Files
 from urdfctl.source.packages import PackageIndex, Packages
 from urdfctl.source.problem import Problem
-from urdfctl.source.xacro import Expander, Expansion
-from urdfctl.source.xml_writer import write
+from urdfctl.source.xacro.expansion import Expander, Expansion
 
 NAMESPACE = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 
 
 def laid_out(folder: Path, files: Mapping[str, str]) -> str:
-    """The path of the first of some files, all written below a folder."""
+    """Write files to a folder, and return the path of the first."""
     for name, text in files.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -27,7 +27,7 @@ def laid_out(folder: Path, files: Mapping[str, str]) -> str:
 
 
 def robot(body: str) -> str:
-    """A robot with xacro's namespace around a body, which begins on line 2."""
+    """Return a robot with xacro's namespace and this body, which starts on line 2."""
     return f'<robot name="r" {NAMESPACE}>\n{body}\n</robot>\n'
 
 
@@ -39,7 +39,7 @@ def expanded(
     trust: bool = False,
     environ: Mapping[str, str] | None = None,
 ) -> Expansion:
-    """The expansion of a file whose folder is the workspace."""
+    """Return the expansion of a file; its folder is the workspace."""
     folder = str(Path(path).parent)
     packages = Packages(path, PackageIndex(folder, environ={}))
     expander = Expander(Files([folder], packages.source_of), packages, environ or {}, strict=strict, trust=trust)
@@ -47,26 +47,26 @@ def expanded(
 
 
 def ours(path: str, arguments: Mapping[str, str] | None = None) -> str:
-    """What urdfctl writes for a file, or its first problem's message."""
+    """Return the XML that urdfctl writes for a file; if it fails, `error: ` and the message of the last problem."""
     expansion = expanded(path, arguments, strict=True)
     return write(expansion.document, path) if expansion.document else f"error: {expansion.problems[-1].message}"
 
 
 def theirs(path: str, arguments: Mapping[str, str] | None = None) -> str:
-    """What xacro writes for a file, or `error: ...`."""
+    """Return the XML that xacro writes for a file; `error: ...` if it fails."""
     return plain_xacro.expand(path, Packages(path, PackageIndex(str(Path(path).parent), environ={})), arguments or {})
 
 
 def said(problem: Problem) -> str:
-    """A problem as `file:line:column kind message`, the file without its folder."""
+    """Return a problem as `file:line:column kind message`; the file is without its folder."""
     position = problem.at.source.position(problem.at.span.start)
     where = f"{Path(problem.at.source.path).name}:{position.line}:{position.column}"
     return f"{where} {problem.kind.name} {problem.message}"
 
 
 def elements(node: Node | None) -> list[Element]:
-    """All elements at and below a node, in document order."""
+    """Return a node, if it is an element, and all elements below it, in document order."""
     if node is None:
         return []
-    below = [found for child in node.elements() for found in elements(child)]
+    below = [element for child in node.elements() for element in elements(child)]
     return [node, *below] if isinstance(node, Element) else below

@@ -1,4 +1,4 @@
-"""A folder of literal files to stand in, and the command as a process that runs there."""
+"""A temporary folder of literal files, and the command as a process in it."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ CHECKOUT = Path(__file__).parents[1]
 
 
 class Folder:
-    """A folder of its own, which is the current one during the test."""
+    """A temporary folder, which is the current one during the test."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
 
     def write(self, files: Mapping[str, str | bytes]) -> None:
-        """Write files by their names, as they stand: no line end is changed."""
+        """Write files by name, with their line ends unchanged."""
         for name, content in files.items():
             path = self.path / name
             path.parent.mkdir(parents=True, exist_ok=True)
@@ -31,7 +31,7 @@ class Folder:
         cwd: Path | str | None = None,
         text: str | None = None,
     ) -> subprocess.CompletedProcess[str]:
-        """`urdfctl` with some words, as a process of its own; a variable that is None is taken out."""
+        """Run `urdfctl` as a process; an environment variable that is None is removed."""
         return subprocess.run(
             [sys.executable, "-m", "urdfctl", *words],
             cwd=cwd or self.path,
@@ -46,10 +46,20 @@ class Folder:
 
 
 def environment(changes: Mapping[str, str | None]) -> dict[str, str]:
-    """This process's environment without what tells of ROS or colours, and with some changes."""
+    """Return this process's environment without ROS and colours, with some changes; the checkout is imported first."""
     plain = {name: value for name, value in os.environ.items() if not name.startswith("ROS_") and name not in UNWANTED}
     plain |= {name: value for name, value in changes.items() if value is not None}
+    plain["PYTHONPATH"] = checkout_first(plain.get("PYTHONPATH"))
     return {name: value for name, value in plain.items() if changes.get(name, "") is not None}
 
 
-UNWANTED = {"NO_COLOR", "FORCE_COLOR", "COLUMNS", "AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "CMAKE_PREFIX_PATH"}
+def checkout_first(python_path: str | None) -> str:
+    """Return a PYTHONPATH in which this checkout comes before any other copy of urdfctl."""
+    others = [entry for entry in (python_path or "").split(os.pathsep) if entry not in ("", str(CHECKOUT))]
+    return os.pathsep.join([str(CHECKOUT), *others])
+
+
+UNWANTED = {
+    *("NO_COLOR", "FORCE_COLOR", "COLUMNS", "AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "CMAKE_PREFIX_PATH"),
+    "PYTHONDONTWRITEBYTECODE",  # without bytecode each process compiles everything again: three times as slow
+}

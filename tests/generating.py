@@ -1,4 +1,4 @@
-"""What the tests of the generators share: a robot with everything, and what lint says of files."""
+"""Helpers for the tests of the generators: a robot with all kinds of joints, and the findings in generated files."""
 
 from __future__ import annotations
 
@@ -10,14 +10,16 @@ from typer.testing import CliRunner
 
 from urdfctl.catalog.catalog import CATALOG
 from urdfctl.cli.app import app
+from urdfctl.config.settings import Settings
 from urdfctl.errors import UserError
 from urdfctl.generate.everything import Order, files
 from urdfctl.generate.facts import JointFacts, RobotFacts
 from urdfctl.generate.options import File, Options, Roles
 from urdfctl.generate.templates import Templates
-from urdfctl.lint import Selection
-from urdfctl.load import Loader, Target
-from urdfctl.settings import Settings
+from urdfctl.lint.selection import Selection
+from urdfctl.lint.target import lint_target
+from urdfctl.load.loader import Loader
+from urdfctl.load.target import Target
 
 TEMPLATES = Templates()
 WHEELS = (
@@ -54,37 +56,37 @@ _ROLES = {
 
 
 def roles_of(name: str) -> Roles:
-    """The roles that a drive wants of the robot's joints."""
+    """Return the roles of the robot's joints for a drive."""
     return next((roles for part, roles in _ROLES.items() if part in name), Roles())
 
 
 def made(
     command: str, options: Options, joints: tuple[JointFacts, ...] = JOINTS, robot: RobotFacts = ROBOT
 ) -> list[File]:
-    """The files of a command."""
+    """Return the files that a generate command makes."""
     return files(command, Order(joints, options, CATALOG, robot, TEMPLATES))
 
 
 def told(folder: Path, texts: Mapping[str, str], distro: str, simulator: str | None = None) -> list[str]:
-    """What lint says, under all rules, of some files; the first is the robot, or a controllers' file alone.
+    """Return the findings of all rules in some files; the first is the robot, or a controller file alone.
 
-    That a type is gone in a later distro than the one asked for (UC707) is no fault of what was written for this one,
-    and stand-ins (UC449) are meant to be found.
+    Two rules are left out: UC707, which reports types that a later distro removes, and UC449, which reports the
+    placeholders in generated files.
     """
     for name, text in texts.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
-    loader = Loader(Settings(distro, simulator, workspace=str(folder), package_paths=(str(folder),)), Selection())
+    loader = Loader(Settings(distro, simulator, workspace=str(folder), package_paths=(str(folder),)))
     first, *others = [str(folder / name) for name in texts]
     controllers = tuple(path for path in others if path.endswith(".yaml"))
     launch = next((path for path in others if path.endswith(".launch")), None)
-    outcome = loader.lint(Target(first, controllers=controllers, launch=launch)).outcome
+    outcome = lint_target(loader, Target(first, controllers=controllers, launch=launch), Selection()).result.outcome
     return [f"{found.code} {found.message}" for found in outcome.diagnostics if found.code not in ("UC449", "UC707")]
 
 
 class Ran(NamedTuple):
-    """What a command came to."""
+    """The result of a command."""
 
     returncode: int
     stdout: str
@@ -92,7 +94,7 @@ class Ran(NamedTuple):
 
 
 def command(*words: str, text: str | None = None) -> Ran:
-    """`urdfctl` with some words, in this process; only robots are read in another."""
+    """Run `urdfctl` with these arguments in this process; robots are still read in another process."""
     try:
         result = CliRunner().invoke(app, list(words), input=text, catch_exceptions=False)
     except UserError as error:

@@ -1,4 +1,4 @@
-"""The xacro package as it is, with packages looked up as urdfctl does: what `urdfctl expand` must equal."""
+"""Run the original xacro package, with urdfctl's package lookup: the reference for `urdfctl expand`."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from urdfctl.source.packages import Packages
 
 
 def expand(path: str, packages: Packages, arguments: Mapping[str, str]) -> str:
-    """What `xacro FILE` prints, or `error: ...` where it fails."""
+    """Return the output of `xacro FILE`; `error: ...` if it fails."""
 
     def located_open(name: str, *rest: Any) -> Any:
         return open(packages.source_of(name), *rest)
@@ -28,7 +28,7 @@ def expand(path: str, packages: Packages, arguments: Mapping[str, str]) -> str:
         with contextlib.redirect_stderr(io.StringIO()):
             document = xacro.process_file(path, mappings=dict(arguments))
         return str(document.toprettyxml(indent="  "))
-    except Exception as error:  # noqa: BLE001 (whatever xacro raises)
+    except Exception as error:  # noqa: BLE001 (xacro raises errors of any type)
         return f"error: {re.sub('0x[0-9a-f]+', '0x', str(error))}"
     finally:
         del xacro.__dict__["open"]

@@ -1,16 +1,16 @@
-"""Literal findings that the tests of several reports tell."""
+"""Literal findings for the tests of the report formats."""
 
 from __future__ import annotations
 
 from folder import Folder
 
 from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Replacement, Severity, Step
-from urdfctl.lint import Linted, Outcome
+from urdfctl.lint.results import Outcome, TargetResult
 from urdfctl.report.common import Report
 
 
 def of_a_macro(folder: Folder) -> Diagnostic:
-    """An error in a macro that is called twice, with notes and a fix."""
+    """Return an error in a macro that is called twice, with notes and a fix."""
     file, robot = str(folder.path / "urdf/große wheel.xacro"), str(folder.path / "r.xacro")
     return Diagnostic(
         "UC201",
@@ -29,12 +29,12 @@ def of_a_macro(folder: Folder) -> Diagnostic:
 
 
 def bare(severity: Severity, message: str = "it is so", file: str = "/elsewhere/r.urdf") -> Diagnostic:
-    """A finding of which nothing is known but its place, over two lines."""
+    """Return a finding with nothing but a place, which spans two lines."""
     return Diagnostic("UC105", "several-root-links", severity, message, Location(file, 1, 2, 3, 4, 1, 40))
 
 
 def report(folder: Folder, *findings: Diagnostic, fail_on: Severity = Severity.ERROR) -> Report:
-    """A report on the robot r.xacro."""
+    """Return a report on the robot r.xacro."""
     path = str(folder.path / "r.xacro")
-    robot = Linted(path, 1, "noetic", "--distro", None, True, False, "r", 2, (path,), Outcome(list(findings), []))
+    robot = TargetResult(path, 1, "noetic", "--distro", None, True, False, "r", 2, (path,), Outcome(list(findings), []))
     return Report((robot,), findings, fail_on=fail_on)

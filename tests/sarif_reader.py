@@ -1,5 +1,8 @@
-"""Reads SARIF into the classes that Microsoft generates from the official schema: an independent view of what each
-object may and must hold. What those classes do not tell (types, ranges) is that of the schema's text."""
+"""Read SARIF into the classes that Microsoft generates from the official schema.
+
+These classes are an independent check of the allowed and required properties of each object. Types and ranges, which
+they do not check, are copied from the text of the schema.
+"""
 
 from __future__ import annotations
 
@@ -57,7 +60,7 @@ ALIKE = {"level": {"none", "note", "warning", "error"}, "columnKind": {"utf16Cod
 
 
 def read(text: str) -> Any:
-    """The one run of a log. AssertionError where the log is not SARIF 2.1.0."""
+    """Return the only run of a log. Raises AssertionError if the log is not SARIF 2.1.0."""
     log = json.loads(text)
     assert set(log) == {"$schema", "version", "runs"}
     assert log["version"] == "2.1.0"
@@ -66,7 +69,7 @@ def read(text: str) -> Any:
 
 
 def made(kind: Any, given: dict[str, Any]) -> Any:
-    """An object of SARIF, with those in it."""
+    """Return a SARIF object, including nested objects."""
     fields = {field.metadata["schema_property_name"]: field for field in attr.fields(kind)}
     assert set(given) <= set(fields), f"{kind.__name__} has no {set(given) - set(fields)}"
     missing = {name for name, field in fields.items() if field.default is attr.NOTHING} - set(given)
@@ -95,5 +98,5 @@ def value_of(kind: Any, name: str, value: Any) -> Any:
         assert type(value) is int, name
         assert value >= LEAST[name], (name, value)
         return value
-    assert type(value) is bool, f"{name}, of which nothing is known here"
+    assert type(value) is bool, f"unknown property {name}"
     return value

@@ -1,4 +1,4 @@
-"""Small robots to be driven: three rovers and three arms of different builds, and what controls them."""
+"""Small robots to simulate: three rovers and three arms of different builds, with their controller files."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ INERTIAL = '<inertial><mass value="{m}"/><inertia ixx="{i}" ixy="0" ixz="0" iyy=
 
 
 def link(name: str, mass: float, moment: float, shape: str = "", place: str = "0 0 0") -> str:
-    """A link with a shape that collides."""
+    """Return a link, with collision geometry if a shape is given."""
     collision = f'<collision><origin xyz="{place}"/><geometry>{shape}</geometry></collision>' if shape else ""
     return f'<link name="{name}">{INERTIAL.format(m=mass, i=moment)}{collision}</link>'
 
@@ -23,7 +23,7 @@ class Rover(NamedTuple):
     axis: str = "0 0 1"
 
     def urdf(self, left: str | None = None, right: str | None = None, effort: str = "20") -> str:
-        """The description; the wheels' axes may be others."""
+        """Return the description, with other axes of the wheels if they are given."""
         return f"""
         <robot name="rover">
           <link name="base_footprint"/>
@@ -63,7 +63,7 @@ class Rover(NamedTuple):
         return f'<joint name="{name}_wheel"><command_interface name="velocity"/>{states}</joint>'
 
     def yaml(self, radius: float = 1.0, separation: float = 1.0, left: str = "left", right: str = "right") -> str:
-        """What drives it; its measures may be told wrong by some factors."""
+        """Return the controller file, with the wheel radius and separation off by some factors."""
         return f"""
 controller_manager:
   ros__parameters:
@@ -88,7 +88,7 @@ ROVERS = {
 
 
 class Arm(NamedTuple):
-    """An arm of two joints that turn or slide about an axis, each with a mass at some distance."""
+    """An arm with two joints that turn about or slide along an axis, each with a mass at some distance."""
 
     kind: str = "revolute"
     axis: str = "0 1 0"
@@ -99,7 +99,7 @@ class Arm(NamedTuple):
     def urdf(
         self, effort: float = 200.0, velocity: float = 2.0, mass: str | None = None, interface: str = "effort"
     ) -> str:
-        """The description, with some limits and the mass of the last link."""
+        """Return the description, with some limits and the mass of the last link."""
         hand = link("fore", 1.0, 0.02).replace('mass value="1.0"', f'mass value="{mass or self.mass}"')
         return f"""
         <robot name="arm">
@@ -126,7 +126,7 @@ class Arm(NamedTuple):
         return f'<joint name="{name}"><command_interface name="{interface}"/>{states}</joint>'
 
     def yaml(self, gains: str | None = None, joints: str = "shoulder, elbow", interface: str = "effort") -> str:
-        """A trajectory controller with some gains."""
+        """Return the file of a trajectory controller with some gains."""
         given = gains or self.gains
         return f"""
 controller_manager:

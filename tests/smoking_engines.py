@@ -1,4 +1,4 @@
-"""Which engines are there to be tested with."""
+"""The physics engines that are installed, for tests."""
 
 from __future__ import annotations
 

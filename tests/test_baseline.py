@@ -1,4 +1,4 @@
-"""`--baseline`: what is known is hidden, wherever it moves; what is new is told, and what is gone too."""
+"""`--baseline`: known findings are hidden, wherever they move; new ones are reported, and fixed ones are counted."""
 
 from __future__ import annotations
 
@@ -8,13 +8,14 @@ from pathlib import Path
 
 import pytest
 from folder import Folder
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from reported import bare
+from sampling import examples
 
-from urdfctl.baseline import Known, compared, read_baseline, written
 from urdfctl.diagnostic import Diagnostic, Location, Severity, Step
 from urdfctl.errors import UserError
+from urdfctl.report.baseline import Known, baseline_text, compare, read_baseline
 
 FAULTY = """\
 <robot name="r">
@@ -27,7 +28,7 @@ SECOND = '  <joint name="k" type="odder"><parent link="a"/><child link="b"/></jo
 ONLY = ("--select", "UC121", "--format", "concise")
 
 
-def test_what_is_written_is_sorted_and_for_people_to_read(folder: Folder) -> None:
+def test_a_baseline_is_sorted_and_readable(folder: Folder) -> None:
     folder.write({"r.urdf": FAULTY})
     ran = folder.run("lint", "r.urdf", "--select", "UC121", "--write-baseline", "known.json")
     assert (ran.returncode, ran.stderr) == (0, "urdfctl: 1 finding written to 'known.json'\n")
@@ -62,24 +63,24 @@ def test_of_alike_findings_as_many_are_hidden_as_are_known(folder: Folder) -> No
     assert [line.split(":")[1] for line in ran.stdout.splitlines()] == ["5"]
 
 
-def test_what_is_gone_is_told_on_standard_error(folder: Folder) -> None:
+def test_fixed_findings_are_reported_on_standard_error(folder: Folder) -> None:
     folder.write({"r.urdf": FAULTY.replace("</robot>", SECOND)})
     folder.run("lint", "r.urdf", *ONLY, "--write-baseline", "known.json")
     folder.write({"r.urdf": FAULTY})
     ran = folder.run("lint", "r.urdf", *ONLY, "--baseline", "known.json")
     assert (ran.returncode, ran.stdout) == (0, "")
     assert ran.stderr == (
-        "urdfctl: gone: 1 finding known in 'known.json'; --write-baseline known.json forgets what is gone\n"
+        "urdfctl: fixed: 1 finding in baseline 'known.json'; --write-baseline known.json removes what is fixed\n"
     )
 
 
-def test_what_this_run_did_not_look_at_is_not_gone(folder: Folder) -> None:
+def test_findings_in_files_that_this_run_did_not_check_are_not_fixed(folder: Folder) -> None:
     folder.write({"r.urdf": FAULTY, "s.urdf": FAULTY})
     folder.run("lint", "r.urdf", "s.urdf", "--write-baseline", "known.json")
     assert folder.run("lint", "r.urdf", "--baseline", "known.json").stderr == ""
     assert folder.run("lint", "r.urdf", "s.urdf", "--select", "UC2", "--baseline", "known.json").stderr == ""
     (folder.path / "s.urdf").unlink()
-    assert "gone: 1 finding" in folder.run("lint", "r.urdf", *ONLY, "--baseline", "known.json").stderr
+    assert "fixed: 1 finding" in folder.run("lint", "r.urdf", *ONLY, "--baseline", "known.json").stderr
 
 
 def test_paths_count_from_the_folder_of_the_file(folder: Folder) -> None:
@@ -107,9 +108,9 @@ def test_a_finding_in_a_macro_is_known_whichever_robot_calls_it_first(folder: Fo
 
 def test_a_fault_of_ours_is_never_known(folder: Folder) -> None:
     ours = bare(Severity.ERROR)._replace(code="UC000")
-    assert read_of(folder, written([ours], "known.json")) == []
+    assert read_of(folder, baseline_text([ours], "known.json")) == []
     known = [Known("UC000", "../elsewhere/r.urdf", "it is so", "", 9)]
-    assert compared([ours], known, "known.json", lambda *_: False).new == [ours]
+    assert compare([ours], known, "known.json", lambda *_: False).new == [ours]
 
 
 def read_of(folder: Folder, text: str) -> list[Known]:
@@ -120,17 +121,17 @@ def read_of(folder: Folder, text: str) -> list[Known]:
 @pytest.mark.parametrize(
     ("text", "told"),
     [
-        ("", "no good JSON: Expecting value: line 1 column 1 (char 0)"),
-        ('{"version": 1', "no good JSON: Expecting ',' delimiter: line 1 column 14 (char 13)"),
+        ("", "invalid JSON: Expecting value: line 1 column 1 (char 0)"),
+        ('{"version": 1', "invalid JSON: Expecting ',' delimiter: line 1 column 14 (char 13)"),
         (b"\xff\xfe\xfd\xfc", None),
         ("[" * 100_000, None),
-        ("[]", "it holds something else"),
+        ("[]", "it has no version or no findings"),
         ('{"version": 2, "findings": []}', "its version is 2, not 1"),
         ('{"version": 1, "findings": {}}', None),
-        ('{"version": 1, "findings": [7]}', "its finding 1 lacks a part, or has one that is no good"),
+        ('{"version": 1, "findings": [7]}', "finding 1 has a missing or malformed field"),
         (
             '{"version": 1, "findings": [{"code": "UC1", "file": "f", "message": "m", "mark": "x", "times": 0}]}',
-            "its finding 1 lacks a part, or has one that is no good",
+            "finding 1 has a missing or malformed field",
         ),
         ('{"version": 1, "findings": [{"code": "UC1", "file": "f", "message": "m", "mark": 3}]}', None),
     ],
@@ -139,7 +140,7 @@ def test_a_broken_file_is_one_line_and_status_2(folder: Folder, text: str | byte
     folder.write({"r.urdf": FAULTY, "known.json": text})
     ran = folder.run("lint", "r.urdf", "--baseline", "known.json")
     assert (ran.returncode, ran.stdout, ran.stderr.count("\n")) == (2, "", 1)
-    assert ran.stderr.startswith("urdfctl: 'known.json' is no baseline")
+    assert ran.stderr.startswith("urdfctl: 'known.json' is not a baseline")
     assert told is None or ran.stderr.endswith(f": {told}\n")
 
 
@@ -148,7 +149,7 @@ def test_a_file_that_is_not_there_says_how_to_make_it(folder: Folder) -> None:
     ran = folder.run("lint", "r.urdf", "--baseline", "known.json")
     assert (ran.returncode, ran.stderr) == (
         2,
-        "urdfctl: no such file: 'known.json'; --write-baseline known.json makes it\n",
+        "urdfctl: baseline 'known.json' does not exist; --write-baseline known.json creates it\n",
     )
     ran = folder.run("lint", "r.urdf", "--write-baseline", "nowhere/known.json")
     assert (ran.returncode, ran.stderr) == (
@@ -177,22 +178,23 @@ FINDINGS = st.builds(
 )
 
 
+@settings(max_examples=examples(25))
 @given(st.lists(FINDINGS, max_size=8), st.lists(FINDINGS, max_size=3))
-def test_what_is_written_knows_just_what_was_found(
+def test_a_baseline_contains_exactly_the_findings_of_its_run(
     tmp_path_factory: pytest.TempPathFactory, findings: list[Diagnostic], more: list[Diagnostic]
 ) -> None:
     path = str(tmp_path_factory.getbasetemp() / "known.json")
-    Path(path).write_text(written(findings, path))
+    Path(path).write_text(baseline_text(findings, path))
     known = read_baseline(path)
     assert sum(one.times for one in known) == len(findings)
-    assert compared(findings, known, path, lambda *_: True) == ([], len(findings), [])
-    told = compared([*findings, *more], known, path, lambda *_: True)
-    assert (len(told.new), told.known, told.gone) == (len(more), len(findings), [])
-    fewer = compared(findings[1:], known, path, lambda *_: True)
-    assert sum(one.times for one in fewer.gone) == min(len(findings), 1)
+    assert compare(findings, known, path, lambda *_: True) == ([], len(findings), [])
+    comparison = compare([*findings, *more], known, path, lambda *_: True)
+    assert (len(comparison.new), comparison.known, comparison.fixed) == (len(more), len(findings), [])
+    fewer = compare(findings[1:], known, path, lambda *_: True)
+    assert sum(finding.times for finding in fewer.fixed) == min(len(findings), 1)
 
 
 def test_text_that_is_not_utf_8_is_told(folder: Folder) -> None:
     folder.write({"known.json": b'{"version": "\xff"}'})
-    with pytest.raises(UserError, match="no baseline"):
+    with pytest.raises(UserError, match="is not a baseline: invalid JSON"):
         read_baseline("known.json")

@@ -6,7 +6,7 @@ import pytest
 
 from urdfctl.catalog.additions import NO_ADDITIONS, Additions
 from urdfctl.catalog.catalog import CATALOG, catalog_with
-from urdfctl.catalog.distros import ALL, ROS1, ROS2, spanned
+from urdfctl.catalog.distros import ALL, ROS1, ROS2, applies_to, spanned
 from urdfctl.catalog.entries import Parameter, Replacement
 from urdfctl.catalog.map_parameters import expanded, expected, matching
 from urdfctl.model.project import Project
@@ -258,3 +258,19 @@ def test_a_project_has_the_catalogue_with_the_users_entries() -> None:
     assert Project(None, additions=additions).catalog.controller("my_controllers/Mine", "jazzy") is not None
     assert catalog_with(additions) is catalog_with(additions)
     assert catalog_with(NO_ADDITIONS).controller("my_controllers/Mine", "jazzy") is None
+
+
+@pytest.mark.parametrize(
+    ("distros", "note"),
+    [
+        (("kilted", "lyrical", "rolling"), "applies to kilted and later"),
+        (("foxy", "galactic", "humble", "iron"), "applies from foxy to iron"),
+        (("foxy", "galactic"), "applies to foxy, galactic"),
+        (ROS1, "applies to ROS 1"),
+        ((*ROS1, "foxy"), "applies to ROS 1, foxy"),
+        (("kinetic", "humble", "iron", "jazzy"), "applies to kinetic, humble to jazzy"),
+        (ALL, "applies to all distros"),
+    ],
+)
+def test_a_note_names_the_distros_of_a_finding(distros: tuple[str, ...], note: str) -> None:
+    assert applies_to(distros) == note

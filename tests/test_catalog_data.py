@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import pytest
+from sampling import assert_each
 
 from urdfctl.catalog.catalog import CATALOG
 from urdfctl.catalog.compiled import files
 from urdfctl.catalog.distros import ALL, ROS1, spanned
 from urdfctl.catalog.store import plain
 from urdfctl.catalog.validators import NAMES
+from urdfctl.control.gazebo_ros1 import GAZEBO_INTERFACES
 from urdfctl.rules.transmissions import facts
 
 
@@ -17,17 +19,15 @@ def test_the_compiled_data_is_that_of_the_yaml(path: object, text: str) -> None:
     assert path.read_text(encoding="utf-8") == text, "run python -m urdfctl.catalog.compiled"  # type: ignore[attr-defined]
 
 
-def controllers() -> list[tuple[str, str]]:
-    return [(name, distro) for distro in ALL for name in CATALOG.known_types(distro)]
+def test_all_that_a_controller_speaks_of_is_one_of_its_parameters() -> None:
+    def check(case: tuple[str, str]) -> None:
+        controller = CATALOG.controller(*case)
+        assert controller is not None
+        assert controller.undeclared == ()
+        for parameter in controller.parameters.values():
+            assert set(parameter.validators) | set(parameter.useful) <= NAMES
 
-
-@pytest.mark.parametrize(("name", "distro"), controllers())
-def test_all_that_a_controller_speaks_of_is_one_of_its_parameters(name: str, distro: str) -> None:
-    controller = CATALOG.controller(name, distro)
-    assert controller is not None
-    assert controller.undeclared == ()
-    for parameter in controller.parameters.values():
-        assert set(parameter.validators) | set(parameter.useful) <= NAMES
+    assert_each(check, {f"{distro}-{name}": (name, distro) for distro in ALL for name in CATALOG.known_types(distro)})
 
 
 @pytest.mark.parametrize("ros", [1, 2])
@@ -53,8 +53,8 @@ def test_the_rules_on_transmissions_know_what_the_catalogue_knows(distro: str) -
             assert (found.joint_roles, found.actuator_roles) == (facts.JOINT_ROLES, facts.ACTUATOR_ROLES)
     interfaces = CATALOG.hardware_interfaces(distro).values()
     accepted = {found.name.removeprefix(facts.PREFIX) for found in interfaces if found.in_gazebo == "accepted"}
-    assert accepted == set(facts.GAZEBO_INTERFACES)
-    known = {*facts.GAZEBO_INTERFACES, *facts.HARDWARE_INTERFACES}
+    assert accepted == set(GAZEBO_INTERFACES)
+    known = {*GAZEBO_INTERFACES, *facts.HARDWARE_INTERFACES}
     of_joints = {found.name for found in interfaces if found.resource == "joint" or found.kind == "transmission_only"}
     assert {name.removeprefix(facts.PREFIX) for name in of_joints} <= known
 

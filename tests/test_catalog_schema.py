@@ -10,6 +10,7 @@ from typing import Any
 import jsonschema
 import pytest
 import yaml
+from sampling import assert_each
 
 import urdfctl.catalog.schema
 from urdfctl.catalog.compiled import DATA
@@ -31,18 +32,23 @@ KINDS = {
 }
 
 
-def entries() -> Iterator[Any]:
+def entries() -> Iterator[tuple[str, tuple[Any, str]]]:
+    """Yield each entry of the catalogue and its kind, by name."""
     for path in sorted(DATA.glob("ros?/**/*.yaml")):
         kind = KINDS.get(path.relative_to(DATA).parts[1].removesuffix(".yaml"))
         if kind is not None:
             for entry in yaml.load(path.read_text(encoding="utf-8"), yaml.CSafeLoader):
-                yield pytest.param(entry, kind, id=f"{path.parts[-3]}-{entry.get('type', entry.get('id'))}")
+                name = f"{path.relative_to(DATA)}: {entry.get('type', entry.get('id'))}"
+                yield name, (entry, kind)
 
 
-@pytest.mark.parametrize(("entry", "kind"), list(entries()))
-def test_the_data_obeys_the_schema(entry: dict[str, Any], kind: str) -> None:
-    assert list(flaws(entry, kind)) == []
-    VALIDATORS[kind].validate(entry)
+def test_the_data_obeys_the_schema() -> None:
+    def check(case: tuple[Any, str]) -> None:
+        entry, kind = case
+        assert list(flaws(entry, kind)) == []
+        VALIDATORS[kind].validate(entry)
+
+    assert_each(check, dict(entries()))
 
 
 def test_the_schema_is_one() -> None:
@@ -52,19 +58,22 @@ def test_the_schema_is_one() -> None:
 @pytest.mark.parametrize(
     ("entry", "told"),
     [
-        ({}, ": has no 'type'"),
-        ({"type": 3}, "type: must be a text, not 3"),
-        ({"type": "my Arm"}, "type: 'my Arm' is no type as pluginlib knows it, such as package/Class"),
+        ({}, ": required key 'type' is missing"),
+        ({"type": 3}, "type: must be a string, not 3"),
+        ({"type": "my Arm"}, "type: 'my Arm' is invalid; expected a plugin type, such as package/Class"),
         ({"type": "a/B", "paramters": {}}, ": unknown key 'paramters'; did you mean 'parameters'?"),
-        ({"type": "a/B", "distros": "humbel.."}, "distros: 'humbel..' names no distro"),
-        ({"type": "a/B", "chainable": "humbel.."}, "chainable: 'humbel..' names no distro"),
-        ({"type": "a/B", "chainable": 1}, "chainable: must be a text, not 1"),
+        ({"type": "a/B", "distros": "humbel.."}, "distros: 'humbel..' is not a distro"),
+        ({"type": "a/B", "chainable": "humbel.."}, "chainable: 'humbel..' is not a distro"),
+        ({"type": "a/B", "chainable": 1}, "chainable: must be a string, not 1"),
         ({"type": "a/B", "kind": "sensor"}, 'kind: must be "controller" or "broadcaster", not "sensor"'),
         (
             {"type": "a/B", "parameters": {"p": {"type": "float"}}},
-            f"parameters.p.type: 'float' is no {SCHEMA['$defs']['parameter_type']['description']}",
+            f"parameters.p.type: 'float' is invalid; expected a {SCHEMA['$defs']['parameter_type']['description']}",
         ),
-        ({"type": "a/B", "parameters": {"gains.<joints>.p": {}}}, "parameters.\"gains.<joints>.p\": has no 'type'"),
+        (
+            {"type": "a/B", "parameters": {"gains.<joints>.p": {}}},
+            "parameters.\"gains.<joints>.p\": required key 'type' is missing",
+        ),
         ({"type": "a/B", "parameters": ["p"]}, 'parameters: must be a table, not ["p"]'),
         (
             {"type": "a/B", "parameters": {"p": {"type": "int", "validators": {"bounds": [1]}}}},
@@ -72,11 +81,11 @@ def test_the_schema_is_one() -> None:
         ),
         (
             {"type": "a/B", "parameters": {"p": {"type": "int", "overrides": {"humbel": {}}}}},
-            "parameters.p.overrides.humbel: 'humbel' names no distro",
+            "parameters.p.overrides.humbel: 'humbel' is not a distro",
         ),
         (
             {"type": "a/B", "claims": {"command": [{"for_each": "joints", "interface": ["effort"]}]}},
-            'claims.command[0].interface: must be a text, not ["effort"]',
+            'claims.command[0].interface: must be a string, not ["effort"]',
         ),
     ],
 )

@@ -1,12 +1,11 @@
-"""For each type of controller in each distro: the least right file is clean, and what is left out, of a wrong type or
-refused by a validator is found where it stands."""
+"""For each controller type and distro: a minimal file is clean; missing, mistyped and invalid values are reported."""
 
 from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping
 
-import pytest
+from sampling import assert_each, sample
 
 from urdfctl.catalog.catalog import CATALOG
 from urdfctl.catalog.distros import ROS1, ROS2, generation
@@ -16,7 +15,8 @@ from urdfctl.catalog.validators import problem
 from urdfctl.control.minimal import minimal_parameters
 from urdfctl.control.values import Values
 from urdfctl.diagnostic import Diagnostic, Severity
-from urdfctl.lint import Selection, lint
+from urdfctl.lint.engine import lint
+from urdfctl.lint.selection import Selection
 from urdfctl.model.build_controllers import Loaded, controllers_of
 from urdfctl.model.project import Project
 from urdfctl.source.span import SourceText
@@ -30,7 +30,7 @@ def known(distro: str, name: str) -> ControllerType:
 
 
 def types() -> Iterator[tuple[str, str]]:
-    """Each type in each distro, without those that are as in the distro before."""
+    """Yield each type in each distro, unless it is the same as in the previous distro."""
     for family in (ROS1, ROS2):
         last: dict[str, ControllerType] = {}
         for distro in family:
@@ -42,11 +42,11 @@ def types() -> Iterator[tuple[str, str]]:
 
 
 TYPES = list(types())
-NAMES = [f"{distro}-{name}" for distro, name in TYPES]
+SAMPLE = {f"{distro}-{name}": (distro, name) for distro, name in sample(TYPES, 6)}
 
 
 def file_of(controller: ControllerType, values: Mapping[str, object]) -> str:
-    """A controllers' file, as JSON, which is YAML too; dotted names nested where ROS 1 wants them so."""
+    """Return a controller file as JSON, which is valid YAML; for ROS 1, dotted names are nested."""
     if generation(controller.distro) == 2:
         manager = {"update_rate": 100, "c": {"type": controller.type}}
         sections: dict[str, object] = {"controller_manager": {"ros__parameters": manager}}
@@ -74,33 +74,41 @@ def findings(controller: ControllerType, values: Mapping[str, object]) -> list[D
 
 
 def is_gain(controller: ControllerType, name: str) -> bool:
-    """ROS 1's PID gains have rules of their own."""
+    """Return whether it is a PID gain of ROS 1, which has its own rules."""
     return generation(controller.distro) == 1 and name.rpartition(".")[2] == "p"
 
 
-@pytest.mark.parametrize(("distro", "name"), TYPES, ids=NAMES)
-def test_the_least_right_parameters_are_clean(distro: str, name: str) -> None:
-    controller = known(distro, name)
-    values = minimal_parameters(controller)
-    found = [one for one in findings(controller, values) if one.code != "UC439"]  # a chain without filters is right too
-    assert [one.message for one in found] == []
+def test_minimal_parameters_have_no_findings() -> None:
+    def check(case: tuple[str, str]) -> None:
+        controller = known(*case)
+        values = minimal_parameters(controller)
+        messages = [
+            finding.message
+            for finding in findings(controller, values)
+            if finding.code != "UC439"  # a chain without filters is valid too
+        ]
+        assert messages == []
+
+    assert_each(check, SAMPLE)
 
 
-@pytest.mark.parametrize(("distro", "name"), TYPES, ids=NAMES)
-def test_each_needed_parameter_that_is_left_out_is_missed(distro: str, name: str) -> None:
-    controller = known(distro, name)
-    values = minimal_parameters(controller)
-    for parameter in controller.parameters.values():
-        if not parameter.needed or is_gain(controller, parameter.name):
-            continue
-        for full in expanded(parameter.name, Values(controller, values)):
-            rest = {key: value for key, value in values.items() if key != full}
-            found = findings(controller, {**rest, "use_sim_time": True})
-            assert any(one.code == "UC431" and f"'{full}'" in one.message for one in found), full
+def test_each_missing_required_parameter_is_reported() -> None:
+    def check(case: tuple[str, str]) -> None:
+        controller = known(*case)
+        values = minimal_parameters(controller)
+        for parameter in controller.parameters.values():
+            if not parameter.needed or is_gain(controller, parameter.name):
+                continue
+            for full in expanded(parameter.name, Values(controller, values)):
+                rest = {key: value for key, value in values.items() if key != full}
+                reported = findings(controller, {**rest, "use_sim_time": True})
+                assert any(finding.code == "UC431" and f"'{full}'" in finding.message for finding in reported), full
+
+    assert_each(check, SAMPLE)
 
 
 def wrong_value(parameter: Parameter, distro: str) -> object:
-    """A value of another type; None where there is none that is surely wrong."""
+    """Return a value of another type; None if no value is certain to be wrong."""
     kinds = {kind.removesuffix("_array") for kind in parameter.types}
     if kinds & {"none", "struct"}:
         return None
@@ -109,22 +117,25 @@ def wrong_value(parameter: Parameter, distro: str) -> object:
     return "a text" if generation(distro) == 1 or "double" not in kinds else "1.0x"
 
 
-@pytest.mark.parametrize(("distro", "name"), TYPES, ids=NAMES)
-def test_a_value_of_a_wrong_type_is_found_for_each_parameter(distro: str, name: str) -> None:
-    controller = known(distro, name)
-    values = minimal_parameters(controller)
-    for parameter in controller.parameters.values():
-        wrong = wrong_value(parameter, distro)
-        if wrong is None or parameter.ignored:
-            continue
-        for full in expanded(parameter.name, Values(controller, values))[:1]:
-            found = [one.message for one in findings(controller, {**values, full: wrong}) if one.code == "UC432"]
-            assert len(found) == 1, full
-            assert found[0].startswith(f"'{full}' must be")
+def test_a_value_of_the_wrong_type_is_reported_for_each_parameter() -> None:
+    def check(case: tuple[str, str]) -> None:
+        controller = known(*case)
+        values = minimal_parameters(controller)
+        for parameter in controller.parameters.values():
+            wrong = wrong_value(parameter, controller.distro)
+            if wrong is None or parameter.ignored:
+                continue
+            for full in expanded(parameter.name, Values(controller, values))[:1]:
+                reported = findings(controller, {**values, full: wrong})
+                messages = [finding.message for finding in reported if finding.code == "UC432"]
+                assert len(messages) == 1, full
+                assert messages[0].startswith(f"'{full}' must be")
+
+    assert_each(check, SAMPLE)
 
 
 def broken_values(parameter: Parameter, values: Mapping[str, object]) -> Iterator[object]:
-    """Values of the right type that a validator refuses."""
+    """Yield values of the right type that a validator rejects."""
     kind = parameter.types[-1]
     plain = kind.removesuffix("_array")
     singles: list[object] = {
@@ -142,20 +153,27 @@ def broken_values(parameter: Parameter, values: Mapping[str, object]) -> Iterato
             yield value
 
 
-@pytest.mark.parametrize(("distro", "name"), TYPES, ids=NAMES)
-def test_a_value_that_a_validator_refuses_is_found(distro: str, name: str) -> None:
-    controller = known(distro, name)
-    values = minimal_parameters(controller)
-    for parameter in controller.parameters.values():
-        if parameter.ignored:
-            continue
-        for full in expanded(parameter.name, Values(controller, values))[:1]:
-            for broken in broken_values(parameter, values):
-                code = "UC407" if broken == [] and generation(distro) == 2 else "UC433"
-                found = [one.code for one in findings(controller, {**values, full: broken})]
-                assert found.count(code) == 1, (full, broken)
+def test_a_value_that_a_validator_rejects_is_reported() -> None:
+    def check(case: tuple[str, str]) -> None:
+        controller = known(*case)
+        values = minimal_parameters(controller)
+        for parameter in controller.parameters.values():
+            if parameter.ignored:
+                continue
+            for full in expanded(parameter.name, Values(controller, values))[:1]:
+                for broken in broken_values(parameter, values):
+                    code = "UC407" if broken == [] and generation(controller.distro) == 2 else "UC433"
+                    codes = [finding.code for finding in findings(controller, {**values, full: broken})]
+                    assert codes.count(code) == 1, (full, broken)
+
+    assert_each(check, SAMPLE)
 
 
-def test_the_values_that_are_tried_break_all_validators() -> None:
-    every = [p for distro, name in TYPES for p in known(distro, name).parameters.values() if p.validators]
-    assert [one for one in every if not list(broken_values(one, {one.name: ["a"]}))] == []
+def test_the_broken_values_cover_all_validators() -> None:
+    validated = [
+        parameter
+        for distro, name in TYPES
+        for parameter in known(distro, name).parameters.values()
+        if parameter.validators
+    ]
+    assert [parameter for parameter in validated if not list(broken_values(parameter, {parameter.name: ["a"]}))] == []

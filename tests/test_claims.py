@@ -1,4 +1,4 @@
-"""Controllers claim and export interfaces by the rules of their catalogue's entry."""
+"""Claims and exports of controllers by the rules of their catalogue entries."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ def test_a_broadcaster_of_nothing_in_particular_takes_what_is_there() -> None:
         "io/in1",
     ]
     of_joints = claimed(broadcaster, "rolling", {"map_interface_to_joint_state.effort": "torque"}).state
-    assert names(of_joints)[:4] == [f"shoulder/{one}" for one in ("position", "velocity", "effort", "torque")]
+    assert names(of_joints)[:4] == [f"shoulder/{name}" for name in ("position", "velocity", "effort", "torque")]
     assert all(claim.best_effort for claim in of_joints)
     chosen: dict[str, object] = {"joints": ["elbow"], "interfaces": ["position"]}
     assert names(claimed(broadcaster, "rolling", chosen).state) == ["elbow/position"]

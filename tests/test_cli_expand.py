@@ -89,17 +89,17 @@ def test_a_file_that_is_there_outlives_a_problem_whatever_the_force(folder: Fold
 @pytest.mark.parametrize(
     ("words", "told"),
     [
-        (["robto.xacro"], "urdfctl: no such file: 'robto.xacro'; did you mean 'robot.xacro'?\n"),
+        (["robto.xacro"], "urdfctl: file 'robto.xacro' does not exist; did you mean 'robot.xacro'?\n"),
         (
             ["robot.xacro", "part.xacro"],
-            "urdfctl: one file at a time: what is 'part.xacro'? Arguments are written name:=value\n",
+            "urdfctl: unexpected argument 'part.xacro': expand reads one file; arguments are name:=value\n",
         ),
         (
             ["robot.xacro", "-o", "nowhere/robot.urdf"],
             "urdfctl: 'nowhere/robot.urdf' cannot be written: No such file or directory\n",
         ),
         (["robot.xacro", "-o", ".", "--force"], "urdfctl: '.' is a folder\n"),
-        (["robot.xacro", "--timeout", "0"], "urdfctl: --timeout is a number of seconds up to 86400, not 0\n"),
+        (["robot.xacro", "--timeout", "0"], "urdfctl: --timeout must be a number of seconds up to 86400, not 0\n"),
     ],
 )
 def test_a_command_that_cannot_be_meant_has_status_2(folder: Folder, words: list[str], told: str) -> None:

@@ -24,22 +24,20 @@ LOG = f"""\
 {LINE.replace("elbow", "wrist")}
 [FATAL] [1623.48]: Could not initialize robot simulation interface
 """
-NOTHING = "nothing to explain: give a rule's code, a line of a log in quotes, or a log"
+NOTHING = "nothing to explain; pass a rule code, a line of a log in quotes, or a log"
 
 
 def command(*words: str, given: str = "") -> Result:
-    """What the command does in this process with something on its standard input; an exception rises."""
+    """Run the command in this process with the given standard input; exceptions are raised."""
     return CliRunner().invoke(app, ["explain", *words], input=given, catch_exceptions=False)
 
 
 def test_a_pasted_line_is_explained_with_its_names_causes_rules_and_authority() -> None:
     ran = command(LINE)
     assert ran.exit_code == 0
-    assert ran.stdout.startswith(
-        "No valid hardware interface element found in joint 'elbow'.\n  Joint 'elbow' stands in"
-    )
+    assert ran.stdout.startswith("No valid hardware interface element found in joint 'elbow'.\n  Joint 'elbow' is in a")
     for part in (
-        "Likely causes, in this order:\n    1. ",
+        "Causes, most likely first:\n    1. ",
         "UC201",
         "Fix: Put <hardwareInterface>",
         "Printed by ros_control's transmission parser (indigo to noetic)",
@@ -57,16 +55,16 @@ def test_a_log_is_explained_from_a_pipe_or_a_file(folder: Folder, words: list[st
     folder.write({"gazebo.log": LOG})
     ran = command(*words, given=LOG)
     assert ran.exit_code == 0
-    told = ran.stdout
-    assert told.startswith("6 lines: 1 failure, 1 consequence, 1 harmless\n\n== What fails ==\n\nline 2 (2 times, also")
-    places = [told.index(part) for part in ("line 2 ", "line 6: ", "line 4: the flux", "line 3: No p gain", "Next:")]
+    text = ran.stdout
+    assert text.startswith("6 lines: 1 failure, 1 consequence, 1 harmless\n\n== Failures ==\n\nline 2 (2 times, also")
+    places = [text.index(part) for part in ("line 2 ", "line 6: ", "line 4: the flux", "line 3: No p gain", "Next:")]
     assert places == sorted(places)
 
 
-def test_a_log_as_json_tells_all_of_it() -> None:
-    told = json.loads(command("-", "--format", "json", given=LOG).stdout)
-    assert (told["version"], told["tool"]["version"], told["lines"], told["complete"]) == (1, __version__, 6, True)
-    first = told["messages"][0]
+def test_a_log_as_json_contains_everything() -> None:
+    log = json.loads(command("-", "--format", "json", given=LOG).stdout)
+    assert (log["version"], log["tool"]["version"], log["lines"], log["complete"]) == (1, __version__, 6, True)
+    first = log["messages"][0]
     assert (first["id"], first["kind"], first["line"], first["count"]) == (
         "no-hardware-interface-in-joint",
         "failure",
@@ -75,46 +73,46 @@ def test_a_log_as_json_tells_all_of_it() -> None:
     )
     assert first["values"] == [{"joint": "elbow"}, {"joint": "wrist"}]
     assert first["causes"][0]["rules"] == [{"code": "UC201", "name": "transmission-joint-without-interface"}]
-    assert [message["kind"] for message in told["messages"]] == ["failure", "consequence", "harmless"]
-    assert told["unknown"] == [{"line": 4, "count": 1, "text": "the flux capacitor is empty", "nearest": None}]
-    assert told["next"][0].startswith("urdfctl lint robot.xacro")
+    assert [message["kind"] for message in log["messages"]] == ["failure", "consequence", "harmless"]
+    assert log["unknown"] == [{"line": 4, "count": 1, "text": "the flux capacitor is empty", "nearest": None}]
+    assert log["next"][0].startswith("urdfctl lint robot.xacro")
 
 
-def test_a_rule_as_json_is_what_the_list_of_rules_tells() -> None:
-    told = json.loads(command("UC201", "--format", "json").stdout)
-    assert (told["code"], told["name"]) == ("UC201", "transmission-joint-without-interface")
+def test_a_rule_as_json_has_the_same_form_as_in_the_list_of_rules() -> None:
+    rule = json.loads(command("UC201", "--format", "json").stdout)
+    assert (rule["code"], rule["name"]) == ("UC201", "transmission-joint-without-interface")
 
 
-def test_a_text_that_is_no_message_is_not_known_and_has_status_0() -> None:
+def test_an_unknown_text_is_reported_and_has_status_0() -> None:
     ran = command("foo bar baz")
-    assert (ran.exit_code, ran.stdout) == (0, "This is no message that urdfctl knows:\nfoo bar baz\n")
+    assert (ran.exit_code, ran.stdout) == (0, "urdfctl does not know this message:\nfoo bar baz\n")
 
 
 def test_the_nearest_message_is_offered() -> None:
-    told = command("no valid hardware interface elements found for joint 'elbow'").stdout
-    assert "did you mean: No valid hardware interface element found in joint '…'." in told
+    text = command("no valid hardware interface elements found for joint 'elbow'").stdout
+    assert "did you mean: No valid hardware interface element found in joint '…'." in text
 
 
 @pytest.mark.parametrize(
-    ("words", "told"),
+    ("words", "error"),
     [
         ([], NOTHING),
         (["-"], NOTHING),
         ([""], NOTHING),
         (["  "], NOTHING),
-        (["logs/gazebo.log"], "no file 'logs/gazebo.log'"),
+        (["logs/gazebo.log"], "file 'logs/gazebo.log' does not exist"),
         ([LINE, "--format", "yaml"], "unknown format 'yaml'; known are text, json"),
     ],
 )
-def test_nothing_to_explain_is_the_user_s_error(words: list[str], told: str) -> None:
+def test_nothing_to_explain_is_the_user_s_error(words: list[str], error: str) -> None:
     with pytest.raises(UserError) as nothing:
         command(*words)
-    assert str(nothing.value).startswith(told)
+    assert str(nothing.value).startswith(error)
 
 
-def test_of_a_family_the_way_to_its_rules_is_told(folder: Folder) -> None:
-    told = "urdfctl: no rule 'uc2'; those whose code begins so: urdfctl rules --select UC2\n"
-    assert folder.run("explain", "uc2").stderr == told
+def test_for_a_family_the_command_that_lists_its_rules_is_shown(folder: Folder) -> None:
+    error = "urdfctl: unknown rule 'uc2'. To list the rules with this prefix, run urdfctl rules --select UC2\n"
+    assert folder.run("explain", "uc2").stderr == error
 
 
 def test_an_empty_log_has_status_2(folder: Folder) -> None:
@@ -125,12 +123,12 @@ def test_an_empty_log_has_status_2(folder: Folder) -> None:
     assert ran.stderr.count("\n") == 1
 
 
-def test_what_a_stranger_s_log_holds_does_not_speak_to_the_terminal() -> None:
-    told = command(
+def test_control_characters_of_a_log_do_not_reach_the_terminal() -> None:
+    ran = command(
         "-", given="[ERROR] \x07\x1b]0;title\x07bad \x9b31m thing\n" + LINE.replace("elbow", "el\x08bow\u202e")
     )
-    assert told.stdout.isprintable() or all(c.isprintable() or c == "\n" for c in told.stdout)
-    assert "joint 'el\\x08bow\\u202e'" in told.stdout
+    assert ran.stdout.isprintable() or all(c.isprintable() or c == "\n" for c in ran.stdout)
+    assert "joint 'el\\x08bow\\u202e'" in ran.stdout
 
 
 def test_a_log_of_any_encoding_is_read(folder: Folder) -> None:

@@ -1,8 +1,9 @@
-"""`urdfctl smoke` on the command line: what is tested, how it is told, and the exit status."""
+"""`urdfctl smoke` on the command line: the robots tested, the reports, and the exit status."""
 
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
@@ -13,13 +14,15 @@ from smoking_engines import needs_pybullet
 from typer.testing import CliRunner
 
 from urdfctl.cli.app import app
-from urdfctl.cli.smoke_command import Asked, run_smoke
+from urdfctl.cli.options import SmokeOptions
+from urdfctl.cli.smoke_command import run_smoke
+from urdfctl.config.settings import Settings
 from urdfctl.errors import UserError
-from urdfctl.load import Target
+from urdfctl.lint.job import job_for, perform_alone
+from urdfctl.load.target import Target
 from urdfctl.rules.examples import unmarked
 from urdfctl.rules.smoke.common import CONTROLLERS, HARDWARE
-from urdfctl.settings import Settings
-from urdfctl.smoke.job import Wanted, perform, smoke_all
+from urdfctl.smoke.job import Wanted, prepare_work, smoke_all
 
 SAMPLES = CHECKOUT / "samples"
 SOUND = ["mybot", "my_robot", "radu"]
@@ -27,7 +30,7 @@ NONE = ("--engine", "none")
 
 
 def smoke(*words: object) -> Result:
-    """`urdfctl smoke` with some words, in this process (but for its workers)."""
+    """Run `urdfctl smoke` with some words in this process, except for its workers."""
     return CliRunner().invoke(app, ["smoke", *map(str, words)])
 
 
@@ -56,9 +59,11 @@ def test_a_sound_sample_passes_when_it_is_moved(name: str) -> None:
 
 
 @needs_pybullet
-def test_it_is_moved_where_nothing_is_said(tmp_path: Path) -> None:
-    said = json.loads(smoke(SAMPLES / "radu", "--format", "json").stdout)
-    assert {(one["verdict"], one["engine"]) for one in said["controllers"]} == {("passed", "pybullet")}
+def test_it_is_simulated_by_default(tmp_path: Path) -> None:
+    report = json.loads(smoke(SAMPLES / "radu", "--format", "json").stdout)
+    assert {(controller["verdict"], controller["engine"]) for controller in report["controllers"]} == {
+        ("passed", "pybullet")
+    }
 
 
 def test_without_an_engine_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -78,15 +83,17 @@ def test_the_command_is_one_process(folder: Folder) -> None:
 
 
 def test_json_has_an_entry_for_each_controller() -> None:
-    said = json.loads(smoke(SAMPLES / "mybot", *NONE, "--format", "json").stdout)
-    assert said["findings"] == []
-    assert [(one["type"], one["verdict"], one["stage"]) for one in said["controllers"]] == [
+    report = json.loads(smoke(SAMPLES / "mybot", *NONE, "--format", "json").stdout)
+    assert report["findings"] == []
+    assert [
+        (controller["type"], controller["verdict"], controller["stage"]) for controller in report["controllers"]
+    ] == [
         ("joint_state_controller/JointStateController", "skipped", "activate"),
         ("effort_controllers/JointVelocityController", "skipped", "activate"),
         ("effort_controllers/JointVelocityController", "skipped", "activate"),
     ]
-    assert said["controllers"][0]["name"] == "joint_state_controller"
-    assert said["controllers"][0]["reason"].startswith("structural only")
+    assert report["controllers"][0]["name"] == "joint_state_controller"
+    assert report["controllers"][0]["reason"] == "not simulated: no physics engine was used"
 
 
 def test_junit_has_a_test_case_for_each_controller() -> None:
@@ -106,8 +113,8 @@ def test_other_forms_are_those_of_lint(tmp_path: Path, form: str) -> None:
 
 def test_shards_share_the_robots_out() -> None:
     def robots(*words: str) -> list[tuple[str, ...]]:
-        said = json.loads(smoke(SAMPLES, *NONE, "--format", "json", *words).stdout)
-        return [(target["robot"], *target["controllers"]) for target in said["targets"]]
+        report = json.loads(smoke(SAMPLES, *NONE, "--format", "json", *words).stdout)
+        return [(target["robot"], *target["controllers"]) for target in report["targets"]]
 
     parts = robots("--shard", "1/2") + robots("--shard", "2/2")
     assert sorted(parts) == sorted(robots())
@@ -122,53 +129,92 @@ def test_controllers_and_names_may_be_given(tmp_path: Path) -> None:
     yaml.write_text(CONTROLLERS % ("arm", "joints: [elbow]"), encoding="utf-8")
     done = smoke(robot, "--controllers", yaml, *NONE)
     assert "2 controllers: 2 skipped" in done.stdout
-    assert "no controllers\n" in smoke(robot, "--controllers", yaml, "--only", "hand", *NONE).stdout
-    assert "no controller is declared for it" in smoke(robot, *NONE).stdout
+    assert "no controllers are declared for this robot" in smoke(robot, *NONE).stdout
 
 
-def test_a_folder_without_robots_says_so(tmp_path: Path) -> None:
-    done = smoke(tmp_path, *NONE)
-    assert done.exit_code == 0
-    assert "no robot found in" in done.stderr
+def bare_robot(folder: Path) -> Path:
+    """A robot with hardware, and nothing that controls it."""
+    robot = folder / "robot.urdf"
+    robot.write_text(unmarked({"robot.urdf": HARDWARE})[0]["robot.urdf"], encoding="utf-8")
+    return robot
 
 
-def test_a_terminal_is_shown_colours(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_run_that_tested_no_controller_is_not_green(tmp_path: Path) -> None:
+    done = smoke(bare_robot(tmp_path), *NONE)
+    assert done.exit_code == 5
+    assert "nothing was tested: no controllers found; name their file with --controllers\n" in done.stdout
+    assert smoke(bare_robot(tmp_path), *NONE, "--allow-empty").exit_code == 0
+
+
+def test_a_run_that_tested_no_controller_fails_in_junit_too(tmp_path: Path) -> None:
+    root = ET.fromstring(smoke(bare_robot(tmp_path), *NONE, "--format", "junit").stdout)
+    assert root.get("failures") == "1"
+    assert [case.get("name") for case in root.iter("testcase") if case.find("failure") is not None] == [
+        "nothing was tested"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (("--only", "hand"), "--only: no robot has a controller 'hand'"),
+        (("--controllers", "extar.yaml"), "file does not exist: 'extar.yaml'"),
+    ],
+)
+def test_an_option_that_matches_nothing_is_an_error(tmp_path: Path, words: tuple[str, ...], message: str) -> None:
+    with pytest.raises(UserError, match=re.escape(message)):
+        raise smoke(bare_robot(tmp_path), *NONE, *words).exception or AssertionError
+
+
+def test_a_folder_without_robots_is_an_error(tmp_path: Path) -> None:
+    with pytest.raises(UserError, match=r"nothing to test in .*: name a robot or a launch file"):
+        raise smoke(tmp_path, *NONE).exception or AssertionError
+
+
+def test_a_named_controller_file_is_read_wherever_it_is(tmp_path: Path) -> None:
+    inside = tmp_path / "inside"
+    inside.mkdir()
+    outside = tmp_path / "extra.yaml"
+    outside.write_text(CONTROLLERS % ("arm", "joints: [elbow]"), encoding="utf-8")
+    done = smoke(bare_robot(inside), "--workspace", inside, "--controllers", outside, *NONE)
+    assert "2 controllers: 2 skipped" in done.stdout
+
+
+def test_a_terminal_gets_colours(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     monkeypatch.setattr("sys.stdout.isatty", lambda: True)
     monkeypatch.delenv("NO_COLOR", raising=False)
-    asked = Asked((str(SAMPLES / "radu"),), Wanted())
-    assert run_smoke(asked, Settings()) == 0
+    assert run_smoke(SmokeOptions(paths=[str(SAMPLES / "radu")], engine="none")) == 0
     assert "velocity_controller" in capsys.readouterr().out
 
 
-def test_a_robot_that_takes_too_much_is_told_so(tmp_path: Path) -> None:
+def test_a_robot_that_takes_too_much_is_reported(tmp_path: Path) -> None:
     path = tmp_path / "robot.urdf"
     path.write_text("<robot name='r'>" + '<link name="a"/>' * 50_000 + "</robot>", encoding="utf-8")
     [made] = smoke_all([Target(str(path))], Settings(timeout=0.05), Wanted())
-    assert [one.code for one in made.linted.outcome.diagnostics] == ["UC014"]
+    assert [finding.code for finding in made.linted.outcome.diagnostics] == ["UC014"]
 
 
 def test_a_worker_can_begin_with_a_job_alone() -> None:
     path = str(SAMPLES / "radu" / "urdf" / "radu.urdf.xacro")
-    job = {"target": Target(path)._asdict(), "settings": Settings().to_json(), "wanted": Wanted()._asdict()}
-    job = json.loads(json.dumps(job))
-    assert perform(job)["linted"]["robot"] == "radu"
+    job = job_for(prepare_work, Target(path), Settings(), details=Wanted()._asdict())
+    assert perform_alone(json.loads(json.dumps(job)))["linted"]["robot"] == "radu"
 
 
 @pytest.mark.parametrize(
     ("words", "why"),
     [
         (["--engine", "nonne"], "unknown engine 'nonne'; did you mean 'none'?"),
-        (["--shard", "3/2"], "--shard is written K/N, K from 1 to N"),
-        (["--duration", "0", *NONE], "--duration is a number of seconds up to 60, not 0"),
-        (["--jobs", "-1"], "--jobs is a number of robots"),
+        (["--shard", "3/2"], "--shard must be K/N with K from 1 to N"),
+        (["--duration", "0", *NONE], "--duration must be a number of seconds up to 60, not 0"),
+        (["--jobs", "-1"], "--jobs must be a number of robots"),
         (["--format", "jsn"], "unknown format 'jsn'; did you mean 'json'?"),
-        (["--format", "json="], "--format json= names no file"),
-        (["--report", ""], "--report names no file"),
-        (["--controllers", ""], "--controllers names no file"),
-        (["--shard", ""], "--shard is written K/N"),
+        (["--format", "json="], "--format json= requires the name of a file"),
+        (["--report", ""], "--report requires the name of a file"),
+        (["--controllers", ""], "--controllers requires the name of a file"),
+        (["--shard", ""], "--shard must be K/N"),
     ],
 )
-def test_what_means_nothing_is_an_error_of_the_user(words: list[str], why: str) -> None:
+def test_a_meaningless_option_is_an_error_of_the_user(words: list[str], why: str) -> None:
     done = smoke(SAMPLES / "radu", *words)
     assert isinstance(done.exception, UserError)
     assert why in str(done.exception)

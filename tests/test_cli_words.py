@@ -2,38 +2,29 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import pytest
 import typer.main
 
+from urdfctl.cli import lint_table
 from urdfctl.cli.app import app
-from urdfctl.cli.lint_words import FLAGS, MANY, NAMES, ONE, plain_options
+from urdfctl.cli.fast_path import lint_options, plain_options, table
+from urdfctl.cli.options import LintOptions
 from urdfctl.cli.words import codes, split_arguments
 
 LINT = typer.main.get_command(app).commands["lint"]  # type: ignore[attr-defined]
-OPTIONS = [parameter for parameter in LINT.params if parameter.param_type_name == "option" and parameter.name != "help"]
 
 
-def test_both_know_the_same_options() -> None:
-    assert {option for parameter in OPTIONS for option in parameter.opts} == {*ONE, *MANY, *FLAGS}
-    assert not [option for parameter in OPTIONS for option in parameter.secondary_opts]
+def test_the_table_is_generated_from_the_options_that_typer_reads() -> None:
+    assert Path(lint_table.__file__).read_text(encoding="utf-8") == table()
 
 
-def test_both_know_which_options_take_a_value_and_of_what_type() -> None:
-    for parameter in OPTIONS:
-        [option] = parameter.opts
-        assert parameter.is_flag == (option in FLAGS), option
-        assert parameter.multiple == (option in MANY), option
-        if option in ONE:
-            assert parameter.type("7") == ONE[option]("7"), option
-            assert type(parameter.type("7")) is ONE[option], option
-
-
-def test_both_call_the_options_by_the_same_names() -> None:
-    for parameter in OPTIONS:
-        [option] = parameter.opts
-        assert NAMES.get(option, option.removeprefix("--").replace("-", "_")) == parameter.name
+def test_both_paths_give_an_object_with_the_same_attributes() -> None:
+    options = lint_options(["robot.xacro", "--distro", "noetic", "--select", "UC2", "--fix"])
+    expected = LintOptions(paths=["robot.xacro"], distro="noetic", select=["UC2"], fix=True)
+    assert vars(options) == vars(expected)
 
 
 def by_typer(words: list[str]) -> dict[str, Any]:

@@ -10,7 +10,7 @@ import pytest
 from folder import CHECKOUT, Folder
 
 from urdfctl.catalog.additions import Additions
-from urdfctl.config import Config, config_for, config_of, with_environ
+from urdfctl.config.file import Config, config_for, config_of, with_environ
 from urdfctl.errors import UserError
 
 ARM = """
@@ -128,21 +128,24 @@ STIFF = '[[controllers]]\ntype = "my_controllers/Stiff"\n'
 @pytest.mark.parametrize(
     ("text", "told"),
     [
-        ("distro = ", "no good TOML: "),
-        ("\xff", "no good TOML: 'utf-8' codec can't decode byte 0xff"),
+        ("distro = ", "invalid TOML: "),
+        ("\xff", "invalid TOML: 'utf-8' codec can't decode byte 0xff"),
         ("distros = 'jazzy'", "unknown key 'distros'; did you mean 'distro'?"),
         ("distro = 'jazy'", "distro: unknown distro 'jazy'; did you mean 'jazzy'?"),
-        ("distro = 3", "distro: must be a text, not 3"),
-        ("simulator = 'ode'", 'simulator: must be "gz" or "gazebo-classic" or "mujoco" or "none", not "ode"'),
+        ("distro = 3", "distro: must be a string, not 3"),
+        ("simulator = 'ode'", 'simulator: must be "gz", "gazebo-classic", "mujoco" or "none", not "ode"'),
         ("select = 'UC2'", 'select: must be a list, not "UC2"'),
-        ("package-paths = ['nowhere']", "package-paths: no such folder: 'nowhere'"),
-        ("[severity]\nUC2 = 'loud'", 'severity.UC2: must be "error" or "warning" or "info" or "off", not "loud"'),
-        ("[severity]\nX2 = 'off'", "severity.X2: 'X2' is no code, or beginning of codes, such as UC1"),
-        ("[[controllers]]\npackage = 'p'", "controllers[0]: has no 'type'"),
+        ("package-paths = ['nowhere']", "package-paths: folder 'nowhere' does not exist"),
+        ("[severity]\nUC2 = 'loud'", 'severity.UC2: must be "error", "warning", "info" or "off", not "loud"'),
+        ("[severity]\nX2 = 'off'", "severity.X2: 'X2' is invalid; expected a rule code or prefix, such as UC1"),
+        ("[[controllers]]\npackage = 'p'", "controllers[0]: required key 'type' is missing"),
         (STIFF + "paramters = {}", "controllers[0]: unknown key 'paramters'; did you mean 'parameters'?"),
         (
             STIFF + "parameters.stiffness = { type = 'float' }",
-            "controllers[0].parameters.stiffness.type: 'float' is no type of a parameter: bool, int, double",
+            (
+                "controllers[0].parameters.stiffness.type: 'float' is invalid; "
+                "expected a parameter type: bool, int, double"
+            ),
         ),
         (
             STIFF + "extends = 'imu_sensor_broadcaster/IMUSensorBroadcastr'",
@@ -150,13 +153,13 @@ STIFF = '[[controllers]]\ntype = "my_controllers/Stiff"\n'
         ),
         (
             STIFF + "distros = 'noetic'\nextends = 'imu_sensor_broadcaster/IMUSensorBroadcaster'",
-            "controllers[0].extends: the distros of 'imu_sensor_broadcaster/IMUSensorBroadcaster' are others: ROS 2",
+            "controllers[0].extends: 'imu_sensor_broadcaster/IMUSensorBroadcaster' exists only in other distros: ROS 2",
         ),
         (STIFF + "extends = 'my_controllers/Stiff'", "controllers[0].extends: unknown type 'my_controllers/Stiff'"),
         (
             STIFF + "parameters.joints = { type = 'string_array' }\n"
             "claims.command = [{ for_each = 'joint', interface = 'stiffness' }]",
-            "controllers[0]: it speaks of 'joint', which is none of its parameters; did you mean 'joints'?",
+            "controllers[0]: entry uses parameter 'joint', but does not declare it; did you mean 'joints'?",
         ),
         ("[[hardware]]\ntype = 'a/B'\ncommand_interfaces = 'all'", "hardware[0].command_interfaces: must be a list"),
     ],
@@ -176,7 +179,7 @@ def test_a_file_that_is_too_large_is_not_read(folder: Folder) -> None:
 
 def test_a_key_of_pyproject_is_told_with_its_table(folder: Folder) -> None:
     folder.write({"pyproject.toml": "[tool.urdfctl]\ndistro = 1\n"})
-    with pytest.raises(UserError, match=r"^pyproject.toml: tool\.urdfctl\.distro: must be a text, not 1$"):
+    with pytest.raises(UserError, match=r"^pyproject.toml: tool\.urdfctl\.distro: must be a string, not 1$"):
         config_of("pyproject.toml")
 
 
@@ -281,7 +284,7 @@ def test_another_file_may_be_named(folder: Folder) -> None:
     )
     assert told(folder, "arm.urdf", "--config", "ci.toml") == []
     ran = folder.run("lint", "arm.urdf", "--config", "no.toml")
-    assert (ran.returncode, ran.stderr) == (2, "urdfctl: no such file: 'no.toml'\n")
+    assert (ran.returncode, ran.stderr) == (2, "urdfctl: file 'no.toml' does not exist\n")
 
 
 @pytest.mark.parametrize(
@@ -356,7 +359,7 @@ def test_show_settings_tells_what_is_set_and_by_what(folder: Folder) -> None:
         "# workspace: HERE",
         "# at most 20 s and 2048 MiB for a robot",
         'distro = "jazzy"                          # urdfctl.toml',
-        "# simulator: not set; the files of each robot tell",
+        "# simulator: not set; detected from the files of each robot",
         "package-paths = []                        # default",
         'select = ["UC1", "UC3"]                   # --select',
         'ignore = ["UC2"]                          # $URDFCTL_IGNORE',
@@ -395,4 +398,4 @@ def test_show_settings_says_where_there_is_no_configuration(folder: Folder) -> N
     folder.write({"robots/arm.urdf": ARM})
     lines = folder.run("lint", "robots", "--show-settings").stdout.splitlines()
     assert lines[0] == "# configuration: none"
-    assert "# distro: not set; the files of each robot tell" in lines
+    assert "# distro: not set; detected from the files of each robot" in lines

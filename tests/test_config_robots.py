@@ -8,9 +8,9 @@ import pytest
 from folder import Folder
 from smoking_engines import needs_an_engine
 
-from urdfctl.config import config_of
+from urdfctl.config.file import config_of
+from urdfctl.config.robots import MOST_VARIANTS, ConfiguredRobot
 from urdfctl.errors import UserError
-from urdfctl.variants import MOST_VARIANTS, ConfiguredRobot
 
 ARM = """\
 <robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -77,16 +77,19 @@ def test_all_that_may_be_said_of_a_robot_is_read(folder: Folder) -> None:
     ("text", "told"),
     [
         ("[robot]\npath = 'arm.urdf'", "robot: must be a list, not {"),
-        ("[[robot]]\nargs = {}", "robot[0]: has no 'path'"),
+        ("[[robot]]\nargs = {}", "robot[0]: required key 'path' is missing"),
         ("[[robot]]\npath = 'arm.urdf'\nmatrx = {}", "robot[0]: unknown key 'matrx'; did you mean 'matrix'?"),
-        ("[[robot]]\npath = 'arm.urdf'\nmatrix.a = []", "robot[0].matrix.a: must have at least 1 elements"),
+        ("[[robot]]\npath = 'arm.urdf'\nmatrix.a = []", "robot[0].matrix.a: must have at least 1 element"),
         ("[[robot]]\npath = 'arm.urdf'\nmatrix.a = 'b'", 'robot[0].matrix.a: must be a list, not "b"'),
-        ("[[robot]]\npath = 'arm.urdf'\nargs.a = ['b']", 'robot[0].args.a: must be a text, not ["b"]'),
-        ("[[robot]]\npath = 'arm.urdf'\nargs.a = 1\nmatrix.a = [2]", "robot[0].matrix: 'a' is given in args too"),
-        ("[[robot]]\npath = 'arm.udrf'", "robot[0].path: no such file: 'arm.udrf'; did you mean 'arm.urdf'?"),
-        ("[[robot]]\npath = 'no/arm.urdf'", "robot[0].path: no such file: 'no/arm.urdf'"),
-        ("[[robot]]\npath = 'arm.urdf'\nlaunch = ['a.py']", "robot[0].launch[0]: no such file: 'a.py'"),
-        ("[[robot]]\npath = 'arm.urdf'\ncontrollers = ['a.yaml']", "robot[0].controllers[0]: no such file: 'a.yaml'"),
+        ("[[robot]]\npath = 'arm.urdf'\nargs.a = ['b']", 'robot[0].args.a: must be a string, not ["b"]'),
+        ("[[robot]]\npath = 'arm.urdf'\nargs.a = 1\nmatrix.a = [2]", "robot[0].matrix: 'a' is also defined in args"),
+        ("[[robot]]\npath = 'arm.udrf'", "robot[0].path: file 'arm.udrf' does not exist; did you mean 'arm.urdf'?"),
+        ("[[robot]]\npath = 'no/arm.urdf'", "robot[0].path: file 'no/arm.urdf' does not exist"),
+        ("[[robot]]\npath = 'arm.urdf'\nlaunch = ['a.py']", "robot[0].launch[0]: file 'a.py' does not exist"),
+        (
+            "[[robot]]\npath = 'arm.urdf'\ncontrollers = ['a.yaml']",
+            "robot[0].controllers[0]: file 'a.yaml' does not exist",
+        ),
     ],
 )
 def test_what_means_nothing_is_told_with_file_and_key(folder: Folder, text: str, told: str) -> None:
@@ -99,7 +102,7 @@ def test_what_means_nothing_is_told_with_file_and_key(folder: Folder, text: str,
 def test_a_matrix_has_an_end(folder: Folder) -> None:
     axes = "\n".join(f"matrix.a{number} = {list(range(10))}" for number in range(9))
     folder.write({"urdfctl.toml": f"[[robot]]\npath = 'arm.urdf'\n{axes}", "arm.urdf": ARM})
-    with pytest.raises(UserError, match=f"gives more than {MOST_VARIANTS} variants"):
+    with pytest.raises(UserError, match=f"defines more than {MOST_VARIANTS} variants"):
         config_of("urdfctl.toml")
 
 
@@ -181,7 +184,7 @@ def test_what_only_some_variants_show_is_not_mended(folder: Folder) -> None:
     folder.write({"urdfctl.toml": text, "arm.xacro": REVERSED})
     ran = folder.run("lint", "--unsafe-fixes", "--exit-zero")
     assert (folder.path / "arm.xacro").read_text() == REVERSED
-    assert "UC125 is not fixed: it would change a robot that has no such finding" in ran.stderr
+    assert "UC125 is not fixed: the fix would also change a robot without this finding" in ran.stderr
 
 
 def test_what_all_variants_show_is_mended_once(folder: Folder) -> None:

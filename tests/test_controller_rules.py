@@ -1,15 +1,14 @@
-"""What the rules on controllers' files say beyond their examples: by distro, and of what is near a fault."""
+"""Rules on controller files beyond their examples: by distro, and on values close to a fault."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
 import pytest
+import robots
 
 from urdfctl.diagnostic import Diagnostic
-from urdfctl.lint import Selection, joined
-from urdfctl.load import Loader, Target
-from urdfctl.settings import Settings
+from urdfctl.load.target import Target
 
 ARM = """\
 <robot name="arm">
@@ -52,23 +51,19 @@ FORWARDS = "arm:\n  ros__parameters:\n    joints: [%s]\n    interface_name: posi
 def findings(
     folder: Path, text: str, distro: str | None = "jazzy", robot: str = "", start: tuple[str, ...] | None = None
 ) -> list[Diagnostic]:
-    """The findings of UC40 to UC44 in a controllers' file, alone or beside a robot."""
+    """Return the findings of UC40 to UC44 in a controller file, alone or beside a robot."""
     file = folder / "controllers.yaml"
     file.write_text(text, encoding="utf-8")
-    settings = Settings(distro=distro, workspace=str(folder), started=start, environ={})
     target = Target(str(file))
     if robot:
         (folder / "robot.urdf").write_text(robot, encoding="utf-8")
         target = Target(str(folder / "robot.urdf"), controllers=(str(file),))
-    outcome = Loader(settings, Selection()).lint(target).outcome
-    assert not outcome.crashed
-    return [
-        one for one in joined([outcome], Selection()) if one.code.startswith(("UC40", "UC41", "UC42", "UC43", "UC44"))
-    ]
+    found = robots.findings(target, distro=distro, workspace=str(folder), started=start)
+    return [finding for finding in found if finding.code.startswith(("UC40", "UC41", "UC42", "UC43", "UC44"))]
 
 
 def told(found: list[Diagnostic]) -> list[str]:
-    return [f"{one.code} {one.severity.value} {one.at.line}" for one in found]
+    return [f"{finding.code} {finding.severity.value} {finding.at.line}" for finding in found]
 
 
 # -- shape -------------------------------------------------------------------------------------------------------------
@@ -80,10 +75,10 @@ def test_a_misspelt_ros_parameters_is_told_once_and_mended(tmp_path: Path, slip:
     found = findings(tmp_path, text)
     if slip == "ros__parameter":  # rcl compares no more than the letters of ros__parameters, which are not all there
         assert told(found)[0] == "UC403 error 2"
-    [one] = [one for one in found if one.code == "UC403"]
-    assert one.fix is not None
-    assert one.fix.safe
-    assert one.fix.edits[0].text == "ros__parameters"
+    [finding] = [finding for finding in found if finding.code == "UC403"]
+    assert finding.fix is not None
+    assert finding.fix.safe
+    assert finding.fix.edits[0].text == "ros__parameters"
 
 
 def test_a_controllers_section_without_ros_parameters_is_told_at_its_name(tmp_path: Path) -> None:
@@ -133,9 +128,11 @@ def test_a_name_with_letters_that_no_node_can_have_is_told(tmp_path: Path) -> No
     ],
 )
 def test_a_misspelt_type_is_recognised(tmp_path: Path, slip: str, right: str) -> None:
-    [one] = [one for one in findings(tmp_path, MANAGER % slip + RIGHT) if one.code in ("UC421", "UC423")]
-    assert one.severity.value == "error"
-    assert right in one.message
+    [finding] = [
+        finding for finding in findings(tmp_path, MANAGER % slip + RIGHT) if finding.code in ("UC421", "UC423")
+    ]
+    assert finding.severity.value == "error"
+    assert right in finding.message
 
 
 @pytest.mark.parametrize(
@@ -181,14 +178,14 @@ def test_a_started_controller_that_no_file_knows_has_no_type(tmp_path: Path) -> 
 def test_an_integer_is_a_number_for_ros_1_and_foxy_alone(tmp_path: Path) -> None:
     text = MANAGER % TRAJECTORY + RIGHT + "    action_monitor_rate: 20\n"
     assert findings(tmp_path, text, "foxy") == []
-    [one] = findings(tmp_path, text, "humble")
-    assert (one.code, one.severity.value) == ("UC432", "error")
-    assert one.fix is not None
-    assert one.fix.safe
-    assert one.fix.edits[0].text == "20.0"
+    [finding] = findings(tmp_path, text, "humble")
+    assert (finding.code, finding.severity.value) == ("UC432", "error")
+    assert finding.fix is not None
+    assert finding.fix.safe
+    assert finding.fix.edits[0].text == "20.0"
     [unsure] = findings(tmp_path, text, None)
     assert unsure.severity.value == "warning"
-    assert [note.message for note in unsure.notes] == ["this holds for galactic to rolling"]
+    assert [note.message for note in unsure.notes] == ["applies to galactic and later"]
 
 
 def test_a_number_that_yaml_takes_for_a_text_is_told_in_ros_1(tmp_path: Path) -> None:
@@ -282,8 +279,10 @@ def test_a_removed_parameter_is_told_where_it_is_removed(
 
 def test_a_parameter_that_comes_later_says_since_when(tmp_path: Path) -> None:
     text = MANAGER % TRAJECTORY + RIGHT + "    interpolate_from_desired_state: true\n"
-    [one] = findings(tmp_path, text, "humble")
-    assert one.message == "'arm' does not read 'interpolate_from_desired_state' in humble, only from jazzy on"
+    [finding] = findings(tmp_path, text, "humble")
+    assert finding.message == (
+        "controller 'arm' does not read 'interpolate_from_desired_state' in humble, only in jazzy and later"
+    )
     assert findings(tmp_path, text, None) == []
 
 
@@ -325,14 +324,14 @@ def test_a_joint_that_is_none_of_the_robots_is_told_as_surely_as_it_is_meant_for
 @pytest.mark.parametrize("other", ["joint_3", "joint_10"])
 def test_another_joint_of_a_row_is_not_taken_for_a_slip(tmp_path: Path, other: str) -> None:
     robot = ARM.replace("shoulder", "joint_1").replace("elbow", "joint_2")
-    [one] = findings(tmp_path, MANAGER % FORWARD + FORWARDS % f"joint_1, {other}", robot=robot)
-    assert one.severity.value == "warning"
-    assert "did you mean" not in one.message
+    [finding] = findings(tmp_path, MANAGER % FORWARD + FORWARDS % f"joint_1, {other}", robot=robot)
+    assert finding.severity.value == "warning"
+    assert "did you mean" not in finding.message
 
 
 def test_a_link_that_is_named_for_its_joint_says_so(tmp_path: Path) -> None:
-    [one] = findings(tmp_path, MANAGER % FORWARD + FORWARDS % "elbow, upper", robot=ARM, start=("arm",))
-    assert [note.message for note in one.notes] == ["'upper' is a link; the joint that moves it is 'shoulder'"]
+    [finding] = findings(tmp_path, MANAGER % FORWARD + FORWARDS % "elbow, upper", robot=ARM, start=("arm",))
+    assert [note.message for note in finding.notes] == ["'upper' is a link; the joint that moves it is 'shoulder'"]
 
 
 # -- extra joints of ROS 1 ---------------------------------------------------------------------------------------------
@@ -345,10 +344,10 @@ STATES = "states:\n  type: joint_state_controller/JointStateController\n  publis
     [
         ("{name: caster, position: 0.0, velocity: 1.0e-3}", None),
         ("{name: caster, position: $(arg caster)}", None),
-        ("{position: 0.0}", "this extra joint has no name, and is left out: give it one, as 'name: caster_joint'"),
+        ("{position: 0.0}", "extra joint has no name and is ignored; add one, e.g. 'name: caster_joint'"),
         (
             "{name: caster, position: 0.0, effort: off}",
-            "the effort of extra joint 'caster' is no number with a decimal point, so that the joint is left out",
+            "effort of extra joint 'caster' must be a number with a decimal point; the joint is ignored",
         ),
     ],
 )
@@ -356,7 +355,7 @@ def test_extra_joints_have_a_name_and_numbers_with_a_decimal_point(
     tmp_path: Path, joint: str, said: str | None
 ) -> None:
     found = findings(tmp_path, STATES % f"[{{name: wheel}}, {joint}]", "noetic")
-    assert [one.message for one in found] == ([said] if said else [])
+    assert [finding.message for finding in found] == ([said] if said else [])
 
 
 def test_a_whole_number_of_an_extra_joint_is_mended(tmp_path: Path) -> None:

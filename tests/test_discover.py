@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import json
 import os
 from pathlib import Path
 
 import pytest
 from folder import Folder
 
-from urdfctl.discover import Found, find
+from urdfctl.discover.robots import DiscoveredFiles, discover_files
 from urdfctl.errors import UserError
 
 ROBOT = '<robot name="r"><link name="a"/></robot>'
@@ -20,13 +21,13 @@ def package(name: str) -> str:
 
 
 def roots(*paths: str) -> list[str]:
-    return [os.path.normpath(path) for path in find(paths or (".",)).candidates]
+    return [os.path.normpath(path) for path in discover_files(paths or (".",)).candidates]
 
 
 def test_each_kind_of_file_is_known_by_its_name(folder: Folder) -> None:
     names = "a.urdf b.xacro c.urdf.xacro d.yaml e.yml f.launch g.launch.xml h.launch.py i.launch.yaml j".split()
     folder.write(dict.fromkeys(names, ""))
-    found = find(names)
+    found = discover_files(names)
     assert found.robots == ["a.urdf", "b.xacro", "c.urdf.xacro", "j"]
     assert found.controllers == ["d.yaml", "e.yml"]
     assert found.launches == ["f.launch", "g.launch.xml", "h.launch.py", "i.launch.yaml"]
@@ -35,16 +36,16 @@ def test_each_kind_of_file_is_known_by_its_name(folder: Folder) -> None:
 def test_a_path_that_does_not_exist_is_an_error_that_names_the_nearest(folder: Folder) -> None:
     folder.write({"urdf/robot.xacro": ROBOT})
     with pytest.raises(UserError) as missing:
-        find(["urdf/robto.xacro"])
-    assert str(missing.value) == "no such file or folder: 'urdf/robto.xacro'; did you mean 'robot.xacro'?"
+        discover_files(["urdf/robto.xacro"])
+    assert str(missing.value) == "file or folder 'urdf/robto.xacro' does not exist; did you mean 'robot.xacro'?"
     with pytest.raises(UserError) as missing:
-        find(["nowhere/robot.xacro"])
-    assert str(missing.value) == "no such file or folder: 'nowhere/robot.xacro'"
+        discover_files(["nowhere/robot.xacro"])
+    assert str(missing.value) == "file or folder 'nowhere/robot.xacro' does not exist"
 
 
 def test_a_broken_link_is_there_and_its_reading_tells_what_is_wrong(folder: Folder) -> None:
     os.symlink("nowhere", "robot.xacro")
-    assert find(["robot.xacro"]).robots == ["robot.xacro"]
+    assert discover_files(["robot.xacro"]).robots == ["robot.xacro"]
 
 
 def test_the_roots_of_a_folder_are_the_files_that_no_other_includes(folder: Folder) -> None:
@@ -127,7 +128,7 @@ def test_without_a_path_the_package_around_the_current_folder_is_meant(
 ) -> None:
     folder.write({"arm/package.xml": package("arm"), "arm/urdf/arm.xacro": ROBOT, "arm/config/x.yaml": ""})
     monkeypatch.chdir(folder.path / "arm/config")
-    assert find([]).candidates == ["../urdf/arm.xacro"]
+    assert discover_files([]).candidates == ["../urdf/arm.xacro"]
 
 
 def test_without_a_path_and_a_package_the_current_folder_is_meant(folder: Folder) -> None:
@@ -138,19 +139,27 @@ def test_without_a_path_and_a_package_the_current_folder_is_meant(folder: Folder
 def test_a_file_named_twice_or_named_and_found_is_one_robot_that_was_named(folder: Folder) -> None:
     folder.write({"arm.xacro": ROBOT})
     path = str(Path("arm.xacro").resolve())
-    assert find(["arm.xacro", "./arm.xacro"]).descriptions() == [(path, True)]
-    assert find([".", "arm.xacro"]).descriptions() == [(path, True)]
+    assert discover_files(["arm.xacro", "./arm.xacro"]).descriptions() == [(path, True)]
+    assert discover_files([".", "arm.xacro"]).descriptions() == [(path, True)]
 
 
 def test_the_files_that_no_robot_has_read_are_known(folder: Folder) -> None:
     folder.write({"robot.xacro": INCLUDES.format("used.xacro"), "used.xacro": ROBOT, "unused.xacro": ROBOT})
-    found = find(["."])
+    found = discover_files(["."])
     read = [str(folder.path / name) for name in ("robot.xacro", "used.xacro")]
     assert found.unread(read) == [str(folder.path / "unused.xacro")]
-    assert Found().unread(read) == []
+    assert DiscoveredFiles().unread(read) == []
 
 
 @pytest.mark.parametrize("word", ["<include ", "<!--", '<xacro:include filename="'])
 def test_a_million_beginnings_without_an_end_are_searched_once(folder: Folder, word: str) -> None:
     folder.write({"robot.urdf": "<robot " + word * (1_000_000 // len(word))})  # one by one it would take hours
     assert roots(".") == ["robot.urdf"]
+
+
+@pytest.mark.parametrize("name", ["COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE"])
+def test_an_ignored_folder_is_linted_if_there_is_nothing_else(folder: Folder, name: str) -> None:
+    folder.write({f"arm/{name}": "", "arm/urdf/arm.urdf": '<robot name="arm"><link name="a"/><link name="b"/></robot>'})
+    ran = folder.run("lint", ".", "--format", "json", "--exit-zero")
+    assert [target["robot"] for target in json.loads(ran.stdout)["targets"]] == ["arm/urdf/arm.urdf"]
+    assert ran.stderr == "urdfctl: checked although COLCON_IGNORE or CATKIN_IGNORE leaves nothing else: ./arm\n"

@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
+import os
+
 import pytest
 from folder import Folder
 
-from urdfctl.catalog.distros import ROS2
-from urdfctl.evidence import ROS1
-from urdfctl.lint import Linted, Selection
-from urdfctl.load import Loader, Target
+from urdfctl.catalog.distros import ROS2, since, until
+from urdfctl.config.settings import Settings
+from urdfctl.diagnostic import Severity
+from urdfctl.lint.results import TargetResult
+from urdfctl.lint.selection import Selection
+from urdfctl.lint.target import lint_target
+from urdfctl.load.distro import weighed
+from urdfctl.load.evidence import EXPLICIT, ROS1
+from urdfctl.load.loader import Loader
+from urdfctl.load.target import Target
+from urdfctl.model.evidence import Evidence, Item
 from urdfctl.model.project import Project
-from urdfctl.settings import Settings
 
 PLAIN = '<robot name="r"><link name="a"/>{}</robot>'
 ROS2_CONTROL = '<ros2_control name="c" type="system"/>'
@@ -25,9 +33,9 @@ def manifest(text: str) -> str:
     return f"<package><name>r</name>{text}</package>"
 
 
-def linted(folder: Folder, files: dict[str, str], settings: Settings = Settings()) -> Linted:  # noqa: B008 (immutable)
+def linted(folder: Folder, files: dict[str, str], settings: Settings = Settings()) -> TargetResult:  # noqa: B008 (immutable)
     folder.write(files)
-    return Loader(settings, Selection()).lint(Target("r.urdf"))
+    return lint_target(Loader(settings), Target("r.urdf"), Selection()).result
 
 
 @pytest.mark.parametrize(
@@ -140,9 +148,115 @@ def test_the_form_of_the_controllers_files_tells_the_generation(folder: Folder) 
         }
     )
     for name, ros, told_by in (("2.yaml", 2, "ros__parameters"), ("1.yaml", 1, "its controllers' types")):
-        loader = Loader(Settings(), Selection())
+        loader = Loader(Settings())
         for target in (Target("r.urdf", controllers=(name,)), Target(name)):
-            found = loader.lint(target)
+            found = lint_target(loader, target, Selection()).result
             assert (found.ros, found.distro_from) == (ros, told_by)
-    named = Loader(Settings(distro="jazzy"), Selection()).lint(Target("1.yaml"))
+    named = lint_target(Loader(Settings(distro="jazzy")), Target("1.yaml"), Selection()).result
     assert (named.ros, named.distro, named.distro_from) == (2, "jazzy", "--distro")
+
+
+# -- the weight of evidence ------------------------------------------------------------------------------------------
+
+
+def item(distros: tuple[str, ...], weight: int, kind: str = "a") -> Item:
+    return Item(kind, f"{kind} {weight}", distros, weight)
+
+
+def test_the_majority_decides_the_generation_and_the_first_item_a_tie() -> None:
+    assert weighed([]).ros is None
+    assert weighed([item(ROS1, 4), item(ROS2, 6, "b")]).ros == 2
+    assert weighed([item(ROS1, 4), item(ROS2, 6, "b"), item(ROS1, 3, "c")]).ros == 1
+    assert weighed([item(ROS1, 4), item(ROS1, 4), item(ROS2, 6, "b")]).ros == 2  # of one kind, the heaviest counts
+    assert weighed([item(ROS1, 4), item(ROS2, 4, "b")]).ros == 1
+    assert weighed([item(ROS2, 4), item(ROS1, 4, "b")]).source == "a 4"
+
+
+def test_what_only_some_distros_have_narrows_the_candidates() -> None:
+    assert weighed([item(ROS2, 6), item(("humble", "jazzy"), 2, "b")]).distros == ("humble", "jazzy")
+    assert weighed([item(ROS2, 6), item(("humble", "jazzy"), 2, "b"), item(("humble",), 2, "c")]).distro == "humble"
+    one_against_two = [item(("jazzy",), 2, "a"), item(("humble",), 2, "b"), item(("humble",), 2, "c")]
+    assert weighed(one_against_two).distros == ("humble",)
+    assert weighed([item(ROS2, 6), item(("foxy",), 2, "b")]).distros == ROS2, "more likely a fault"
+    assert weighed([item(ROS2, 6), item(("foxy",), EXPLICIT, "b")]).distros == ("foxy",)
+
+
+ROS1_ROBOT = PLAIN.format(plugin("libgazebo_ros_control.so") + TRANSMISSION)
+AMENT = manifest("<buildtool_depend>ament_cmake</buildtool_depend>")
+
+
+def test_one_plugin_of_the_other_generation_is_the_fault_and_does_not_flip_the_package(folder: Folder) -> None:
+    found = linted(folder, {"r.urdf": ROS1_ROBOT, "package.xml": AMENT})
+    assert (found.ros, found.distro_from) == (2, "package.xml")
+    [finding] = [one for one in found.outcome.diagnostics if one.code == "UC504"]
+    assert finding.message == "'libgazebo_ros_control.so' is not available in ROS 2, only in ROS 1"
+    assert finding.severity is Severity.WARNING  # nothing says that the robot is controlled at all
+
+
+def evidence(folder: Folder, files: dict[str, str], **target: tuple[str, ...] | str) -> Evidence:
+    folder.write(files)
+    given = {"controllers": (), "launch": None, **target}
+    found = (
+        Loader(Settings())
+        .load(Target("r.urdf", controllers=given["controllers"], launch=given["launch"]))
+        .project.evidence
+    )
+    assert found is not None
+    return found
+
+
+@pytest.mark.parametrize(
+    ("files", "ros", "distros"),
+    [
+        ({"package.xml": manifest("<exec_depend>ros_gz_sim</exec_depend>")}, 2, since("humble")),
+        ({"package.xml": manifest("<exec_depend>ign_ros2_control</exec_depend>")}, 2, until("jazzy")),
+        ({"package.xml": manifest("<run_depend>roscpp</run_depend>")}, 1, ROS1),
+        ({"package.xml": manifest('<depend condition="$ROS_VERSION == 1">roscpp</depend>')}, None, (*ROS1, *ROS2)),
+        ({"package.xml": manifest(""), "CMakeLists.txt": "find_package(ament_cmake REQUIRED)"}, 2, ROS2),
+        ({"package.xml": manifest(""), "CMakeLists.txt": "# find_package(catkin)"}, None, (*ROS1, *ROS2)),
+        ({"package.xml": manifest(""), "launch/a.launch.py": ""}, 2, ROS2),
+        ({"package.xml": manifest(""), "launch/a.launch": ""}, 1, ROS1),
+    ],
+)
+def test_the_package_indicates_generation_and_distro(
+    folder: Folder, files: dict[str, str], ros: int | None, distros: tuple[str, ...]
+) -> None:
+    found = evidence(folder, {"r.urdf": PLAIN.format(""), **files})
+    assert (found.ros, found.distros) == (ros, distros)
+
+
+def test_hardware_plugins_controller_types_and_spawner_options_narrow_the_distro(folder: Folder) -> None:
+    mock = CONTROL.format("mock_components/GenericSystem")
+    assert evidence(folder, {"r.urdf": PLAIN.format(mock)}).distros == since("humble")
+    yaml = "controller_manager: {ros__parameters: {a: {type: gpio_controllers/GpioCommandController}}}"
+    files = {"r.urdf": PLAIN.format(ROS2_CONTROL), "c.yaml": yaml}
+    assert evidence(folder, files, controllers=("c.yaml",)).distros == ("humble", *since("jazzy"))
+    launch = """<launch>
+        <node pkg="controller_manager" exec="spawner" args="a --switch-asap"/>
+        <node pkg="robot_state_publisher" exec="robot_state_publisher" namespace=""/>
+    </launch>"""
+    files = {"r.urdf": PLAIN.format(ROS2_CONTROL), "l.launch.xml": launch}
+    assert evidence(folder, files, launch="l.launch.xml").distros == since("jazzy")
+
+
+def test_the_header_of_a_generated_file_names_the_distro(folder: Folder) -> None:
+    header = "<!-- made by urdfctl gen-gazebo robot.xacro --distro kilted -->"
+    found = evidence(folder, {"r.urdf": header + PLAIN.format(ROS2_CONTROL)})
+    assert (found.distro, found.distros) == ("kilted", ("kilted",))
+
+
+def test_evidence_is_a_list_of_items_with_what_was_outweighed(folder: Folder) -> None:
+    found = evidence(folder, {"r.urdf": ROS1_ROBOT, "package.xml": AMENT})
+    assert [(one.what, one.ros, one.weight, one.file and os.path.basename(one.file)) for one in found.items] == [
+        ("the plugin 'libgazebo_ros_control.so'", 1, 4, None),
+        ("<transmission>", 1, 1, None),
+        ("package.xml", 2, 6, "package.xml"),
+    ]
+
+
+def test_a_run_ends_with_the_open_distro_once(folder: Folder) -> None:
+    folder.write({"r.urdf": PLAIN.format(ROS2_CONTROL), "plain.urdf": PLAIN.format("")})
+    line = "ROS distro unknown (foxy to rolling): use --distro\n"
+    assert folder.run("lint", "r.urdf").stdout.endswith(line)
+    assert line not in folder.run("lint", "r.urdf", "--distro", "jazzy").stdout
+    assert "ROS distro unknown" not in folder.run("lint", "plain.urdf").stdout

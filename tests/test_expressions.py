@@ -6,10 +6,11 @@ import pytest
 import xacro
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from sampling import examples
 
-from urdfctl.source.expressions import compile_checked
-from urdfctl.source.guards import GUARDS
-from urdfctl.source.macro_params import split_first
+from urdfctl.source.xacro.expressions import compile_checked
+from urdfctl.source.xacro.guards import GUARDS
+from urdfctl.source.xacro.macro_params import split_first
 
 
 def split(function: object, text: str) -> object:
@@ -19,7 +20,7 @@ def split(function: object, text: str) -> object:
         return str(error)
 
 
-@settings(max_examples=1500)
+@settings(max_examples=examples(300))
 @given(st.text(st.sampled_from("ab'\"${}()^|:= \n\t"), max_size=14))
 def test_the_params_of_a_macro_are_split_as_xacro_splits_them(text: str) -> None:
     assert split(split_first, text) == split(xacro.parse_macro_arg, text)

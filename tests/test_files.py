@@ -38,12 +38,12 @@ def test_a_path_is_shown_without_detours(tmp_path: Path) -> None:
 
 def test_what_is_not_there_is_not_found(tmp_path: Path) -> None:
     path = tmp_path / "none.urdf"
-    assert refused(path) == (ProblemKind.FILE_NOT_FOUND, f"no such file: '{path}'")
+    assert refused(path) == (ProblemKind.FILE_NOT_FOUND, f"file does not exist: '{path}'")
 
 
 def test_a_broken_link_is_told_as_such(tmp_path: Path) -> None:
     (tmp_path / "link").symlink_to(tmp_path / "none")
-    assert refused(tmp_path / "link") == (ProblemKind.FILE_NOT_FOUND, f"'{tmp_path}/link' is a broken link")
+    assert refused(tmp_path / "link") == (ProblemKind.FILE_NOT_FOUND, f"'{tmp_path}/link' is a broken symbolic link")
 
 
 def test_a_link_in_a_circle_cannot_be_read(tmp_path: Path) -> None:
@@ -58,7 +58,7 @@ def test_a_folder_is_no_file(tmp_path: Path) -> None:
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this system has no pipes in its file system")
 def test_a_pipe_is_not_waited_for(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe")
-    assert refused(tmp_path / "pipe") == (ProblemKind.FILE_UNREADABLE, f"'{tmp_path}/pipe' is no regular file")
+    assert refused(tmp_path / "pipe") == (ProblemKind.FILE_UNREADABLE, f"'{tmp_path}/pipe' is not a regular file")
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this system has no pipes in its file system")
@@ -67,7 +67,7 @@ def test_neither_is_one_that_an_option_names(tmp_path: Path) -> None:
     (tmp_path / "large").write_bytes(b"x" * (MAX_BYTES + 1))
     for name, why in (
         ("none", "No such file or directory"),
-        ("pipe", "it is no regular file"),
+        ("pipe", "it is not a regular file"),
         ("large", "it is larger than 16 MiB"),
     ):
         with pytest.raises(UserError) as refusal:
@@ -79,7 +79,7 @@ def test_neither_is_one_that_an_option_names(tmp_path: Path) -> None:
 
 @pytest.mark.skipif(not Path("/dev/zero").exists(), reason="this system has no devices in its file system")
 def test_a_device_is_not_read() -> None:
-    assert refused("/dev/zero") == (ProblemKind.FILE_UNREADABLE, "'/dev/zero' is no regular file")
+    assert refused("/dev/zero") == (ProblemKind.FILE_UNREADABLE, "'/dev/zero' is not a regular file")
 
 
 def test_a_large_file_is_not_read(tmp_path: Path) -> None:
@@ -87,7 +87,7 @@ def test_a_large_file_is_not_read(tmp_path: Path) -> None:
         file.truncate(MAX_BYTES + (4 << 20))
     assert refused(tmp_path / "large") == (
         ProblemKind.BUDGET,
-        f"'{tmp_path}/large' has 20 MiB; at most 16 MiB are read",
+        f"'{tmp_path}/large' has 20 MiB; the limit is 16 MiB",
     )
 
 
@@ -113,7 +113,7 @@ def test_what_lies_outside_the_bounds_is_not_read(tmp_path: Path) -> None:
     for path in ("w2/a", "w/../w2/a", "w/link/a", "w/file_link", "w2/none"):
         kind, message = refused(tmp_path / path, files)
         assert kind is ProblemKind.OUTSIDE_WORKSPACE
-        assert message == f"'{tmp_path}/{path}' lies outside the workspace '{tmp_path}/w' and is not read"
+        assert message == f"'{tmp_path}/{path}' is outside the workspace '{tmp_path}/w' and is not read"
     files.allow(str(tmp_path / "w2"))
     assert files.read(str(tmp_path / "w" / "link" / "a")).data == b""
 

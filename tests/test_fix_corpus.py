@@ -1,12 +1,8 @@
-"""Fixing a copy of the corpus: nothing but what the fixes say changes, and what they are for is gone.
-
-By itself this looks at a sample; URDFCTL_WHOLE_CORPUS=1 makes it look at all of it, which takes some minutes.
-"""
+"""Fixing a copy of the corpus changes only what the fixes say, and removes the findings that they are for."""
 
 from __future__ import annotations
 
 import json
-import os
 import re
 import shutil
 from collections import Counter
@@ -18,8 +14,8 @@ from typing import Any, NamedTuple
 import pytest
 from corpus import CORPUS, needs_corpus
 from folder import Folder
+from sampling import WHOLE, sample
 
-WHOLE = bool(os.environ.get("URDFCTL_WHOLE_CORPUS"))
 SAMPLE = {
     "RafBerkvens__ua_ros_p3dx": 5,
     "RethinkRobotics__baxter_common": 32,
@@ -33,7 +29,7 @@ SAMPLE = {
 
 def repositories() -> list[str]:
     if not WHOLE or not CORPUS.is_dir():
-        return list(SAMPLE)
+        return sample(SAMPLE, 3)
     bad = [f"known_bad/{path.name}" for path in (CORPUS / "known_bad").iterdir() if path.is_dir()]
     return sorted([*(path.name for path in CORPUS.iterdir() if path.is_dir() and path.name != "known_bad"), *bad])
 

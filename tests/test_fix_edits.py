@@ -107,5 +107,5 @@ def test_what_is_taken_never_clashes(spans: list[tuple[int, int]]) -> None:
 
 
 def test_an_edit_outside_of_the_bytes_is_refused() -> None:
-    with pytest.raises(ValueError, match="no bytes 3 to 9"):
+    with pytest.raises(ValueError, match="bytes 3 to 9 do not exist"):
         edited(b"abc", [splice(3, 9)])

@@ -7,14 +7,16 @@ import os
 import pytest
 from folder import Folder
 
-from urdfctl.cli.lint_command import lint_words
+from urdfctl.__main__ import _run
+from urdfctl.config.settings import Settings
 from urdfctl.fix.edits import Splice, edited
 from urdfctl.fix.rounds import Wishes, fixed
-from urdfctl.fix.trial import Verdict, perform
-from urdfctl.jobs import job_for
-from urdfctl.lint import Selection
-from urdfctl.load import Loader, Target
-from urdfctl.settings import Settings
+from urdfctl.fix.trial import TrialResult, trial_work
+from urdfctl.lint.job import job_for, perform_alone
+from urdfctl.lint.selection import Selection
+from urdfctl.lint.target import lint_target
+from urdfctl.load.loader import Loader
+from urdfctl.load.target import Target
 
 MACRO = """\
 <robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -52,7 +54,7 @@ Written = tuple[str, str, str]
 """A text that stands before what is edited, what stands there, and what is written for it."""
 
 
-def tried(folder: Folder, before: str, edits: list[Written], name: str = "arm.xacro") -> Verdict:
+def tried(folder: Folder, before: str, edits: list[Written], name: str = "arm.xacro") -> TrialResult:
     """What a trial says of some edits."""
     folder.write({name: before})
     path = str(folder.path / name)
@@ -61,8 +63,8 @@ def tried(folder: Folder, before: str, edits: list[Written], name: str = "arm.xa
         start = before.index(ahead + old) + len(ahead)
         splices.append(Splice(path, start, start + len(old), new))
     states = {"before": {path: before}, "after": {path: edited(before.encode(), splices).decode()}}
-    job = job_for(Target(path), SETTINGS, Selection())
-    return Verdict.from_json(perform({**job, **states, "splices": [list(splice) for splice in splices]}))
+    details = {**states, "splices": [list(splice) for splice in splices]}
+    return TrialResult.from_json(perform_alone(job_for(trial_work, Target(path), SETTINGS, details=details)))
 
 
 HEAVY = MACRO.replace('value="1"', 'value="${m}"').replace("  <link", '  <xacro:property name="m" value="1"/>\n  <link')
@@ -85,11 +87,11 @@ def test_edits_that_nothing_asks_for_are_not(folder: Folder) -> None:
 @pytest.mark.parametrize(
     ("before", "edits", "objection"),
     [
-        (MACRO, [*BOTH, ("", "<mass ", "<masse ")], "UC154 would come: <masse>"),
-        (MACRO, [*BOTH, ("", "<parent ", "<child "), ("", "<limit ", "<parent ")], "would come"),
-        (MACRO, [('name="elbow" ', 'type="revolute"', 'kind="revolute"')], "would come"),
-        (HEAVY, [*BOTH, ('"m" value="', "1", "2")], "other parts of the robot would change too"),
-        (MACRO, [*BOTH, ('name="world"', "/>", ">")], "other parts of the robot would change too"),
+        (MACRO, [*BOTH, ("", "<mass ", "<masse ")], "the fix would cause UC154 (<masse>"),
+        (MACRO, [*BOTH, ("", "<parent ", "<child "), ("", "<limit ", "<parent ")], "the fix would cause"),
+        (MACRO, [('name="elbow" ', 'type="revolute"', 'kind="revolute"')], "the fix would cause"),
+        (HEAVY, [*BOTH, ('"m" value="', "1", "2")], "other parts of the robot would also change"),
+        (MACRO, [*BOTH, ('name="world"', "/>", ">")], "other parts of the robot would also change"),
         (MACRO.replace("</robot>", SECOND.replace("TYPE", "continuous")), BOTH, "the call of macro 'turning' at "),
     ],
 )
@@ -101,7 +103,7 @@ def test_what_speaks_against_edits_is_told(folder: Folder, before: str, edits: l
 def test_a_comment_must_not_be_left_with_nothing_to_silence(folder: Folder) -> None:
     ignored = MACRO.replace("      <parent", "      <!-- urdfctl: ignore[UC125] for now -->\n      <parent")
     told = tried(folder, ignored, BOTH).objections
-    assert any("would have nothing to silence" in one for one in told)
+    assert any("would be unused" in one for one in told)
 
 
 def test_yaml_is_compared_by_its_nodes(folder: Folder) -> None:
@@ -115,8 +117,13 @@ def test_yaml_is_compared_by_its_nodes(folder: Folder) -> None:
 def test_all_findings_of_a_run_are_mended_together_and_nothing_is_written(folder: Folder) -> None:
     folder.write({"arm.xacro": MACRO.replace("</robot>", SECOND.replace("TYPE", "prismatic")), "arm.yaml": CONTROLLERS})
     targets = [Target("arm.xacro"), Target("arm.yaml")]
-    loader = Loader(SETTINGS, Selection())
-    result = fixed([(target, loader.lint(target)) for target in targets], SETTINGS, Wishes(unsafe=True), 1)
+    loader = Loader(SETTINGS)
+    result = fixed(
+        [(target, lint_target(loader, target, Selection()).result) for target in targets],
+        SETTINGS,
+        Wishes(unsafe=True),
+        1,
+    )
     assert result.refused == ()
     assert [os.path.basename(change.file) for change in result.changes] == ["arm.xacro", "arm.yaml"]
     assert b'lower="-1" upper="1"' in result.changes[0].after
@@ -126,7 +133,7 @@ def test_all_findings_of_a_run_are_mended_together_and_nothing_is_written(folder
 
 def test_what_is_not_wanted_is_not_mended(folder: Folder) -> None:
     folder.write({"arm.xacro": MACRO})
-    linted = [(Target("arm.xacro"), Loader(SETTINGS, Selection()).lint(Target("arm.xacro")))]
+    linted = [(Target("arm.xacro"), lint_target(Loader(SETTINGS), Target("arm.xacro"), Selection()).result)]
     assert fixed(linted, SETTINGS, Wishes(), 1).changes == ()
     assert fixed(linted, SETTINGS, Wishes(Selection(ignore=("UC125",)), unsafe=True), 1).changes == ()
     assert fixed(linted, SETTINGS, Wishes(ignores=lambda _, code: code == "UC125", unsafe=True), 1).changes == ()
@@ -135,7 +142,7 @@ def test_what_is_not_wanted_is_not_mended(folder: Folder) -> None:
 @pytest.mark.parametrize("now", [MACRO.replace("<robot", "<!-- new --><robot"), "<robot/>"])
 def test_a_file_that_has_changed_since_it_was_linted_is_left(folder: Folder, now: str) -> None:
     folder.write({"arm.xacro": MACRO})
-    linted = [(Target("arm.xacro"), Loader(SETTINGS, Selection()).lint(Target("arm.xacro")))]
+    linted = [(Target("arm.xacro"), lint_target(Loader(SETTINGS), Target("arm.xacro"), Selection()).result)]
     folder.write({"arm.xacro": now})
     result = fixed(linted, SETTINGS, Wishes(unsafe=True), 1)
     assert result.changes == ()
@@ -144,39 +151,44 @@ def test_a_file_that_has_changed_since_it_was_linted_is_left(folder: Folder, now
 
 def test_the_command_mends_and_tells_how_much(folder: Folder, capsys: pytest.CaptureFixture[str]) -> None:
     folder.write({"arm.xacro": MACRO, "urdfctl.toml": "distro = 'jazzy'\n[[robot]]\npath = 'arm.xacro'\n"})
-    assert lint_words([], diff=True, unsafe_fixes=True) == 1
+    assert _run(["lint", "--diff", "--unsafe-fixes"]) == 1
     assert (
         '+      <parent link="world"/><child link="${name}_link"/><limit lower="-1" upper="1"'
         in capsys.readouterr().out
     )
-    assert lint_words(["."], unsafe_fixes=True, jobs=1) == 0
+    assert _run(["lint", ".", "--unsafe-fixes", "--jobs", "1"]) == 0
     assert capsys.readouterr().err == "urdfctl: fixed 1 of 1 finding in 1 file\n"
     assert LIMITS[1] in (folder.path / "arm.xacro").read_text()
-    assert lint_words(["arm.xacro"], show_settings=True, distro="iron") == 0
+    assert _run(["lint", "arm.xacro", "--show-settings", "--distro", "iron"]) == 0
     assert 'distro = "iron"                           # --distro' in capsys.readouterr().out
-    assert lint_words(["."], shard="1/2", exit_zero=True) == 0
+    assert _run(["lint", ".", "--shard", "1/2", "--exit-zero"]) == 0
 
 
 @pytest.mark.parametrize(
     ("text", "mode", "workspace", "why"),
     [
-        ("<!-- This document was autogenerated by xacro from a.xacro -->\n" + MACRO, 0o644, ".", "was made by xacro"),
+        (
+            "<!-- This document was autogenerated by xacro from a.xacro -->\n" + MACRO,
+            0o644,
+            ".",
+            "was generated by xacro",
+        ),
         (MACRO, 0o444, ".", "is read-only"),
-        (MACRO, 0o644, "other", "lies outside the workspace"),
+        (MACRO, 0o644, "other", "is outside the workspace"),
     ],
 )
 def test_some_files_are_never_edited(folder: Folder, text: str, mode: int, workspace: str, why: str) -> None:
     folder.write({"arm.xacro": text, "other/package.xml": ""})
     os.chmod("arm.xacro", mode)
     settings = SETTINGS._replace(workspace=workspace, trust=True)
-    linted = [(Target("arm.xacro"), Loader(settings, Selection()).lint(Target("arm.xacro")))]
+    linted = [(Target("arm.xacro"), lint_target(Loader(settings), Target("arm.xacro"), Selection()).result)]
     [refused] = fixed(linted, settings, Wishes(unsafe=True), 1).refused
     assert why in refused
 
 
 def test_a_file_that_is_gone_since_it_was_linted_is_told_of(folder: Folder) -> None:
     folder.write({"arm.xacro": MACRO})
-    linted = [(Target("arm.xacro"), Loader(SETTINGS, Selection()).lint(Target("arm.xacro")))]
+    linted = [(Target("arm.xacro"), lint_target(Loader(SETTINGS), Target("arm.xacro"), Selection()).result)]
     os.unlink("arm.xacro")
     [refused] = fixed(linted, SETTINGS, Wishes(unsafe=True), 1).refused
     assert "UC125 is not fixed: " in refused

@@ -1,4 +1,4 @@
-"""Controllers' files: of every type in every distro, for joints with any name, from any list."""
+"""Controller files: of every type in every distro, for joints with any name, from any list."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from folder import Folder
 from generating import JOINTS, ROBOT, TEMPLATES, command, made, roles_of, told
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from sampling import examples, sample
 
 from urdfctl.catalog.catalog import CATALOG
 from urdfctl.catalog.distros import ALL
@@ -55,7 +56,7 @@ def of_types(distro: str) -> list[str]:
     return [*CATALOG.known_types(distro), *kinds]
 
 
-@pytest.mark.parametrize("distro", ALL)
+@pytest.mark.parametrize("distro", sample(ALL, 5))
 def test_every_type_of_controller_is_written_so_that_lint_finds_nothing_and_twice_the_same(
     distro: str, tmp_path: Path
 ) -> None:
@@ -66,7 +67,7 @@ def test_every_type_of_controller_is_written_so_that_lint_finds_nothing_and_twic
         try:
             [file] = made("gen-controllers", options)
         except UserError as error:
-            assert any(words in str(error) for words in (f"{distro} has no '", "is deprecated", "needs "))  # noqa: PT017
+            assert any(words in str(error) for words in (f"{distro} has no '", "is deprecated", "requires "))  # noqa: PT017
             continue
         written += 1
         found[name] = told(tmp_path, {"controllers.yaml": file.text}, distro)
@@ -76,7 +77,7 @@ def test_every_type_of_controller_is_written_so_that_lint_finds_nothing_and_twic
 
 
 def test_a_type_that_is_deprecated_in_the_distro_is_not_written() -> None:
-    with pytest.raises(UserError, match="take 'parallel_gripper_action_controller/GripperActionController'"):
+    with pytest.raises(UserError, match="use 'parallel_gripper_action_controller/GripperActionController'"):
         made("gen-controllers", Options("jazzy", types=("position_controllers/GripperActionController",)))
     [file] = made("gen-controllers", Options("humble", types=("gripper",)), JOINTS[:1])
     assert "position_controllers/GripperActionController" in file.text
@@ -103,7 +104,7 @@ def test_a_joint_keeps_its_name_whatever_yaml_would_make_of_it(name: str, distro
     assert plain.get("ros__parameters", plain)["joints"] == [name]
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(20))
 @given(st.lists(st.text(st.characters(exclude_categories=("Cs",)), min_size=1), min_size=1, max_size=20, unique=True))
 def test_any_names_come_back_in_their_order(names: list[str]) -> None:
     joints = tuple(JointFacts(name) for name in names)
@@ -150,9 +151,9 @@ def test_gains_begin_with_the_inertia_that_a_joint_moves(folder: Folder) -> None
     done = command("gen-controllers", "--type", "position", "--interface", "effort", "--distro", "noetic")
     gains = read(done.stdout)["shoulder_position_controller"]["pid"]
     assert gains == {"p": 41.1, "i": 0.0, "d": 6.53}  # 0.01 + 1 kg at 0.5 m = 0.26 kg m2, at 2 Hz
-    assert "starting values, to be tuned, by the 0.26 kg m2 that it moves" in done.stdout
+    assert "starting values, to be tuned, from the load of 0.26 kg m2" in done.stdout
     assert read(done.stdout)["elbow_position_controller"]["pid"]["p"] == 50.0
-    assert "by the effort limit alone" in done.stdout
+    assert "from the effort limit" in done.stdout
 
 
 def test_a_drive_is_measured(folder: Folder) -> None:
@@ -162,30 +163,32 @@ def test_a_drive_is_measured(folder: Folder) -> None:
     assert (drive["left_wheel_names"], drive["right_wheel_names"]) == (["left_joint"], ["right_joint"])
     assert (drive["wheel_separation"], drive["wheel_radius"]) == (0.5, 0.1)
     assert drive["linear"]["x"]["max_velocity"] == 1.0
-    assert "m, measured: the radius" in done.stdout
+    assert "m, measured from the wheels' cylinders or spheres" in done.stdout
 
 
 def test_what_cannot_be_measured_is_a_todo() -> None:
     options = Options("jazzy", types=("diff_drive",), roles=Roles(left=("l",), right=("r",)))
     [file] = made("gen-controllers", options, (JointFacts("l"), JointFacts("r")), RobotFacts())
-    assert "wheel_separation: 0.5  # m between left and right, TODO: measure" in file.text
-    assert "Look for TODO" in file.text.splitlines()[1]
+    assert "wheel_separation: 0.5  # m between left and right wheels, TODO: measure it" in file.text
+    assert "Fill in each TODO." in file.text.splitlines()[1]
 
 
 def test_lint_finds_what_waits_to_be_set(folder: Folder) -> None:
     words = ("gen-controllers", "--type", "diff_drive", "--joint", "l,r", "--left", "l", "--right", "r")
     assert command(*words, "--distro", "jazzy", "-o", "c.yaml").returncode == 0
     found = [line for line in command("lint", "c.yaml", "--format", "concise").stdout.splitlines() if "UC449" in line]
-    assert [line.partition(" is a stand-in")[0].rpartition(" UC449 ")[2] for line in found] == [
-        "'wheel_separation' of 'diff_drive_controller'",
-        "'wheel_radius' of 'diff_drive_controller'",
+    assert [line.partition(" is still a placeholder")[0].rpartition(" UC449 ")[2] for line in found] == [
+        "'wheel_separation' of controller 'diff_drive_controller'",
+        "'wheel_radius' of controller 'diff_drive_controller'",
     ]
 
 
 def test_a_drive_whose_wheels_nobody_knows_is_told() -> None:
-    with pytest.raises(UserError, match="'diff_drive' needs --left with joints: the robot does not tell"):
+    with pytest.raises(
+        UserError, match="'diff_drive' requires --left with joints; cannot be determined from the robot"
+    ):
         made("gen-controllers", Options("jazzy", types=("diff_drive",)), (JointFacts("a"),), RobotFacts())
-    with pytest.raises(UserError, match="'bicycle' needs --traction with 1 joint: it is given 4"):
+    with pytest.raises(UserError, match="'bicycle' requires --traction with 1 joint; 4 given"):
         made("gen-controllers", Options("jazzy", types=("bicycle",)))
 
 
@@ -230,11 +233,11 @@ def test_joints_are_read_from_lists(source: str) -> None:
     ("text", "message"),
     [
         ("- {name: a, efort: 3}", "list.yaml: unknown key 'efort'; did you mean 'effort'?"),
-        ("- on", "list.yaml: 'True' is no name of a joint"),
-        ("- {name: a, effort: much}", "list.yaml: 'effort' is a number, not 'much'"),
+        ("- on", "list.yaml: 'True' is not a joint name"),
+        ("- {name: a, effort: much}", "list.yaml: 'effort' must be a number, not 'much'"),
         ("- {effort: 3}", "list.yaml: a joint without a name"),
-        ("3", "list.yaml: no list of joints"),
-        ("[", "list.yaml: no YAML"),
+        ("3", "list.yaml: not a list of joints"),
+        ("[", "list.yaml: not valid YAML"),
     ],
 )
 def test_a_list_that_is_none_is_told(text: str, message: str) -> None:
@@ -257,7 +260,7 @@ def test_a_list_comes_from_standard_input(folder: Folder) -> None:
 
 def test_a_file_is_written_checked_and_not_overwritten(folder: Folder) -> None:
     words = ("gen-controllers", "--joint", "a", "--type", "effort", "--distro", "jazzy", "-o", "c.yaml")
-    assert command(*words, "--check").stdout == "c.yaml is stale\n"
+    assert command(*words, "--check").stdout == "c.yaml is out of date\n"
     assert command(*words).returncode == 0
     assert command(*words, "--check").returncode == 0
     before = (folder.path / "c.yaml").read_bytes()
@@ -373,13 +376,13 @@ def test_a_chain_of_a_drive_asks_for_speeds() -> None:
 @pytest.mark.parametrize(
     ("distro", "types", "message"),
     [
-        ("foxy", ("trajectory", "effort"), "foxy chains no controllers: ROS 2 does from humble on"),
+        ("foxy", ("trajectory", "effort"), "foxy does not support chained controllers; they require humble or later"),
         (
             "jazzy",
             ("trajectory", "effort"),
-            "'joint_trajectory_controller' commands 'effort_controller/arm/position', and",
+            "'joint_trajectory_controller' commands 'effort_controller/arm/position', but",
         ),
-        ("jazzy", ("trajectory", "gripper"), "'gripper' makes several controllers of these joints"),
+        ("jazzy", ("trajectory", "gripper"), "'gripper' needs several controllers for these joints"),
         ("jazzy", ("multi_interface", "nothing"), "unknown type 'nothing'"),
     ],
 )
@@ -389,9 +392,9 @@ def test_what_cannot_stand_in_a_chain_is_told(distro: str, types: tuple[str, ...
 
 
 def test_one_interface_too_many_is_told() -> None:
-    with pytest.raises(UserError, match="'effort' commands one interface of a joint, not effort, velocity"):
+    with pytest.raises(UserError, match="'effort' commands one interface per joint, not effort, velocity"):
         made("gen-controllers", Options("jazzy", types=("effort",), interfaces=("effort", "velocity")))
-    with pytest.raises(UserError, match="no 'trajectory' controller commands 'torque' in jazzy; it may be: position"):
+    with pytest.raises(UserError, match="no 'trajectory' controller commands 'torque' in jazzy; choose from: position"):
         made("gen-controllers", Options("jazzy", types=("trajectory",), interfaces=("torque",)))
 
 
@@ -401,7 +404,7 @@ def test_a_sensor_is_chosen_by_what_it_measures() -> None:
     [file] = made("gen-controllers", Options("jazzy", types=("range_broadcaster",)), JOINTS, robot)
     assert read(file.text)["range_sensor_broadcaster"]["ros__parameters"]["sensor_name"] == "eye"
     [file] = made("gen-controllers", Options("jazzy", types=("imu_broadcaster",)), JOINTS, robot)
-    assert "sensor_name: imu_sensor  # the <sensor> of the ros2_control tag; TODO: its name" in file.text
+    assert "sensor_name: imu_sensor  # name of the <sensor> in the ros2_control tag; TODO: set its name" in file.text
 
 
 def test_no_more_states_are_read_than_the_robot_offers() -> None:
@@ -422,13 +425,13 @@ def test_the_gpios_of_a_robot_are_commanded() -> None:
         "state_interfaces": {"flange": {"interfaces": ["light", "key"]}},
     }
     [file] = made("gen-controllers", Options("jazzy", types=("gpio",)))
-    assert "interfaces: [output]  # what may be commanded; TODO: its interfaces" in file.text
+    assert "interfaces: [output]  # command interfaces; TODO: set its interfaces" in file.text
 
 
 def test_a_joint_whose_limits_hold_it_fast_is_left_out_and_told(folder: Folder) -> None:
     folder.write({"robot.urdf": ARM.replace('lower="-1" upper="1" effort="40"', 'lower="0" upper="0" effort="40"')})
     ran = command("gen-controllers", "robot.urdf", "--type", "effort", "--distro", "jazzy")
     assert read(ran.stdout)["effort_controller"]["ros__parameters"]["joints"] == ["elbow"]
-    assert ran.stderr == "urdfctl: left out, for their limits hold them fast: shoulder (--joint)\n"
+    assert ran.stderr == "urdfctl: left out because their limits allow no motion: shoulder. Include them with --joint\n"
     ran = command("gen-controllers", "robot.urdf", "--type", "effort", "--distro", "jazzy", "--joint", "shoulder")
     assert read(ran.stdout)["effort_controller"]["ros__parameters"]["joints"] == ["shoulder"]

@@ -12,6 +12,7 @@ from folder import Folder
 from generating import command, made
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from sampling import examples
 
 from urdfctl.generate.facts import JointFacts, RobotFacts
 from urdfctl.generate.options import Options
@@ -39,7 +40,7 @@ def expanded(text: str) -> str:
     return re.sub(r"\$(\$+[{(])", r"\1", text)
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=examples(15))
 @given(JOINTS, INTERFACES)
 def test_a_ros2_control_tag_names_the_joints(names: list[str], interface: str) -> None:
     [file] = made("gen-ros2-control", Options("jazzy", interfaces=(interface,)), joints_of(names), RobotFacts())
@@ -48,7 +49,7 @@ def test_a_ros2_control_tag_names_the_joints(names: list[str], interface: str) -
     assert {one.get("name") for part in parts for one in part.findall("command_interface")} == {interface}
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=examples(15))
 @given(JOINTS, INTERFACES, st.booleans())
 def test_transmissions_name_the_joints(names: list[str], interface: str, macro: bool) -> None:
     options = Options("noetic", interfaces=(interface,), macro=macro)
@@ -63,7 +64,7 @@ def test_transmissions_name_the_joints(names: list[str], interface: str, macro: 
     assert [expanded(name) for name in found] == names
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=examples(15))
 @given(JOINTS, INTERFACES, st.sampled_from(("humble", "jazzy", "rolling")))
 def test_a_trajectory_controller_names_the_joints(names: list[str], interface: str, distro: str) -> None:
     options = Options(distro, types=("trajectory",), interfaces=(interface,))
@@ -73,7 +74,7 @@ def test_a_trajectory_controller_names_the_joints(names: list[str], interface: s
     assert of_arm["command_interfaces"] == [interface]
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=examples(15))
 @given(st.text(XML, min_size=1, max_size=20), st.sampled_from(("python", "xml", "yaml")))
 def test_a_launch_file_can_be_read_whatever_the_robot_is_called(name: str, form: str) -> None:
     options = Options("jazzy", "gz", ("effort",), form=form, package="p", command=f"urdfctl gen-launch {name}")

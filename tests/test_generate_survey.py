@@ -7,9 +7,11 @@ from pathlib import Path
 
 import pytest
 
+from urdfctl.config.settings import Settings
 from urdfctl.generate.facts import JointFacts, PartFacts, RobotFacts
-from urdfctl.measure import perform
-from urdfctl.settings import Settings
+from urdfctl.generate.job import measure_work
+from urdfctl.lint.job import job_for, perform_alone
+from urdfctl.load.target import Target
 
 LIFT = """<robot name="lift">
   <link name="base"><inertial><mass value="100"/></inertial></link>
@@ -39,7 +41,7 @@ def facts(folder: Path, part: str = "") -> RobotFacts:
     path = folder / "lift.urdf"
     path.write_text(LIFT.replace("PART", part), encoding="utf-8")
     settings = Settings(workspace=str(folder))
-    result = perform({"path": str(path), "arguments": {}, "settings": settings.to_json()})
+    result = perform_alone(job_for(measure_work, Target(str(path)), settings))
     return RobotFacts.from_json(result["facts"])
 
 
@@ -129,6 +131,6 @@ def test_wheels_that_stand_on_the_ground_carry_their_share_of_the_robot(tmp_path
 def test_a_robot_that_cannot_be_read_has_no_facts(tmp_path: Path) -> None:
     (tmp_path / "robot.urdf").write_text("<robot", encoding="utf-8")
     settings = Settings(workspace=str(tmp_path))
-    result = perform({"path": str(tmp_path / "robot.urdf"), "arguments": {}, "settings": settings.to_json()})
+    result = perform_alone(job_for(measure_work, Target(str(tmp_path / "robot.urdf")), settings))
     assert result["facts"] is None
     assert result["outcome"]

@@ -11,7 +11,7 @@ import pytest
 from folder import CHECKOUT, Folder
 from generating import command
 
-from urdfctl.cli.generate_options import COMMANDS as GENERATING
+from urdfctl.cli.generate_options import GENERATORS
 from urdfctl.errors import UserError
 from urdfctl.generate.options import File
 from urdfctl.generate.parse_again import checked
@@ -27,44 +27,50 @@ EFFORT = ("--type", "effort", "--distro", "jazzy")
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (("gen-controllers", *EFFORT), "no robot found here: name one, or a list of joints"),
+        (("gen-controllers", *EFFORT), "no robot found; name one, or a list of joints"),
         (("gen-controllers", "missing.txt", *EFFORT), "'missing.txt' cannot be read: No such file or directory"),
-        (("gen-controllers", "latin.txt", *EFFORT), "'latin.txt' cannot be read: it is no UTF-8"),
+        (("gen-controllers", "latin.txt", *EFFORT), "'latin.txt' cannot be read: it is not UTF-8"),
         (("gen-controllers", "empty.txt", *EFFORT), "no joints: name a robot, a list of joints, or --joint NAME,NAME"),
         (
             ("gen-controllers", "one/still.urdf", *EFFORT),
-            "the robot has no joint to control: none that moves and mimics no",
+            "the robot has no joint to control: each is fixed or mimics another\n",
         ),
         (
             ("gen-controllers", "two/r.urdf", "--exclude", ".*", *EFFORT),
-            "the robot has no joint to control: none that moves and mimics no other, and that is not excluded",
+            "the robot has no joint to control: each is fixed or mimics another, or is excluded",
         ),
-        (("gen-controllers", ".", *EFFORT), "which robot? one/still.urdf, two/r.urdf"),
-        (("gen-controllers", "two/r.urdf", "--joints", "(", *EFFORT), "'(' is no regular expression:"),
-        (("gen-controllers", "one/still.urdf", "--joint", "f", *EFFORT), "the joint 'f' cannot be controlled"),
-        (("gen-controllers", "two/r.urdf", "--distro", "jazzy"), "what kind of controllers? Say --type, such as"),
-        (("gen-controllers", "two/r.urdf", *EFFORT, "--check"), "--check needs -o FILE: the file to be checked"),
-        (("gen-all", "two/r.urdf", *EFFORT), "-o FOLDER is missing: where the package is to be written"),
+        (("gen-controllers", ".", *EFFORT), "several robots found: one/still.urdf, two/r.urdf"),
+        (("gen-controllers", "two/r.urdf", "--joints", "(", *EFFORT), "'(' is not a valid regular expression:"),
+        (("gen-controllers", "one/still.urdf", "--joint", "f", *EFFORT), "joint 'f' cannot be controlled"),
+        (("gen-controllers", "two/r.urdf", "--distro", "jazzy"), "--type is missing: use e.g. --type effort"),
+        (("gen-controllers", "two/r.urdf", *EFFORT, "--check"), "--check requires -o FILE, the file to check"),
+        (("gen-all", "two/r.urdf", *EFFORT), "-o FOLDER is missing; the package is written to it"),
         (
             ("gen-all", "two/r.urdf", *EFFORT, "-o", "latin.txt/x"),
-            "'latin.txt/x/config' cannot be made: Not a directory",
+            "'latin.txt/x/config' cannot be created: Not a directory",
         ),
-        (("gen-controllers", "two/r.urdf", *EFFORT, "--templates", "none"), "no such folder: 'none'"),
-        (("gen-launch", "two/r.urdf", *EFFORT, "--form", "toml"), "--form is one of python, xml, yaml; not 'toml'"),
-        (("gen-transmissions", "two/r.urdf", "--distro", "jazzy"), "jazzy reads no transmissions of this form"),
-        (("gen-ros2-control", "two/r.urdf", "--distro", "noetic"), "noetic reads no <ros2_control>"),
+        (("gen-controllers", "two/r.urdf", *EFFORT, "--templates", "none"), "template folder does not exist: 'none'"),
+        (
+            ("gen-launch", "two/r.urdf", *EFFORT, "--form", "toml"),
+            "--form must be one of python, xml, yaml, not 'toml'",
+        ),
+        (("gen-transmissions", "two/r.urdf", "--distro", "jazzy"), "jazzy does not read transmissions of this form"),
+        (("gen-ros2-control", "two/r.urdf", "--distro", "noetic"), "noetic does not read <ros2_control>"),
         (
             ("gen-ros2-control", "two/r.urdf", "--distro", "jazzy", "--hardware", "fake_components/GenericSystem"),
-            "jazzy has no 'fake_components/GenericSystem'; take 'mock_components/GenericSystem'",
+            "jazzy has no 'fake_components/GenericSystem'; use 'mock_components/GenericSystem'",
         ),
-        (("gen-gazebo", "two/r.urdf", "--distro", "noetic", "--simulator", "gz"), "noetic has no controllers in 'gz'"),
+        (
+            ("gen-gazebo", "two/r.urdf", "--distro", "noetic", "--simulator", "gz"),
+            "noetic does not support controllers in 'gz'",
+        ),
         (
             ("gen-gazebo", "two/r.urdf", "--distro", "jazzy", "--simulator", "gz", "--into", "none.xacro"),
             "'none.xacro' cannot be read: No such file or directory",
         ),
         (
             ("gen-gazebo", "two/r.urdf", "--distro", "jazzy", "--simulator", "gz", "--into", "empty.txt"),
-            "'empty.txt' has no </robot> to insert it before",
+            "'empty.txt' has no </robot> to insert before",
         ),
     ],
 )
@@ -89,7 +95,7 @@ def test_what_cannot_be_done_is_told_in_a_line(words: tuple[str, ...], message: 
 def test_a_distro_that_nobody_tells_is_taken_and_said(folder: Folder) -> None:
     folder.write({"r.urdf": ROBOT})
     ran = command("gen-controllers", "r.urdf", "--type", "effort")
-    assert ran.stderr == "urdfctl: no distro is told; jazzy is taken (--distro)\n"
+    assert ran.stderr == "urdfctl: ROS distro is unknown; using jazzy. Set it with --distro\n"
     assert ran.stdout.startswith("# made by urdfctl gen-controllers r.urdf --type effort --distro jazzy\n")
 
 
@@ -129,7 +135,7 @@ def test_a_package_of_templates_that_say_no_start_has_none_told(folder: Folder) 
 def test_what_would_be_inserted_is_shown_and_checked_and_inserted_once(folder: Folder) -> None:
     folder.write({"r.urdf": ROBOT, "x.xacro": "<robot><link name='a'/></robot>"})
     words = ("gen-transmissions", "r.urdf", "--distro", "noetic", "--into", "x.xacro")
-    assert command(*words, "--check") == (1, "x.xacro is stale\n", "")
+    assert command(*words, "--check") == (1, "x.xacro is out of date\n", "")
     shown = command(*words, "--diff")
     assert shown.returncode == 0
     assert "+      <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>\n" in shown.stdout
@@ -146,7 +152,7 @@ def test_several_files_are_compared_each(folder: Folder) -> None:
     words = ("gen-all", "r.urdf", *EFFORT, "-o", "out")
     stale = command(*words, "--check")
     assert stale.returncode == 1
-    assert f"{os.path.join('out', 'package.xml')} is stale\n" in stale.stdout
+    assert f"{os.path.join('out', 'package.xml')} is out of date\n" in stale.stdout
     assert "'out/package.xml' exists; --force overwrites it" in command(*words).stderr
     assert command(*words, "--force").returncode == 0
     assert "<name>mine</name>" in (folder.path / "out/package.xml").read_text()
@@ -177,8 +183,8 @@ def test_generated_files_are_made_again_by_the_commands_that_they_name(folder: F
     (package / "urdf/r.urdf").write_text(ROBOT.replace('name="j"', 'name="k"'))
     stale = command("gen-check", "src")
     assert stale.returncode == 1
-    assert "controllers.yaml is stale\n" in stale.stdout
-    assert "made/config/controllers.yaml is stale\n" in stale.stdout
+    assert "controllers.yaml is out of date\n" in stale.stdout
+    assert "made/config/controllers.yaml is out of date\n" in stale.stdout
     assert command("gen-check", "src", "--update").returncode == 0
     assert "joints: [k]" in (package / "controllers.yaml").read_text()
     assert command("gen-check", "src/r/controllers.yaml", "src/made/package.xml") == (0, "", "")
@@ -195,22 +201,22 @@ def test_a_package_of_the_robot_that_was_found_is_made_again(folder: Folder) -> 
 
 def test_what_cannot_be_made_again_is_named(folder: Folder) -> None:
     folder.write({"r.urdf": ROBOT, "c.yaml": "# made by urdfctl gen-controllers r.urdf --type efort --distro jazzy\n"})
-    assert command("gen-check").stderr.startswith("urdfctl: 'c.yaml' cannot be made again: unknown type 'efort'")
+    assert command("gen-check").stderr.startswith("urdfctl: 'c.yaml' cannot be generated again: unknown type 'efort'")
 
 
 @pytest.mark.parametrize(
     ("said", "why"),
     [
-        ("gen-controllers gone.urdf --type effort", "there is no gone.urdf"),
-        ("gen-controllers - --type effort", "it was made from standard input"),
-        ("gen-gazebo r.urdf --into r.urdf", "its command has --into"),
-        ("gen-controllers r.urdf -trust", "its command has -trust"),
+        ("gen-controllers gone.urdf --type effort", "its input 'gone.urdf' does not exist"),
+        ("gen-controllers - --type effort", "it was generated from standard input"),
+        ("gen-gazebo r.urdf --into r.urdf", "its command sets --into"),
+        ("gen-controllers r.urdf -trust", "its command sets -trust"),
     ],
 )
 def test_what_cannot_or_may_not_be_made_again_is_passed_over(said: str, why: str, folder: Folder) -> None:
     folder.write({"r.urdf": ROBOT, "c.yaml": f"# made by urdfctl {said}\n", "d.yaml": "# made by urdfctl gen-all 'x\n"})
-    assert command("gen-check") == (0, "", f"urdfctl: 'c.yaml' is passed over: {why}\n")
-    assert command("gen-check", "none").stderr == "urdfctl: no such file or folder: 'none'\n"
+    assert command("gen-check") == (0, "", f"urdfctl: 'c.yaml' is skipped: {why}\n")
+    assert command("gen-check", "none").stderr == "urdfctl: file or folder 'none' does not exist\n"
 
 
 def test_a_template_cannot_reach_out_of_itself(folder: Folder) -> None:
@@ -219,16 +225,21 @@ def test_a_template_cannot_reach_out_of_itself(folder: Folder) -> None:
     assert "access to attribute '__class__' of 'str' object is unsafe" in ran.stderr
 
 
-@pytest.mark.parametrize("name", GENERATING)
+def example_of(name: str) -> str:
+    """The command in a generator's help."""
+    return (GENERATORS[name].__doc__ or "").partition("Example: ")[2].strip()
+
+
+@pytest.mark.parametrize("name", GENERATORS)
 def test_the_example_in_the_help_does_what_it_says(name: str, folder: Folder) -> None:
     arm = ROBOT.replace('name="j"', 'name="arm_joint"')
     folder.write({"package.xml": "<package format='3'><name>my_robot</name></package>", "robot.xacro": arm})
-    if "--into" in GENERATING[name][1]:
+    if "--into" in example_of(name):
         folder.write({"urdf/robot.xacro": (folder.path / "robot.xacro").read_bytes()})
         (folder.path / "robot.xacro").unlink()
     for made in ("config", "urdf", "launch"):
         (folder.path / made).mkdir(exist_ok=True)
-    example = GENERATING[name][1]
+    example = example_of(name)
     ran = command(*shlex.split(example)[1:])
     assert ran.returncode == 0, ran.stderr
     assert example in " ".join(command(name, "--help").stdout.split())
@@ -236,4 +247,4 @@ def test_the_example_in_the_help_does_what_it_says(name: str, folder: Folder) ->
 
 def test_every_command_that_generates_is_in_the_list_of_commands() -> None:
     text = (CHECKOUT / "docs/commands.md").read_text(encoding="utf-8")
-    assert [name for name in (*GENERATING, "gen-check") if f"urdfctl {name} " not in text] == []
+    assert [name for name in (*GENERATORS, "gen-check") if f"urdfctl {name} " not in text] == []

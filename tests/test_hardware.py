@@ -1,4 +1,4 @@
-"""What hardware offers by its description, in ROS 2 by its tag, in ROS 1 by the transmissions."""
+"""The interfaces that hardware offers by its description: in ROS 2 by its tag, in ROS 1 by the transmissions."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ def hardware(part: str, distro: str = "jazzy") -> Hardware:
 
 def offered(found: Hardware) -> tuple[list[str], list[str]]:
     command, state = (
-        [f"{one.component}/{one.interface}" for offers in found.offers(kind).values() for one in offers]
+        [f"{offer.component}/{offer.interface}" for offers in found.offers(kind).values() for offer in offers]
         for kind in Kind
     )
     return command, state
 
 
-def test_each_joint_offers_what_stands_in_its_tag() -> None:
+def test_each_joint_offers_the_interfaces_of_its_tag() -> None:
     command, state = offered(hardware(component(joint("elbow"))))
     assert command == ["elbow/position"]
     assert state == ["elbow/position", "elbow/velocity"]
@@ -44,7 +44,7 @@ def test_sensors_offer_states_only() -> None:
         ("fake_sensor_commands", "jazzy", ["io/out"]),
     ],
 )
-def test_mock_hardware_adds_commands_for_states_where_it_is_told_to(
+def test_mock_hardware_adds_commands_for_states_if_a_parameter_says_so(
     parameter: str, distro: str, command: list[str]
 ) -> None:
     parts = (
@@ -55,7 +55,7 @@ def test_mock_hardware_adds_commands_for_states_where_it_is_told_to(
     assert offered(hardware(tag, distro))[0] == command
 
 
-def test_what_is_not_offered_is_surely_absent_where_the_plugin_is_known_to_tell_all() -> None:
+def test_what_is_not_offered_is_surely_absent_if_the_plugin_is_known() -> None:
     found = hardware(ARM)
     assert found.absence(Kind.COMMAND, "elbow", "position") is None
     assert found.absence(Kind.COMMAND, "elbow", "effort") is Absence.SURE
@@ -69,13 +69,13 @@ def test_a_driver_may_offer_more_than_its_tag_says() -> None:
     assert found.absence(Kind.COMMAND, "tcp", "twist.x") is None
 
 
-def test_of_two_components_each_is_as_sure_as_its_plugin() -> None:
+def test_with_two_components_certainty_depends_on_each_plugin() -> None:
     found = hardware(component(joint("elbow")) + component(joint("shoulder"), plugin="acme/Driver"))
     assert found.absence(Kind.COMMAND, "elbow", "effort") is Absence.SURE
     assert found.absence(Kind.COMMAND, "shoulder", "effort") is Absence.LIKELY
 
 
-def test_nothing_is_known_of_a_robot_without_the_tag() -> None:
+def test_nothing_is_known_about_a_robot_without_the_tag() -> None:
     assert hardware("").absence(Kind.COMMAND, "elbow", "position") is None
     nested = f"<gazebo>{ARM}</gazebo>"
     assert not hardware(nested).known
@@ -105,14 +105,14 @@ def test_a_transmission_that_is_dropped_offers_nothing(broken: str) -> None:
     assert offered(hardware(broken, "noetic")) == ([], [])
 
 
-def test_of_several_interfaces_the_simulation_takes_the_first_and_needs_no_prefix() -> None:
+def test_of_several_interfaces_the_simulation_uses_the_first_and_needs_no_prefix() -> None:
     two = transmission("elbow").replace(
         "<hardwareInterface>", "<hardwareInterface>EffortJointInterface</hardwareInterface><hardwareInterface>"
     )
     assert offered(hardware(two, "noetic"))[0] == ["elbow/hardware_interface/EffortJointInterface"]
 
 
-def test_names_are_read_without_blanks_around_them() -> None:
+def test_names_are_read_without_whitespace_around_them() -> None:
     tag = component(joint(" elbow ", STATES.replace('"position"', '" position"')))
     assert offered(hardware(tag))[1] == ["elbow/position", "elbow/velocity"]
 

@@ -9,10 +9,13 @@ from typing import Any
 import pytest
 from corpus import CORPUS, needs_corpus, roots
 from folder import Folder
+from sampling import WHOLE, sample
 
-from urdfctl.lint import Selection
-from urdfctl.load import Loader, Target
-from urdfctl.settings import Settings
+from urdfctl.config.settings import Settings
+from urdfctl.lint.selection import Selection
+from urdfctl.lint.target import lint_target
+from urdfctl.load.loader import Loader
+from urdfctl.load.target import Target
 
 XACRO = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{}</robot>'
 HIDDEN = "what nobody may read"
@@ -43,7 +46,10 @@ TRIED: Mapping[str, tuple[str, dict[str, str]]] = {
         {"r.urdf": "<robot name='r'>" + "<a>" * 100_000 + "</a>" * 100_000 + "</robot>"},
     ),
     "twenty megabytes of XML": ("UC014", {"r.urdf": "<robot name='r'>" + '<link name="a"/>' * 1_310_720 + "</robot>"}),
-    "a million elements": ("UC104", {"r.urdf": "<robot name='r'>" + "<a/>" * 1_000_001 + "</robot>"}),
+    "very many elements": (
+        "UC104",
+        {"r.urdf": f"<robot name='r'>{'<a/>' * (1_000_001 if WHOLE else 50_000)}</robot>"},
+    ),
     "a start tag without end": ("UC001", {"r.urdf": "<robot name='r' " + "a='b' " * 100_000}),
     "nothing but beginnings": ("UC001", {"r.urdf": "<" * 1_000_000}),
     "zeros": ("UC001", {"r.urdf": "\0" * 1_000_000}),
@@ -86,7 +92,6 @@ TRIED: Mapping[str, tuple[str, dict[str, str]]] = {
         "UC014",
         {"r.xacro": XACRO.format("<link name=\"${xacro.load_yaml('b.yaml')}\"/>"), "b.yaml": "[" * 30_000},
     ),
-    "a variable of the user's": ("UC007", {"r.xacro": XACRO.format('<link name="$(env PASSWORD)"/>')}),
     "a power without end": ("UC015", {"r.xacro": XACRO.format('<link name="${9**9**9}"/>')}),
     "a text repeated without end": ("UC015", {"r.xacro": XACRO.format("<link name=\"${'a' * 10**12}\"/>")}),
     "a range without end": ("UC015", {"r.xacro": XACRO.format('<link name="${len([x for x in range(10**12)])}"/>')}),
@@ -112,7 +117,8 @@ def test_a_hostile_file_gets_a_finding_in_bounded_time_and_harms_nobody(folder: 
     folder.write({"secret": HIDDEN, **{f"pull/{name}": text for name, text in files.items()}})
     (folder.path / "pull" / "out").symlink_to(folder.path)
     main = next(iter(files))
-    ran = folder.run("lint", f"pull/{main}", "--workspace", "pull", "--format", "json", environ={"PASSWORD": HIDDEN})
+    words = ("lint", f"pull/{main}", "--workspace", "pull", "--format", "json", "--timeout", "50")  # on a busy machine
+    ran = folder.run(*words, environ={"PASSWORD": HIDDEN})
     found = [finding for finding in json.loads(ran.stdout)["findings"] if finding["severity"] == "error"]
     assert ran.returncode == 1, ran.stderr
     assert [(one["code"], one["file"]) for one in found][:1] == [(code, f"pull/{main}")], found
@@ -120,11 +126,21 @@ def test_a_hostile_file_gets_a_finding_in_bounded_time_and_harms_nobody(folder: 
     assert not (folder.path / "ran").exists()
 
 
+def test_a_variable_of_the_users_is_not_read(folder: Folder) -> None:
+    folder.write({"r.xacro": XACRO.format('<link name="$(env PASSWORD)"/>')})
+    ran = folder.run("lint", "r.xacro", "--format", "json", environ={"PASSWORD": HIDDEN})
+    found = [(finding["code"], finding["message"]) for finding in json.loads(ran.stdout)["findings"]]
+    assert ("UC030", "needs environment variable PASSWORD; what depends on it is not checked") in found
+    assert HIDDEN not in ran.stdout + ran.stderr
+
+
 @needs_corpus
 def test_no_expression_of_a_public_robot_is_refused() -> None:
-    loader = Loader(Settings(), Selection(select=("UC015",)))
+    loader = Loader(Settings())
     refused: list[Any] = []
-    for root in roots():
+    for root in sample(roots(), 12):
         arguments = tuple((str(name), str(value)) for name, value in (root.get("args") or {}).items())
-        refused += loader.lint(Target(str(CORPUS / root["path"]), arguments)).outcome.diagnostics
+        refused += lint_target(
+            loader, Target(str(CORPUS / root["path"]), arguments), Selection(select=("UC015",))
+        ).result.outcome.diagnostics
     assert refused == []

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 from folder import Folder, environment
+from sampling import sample
 
 needs_posix = pytest.mark.skipif(os.name != "posix", reason="pipes and links are made as POSIX makes them")
 ROBOT = '<robot name="a"><link name="base"/></robot>\n'
@@ -48,7 +49,7 @@ def test_a_pipe_a_device_or_a_loop_in_the_place_of_a_file_is_not_waited_for(
         else:
             path.symlink_to("/dev/zero" if kind == "zeros" else path)
     ran = folder.run(*words)
-    assert ran.returncode in {0, 1, 2}, ran.stderr
+    assert ran.returncode in {0, 1, 2, 5}, ran.stderr
     assert "Traceback" not in ran.stderr
 
 
@@ -56,21 +57,24 @@ def test_a_pipe_a_device_or_a_loop_in_the_place_of_a_file_is_not_waited_for(
 @pytest.mark.parametrize(
     ("words", "told"),
     [
-        ("lint a.urdf --baseline pipe", "'pipe' cannot be read: it is no regular file"),
-        ("lint a.urdf --write-baseline pipe", "'pipe' cannot be written: it is a pipe that nobody reads"),
-        ("lint a.urdf --config pipe", "pipe: it is no regular file"),
-        ("lint a.urdf --format json=pipe", "'pipe' cannot be written: it is a pipe that nobody reads"),
-        ("lint a.urdf --workspace pipe", "no such folder: 'pipe'"),
-        ("lint a.urdf --package-path pipe", "no such folder: 'pipe'"),
-        ("smoke a.urdf --engine none --report pipe", "'pipe' cannot be written: it is a pipe that nobody reads"),
-        ("smoke a.urdf --engine none --format json=pipe", "'pipe' cannot be written: it is a pipe that nobody reads"),
-        ("expand a.urdf -o pipe", "'pipe' cannot be written: it is a pipe that nobody reads"),
-        ("explain ./pipe", "'./pipe' is no regular file"),
-        (f"gen-controllers pipe.yaml {GEN}", "'pipe.yaml' cannot be read: it is no regular file"),
-        (f"gen-controllers --joint a {GEN} -o pipe", "'pipe' cannot be written: it is a pipe that nobody reads"),
-        (f"gen-controllers --joint a {GEN} --templates pipe", "no such folder: 'pipe'"),
-        (f"gen-transmissions a.urdf {GEN} --into pipe", "'pipe' cannot be read: it is no regular file"),
-        (f"gen-all --joint a {GEN} -o pipe", "'pipe/config' cannot be made: Not a directory"),
+        ("lint a.urdf --baseline pipe", "'pipe' cannot be read: it is not a regular file"),
+        ("lint a.urdf --write-baseline pipe", "'pipe' cannot be written: it is a pipe that no program reads"),
+        ("lint a.urdf --config pipe", "pipe: it is not a regular file"),
+        ("lint a.urdf --format json=pipe", "'pipe' cannot be written: it is a pipe that no program reads"),
+        ("lint a.urdf --workspace pipe", "folder 'pipe' does not exist"),
+        ("lint a.urdf --package-path pipe", "folder 'pipe' does not exist"),
+        ("smoke a.urdf --engine none --report pipe", "'pipe' cannot be written: it is a pipe that no program reads"),
+        (
+            "smoke a.urdf --engine none --format json=pipe",
+            "'pipe' cannot be written: it is a pipe that no program reads",
+        ),
+        ("expand a.urdf -o pipe", "'pipe' cannot be written: it is a pipe that no program reads"),
+        ("explain ./pipe", "'./pipe' is not a regular file"),
+        (f"gen-controllers pipe.yaml {GEN}", "'pipe.yaml' cannot be read: it is not a regular file"),
+        (f"gen-controllers --joint a {GEN} -o pipe", "'pipe' cannot be written: it is a pipe that no program reads"),
+        (f"gen-controllers --joint a {GEN} --templates pipe", "template folder does not exist: 'pipe'"),
+        (f"gen-transmissions a.urdf {GEN} --into pipe", "'pipe' cannot be read: it is not a regular file"),
+        (f"gen-all --joint a {GEN} -o pipe", "'pipe/config' cannot be created: Not a directory"),
     ],
 )
 def test_a_pipe_that_an_option_names_is_not_waited_for(folder: Folder, words: str, told: str) -> None:
@@ -87,7 +91,7 @@ def test_a_controllers_file_of_smoke_that_is_a_pipe_is_a_finding(folder: Folder)
     os.mkfifo(folder.path / "pipe")
     ran = folder.run("smoke", "a.urdf", "--engine", "none", "--controllers", "pipe")
     assert ran.returncode == 1
-    assert "'pipe' is no regular file" in ran.stdout
+    assert "'pipe' is not a regular file" in ran.stdout
 
 
 @needs_posix
@@ -99,30 +103,36 @@ def test_a_list_of_joints_without_end_is_refused(folder: Folder, name: str) -> N
     assert "Traceback" not in ran.stderr
 
 
+ENVIRONMENTS: list[dict[str, str | None]] = [
+    {"HOME": None, "USER": None, "TERM": None},
+    {"LC_ALL": "C", "LANG": None, "PYTHONIOENCODING": "ascii", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},
+    {"LC_ALL": "none_XX.nowhere"},
+]
+
+
 @pytest.mark.parametrize(
-    "environ",
+    "words",
     [
-        {"HOME": None, "USER": None, "TERM": None},
-        {"LC_ALL": "C", "LANG": None, "PYTHONIOENCODING": "ascii", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},
-        {"LC_ALL": "none_XX.nowhere"},
+        "lint PATH",
+        "lint PATH --fix --diff",
+        "expand PATH",
+        "gen-all PATH --type effort --distro noetic -o OUT",
+        "explain fehler.log",
+        "smoke PATH --engine none",
     ],
 )
-def test_neither_home_nor_locale_changes_what_is_said(folder: Folder, environ: dict[str, str | None]) -> None:
+def test_neither_home_nor_locale_changes_what_is_said(folder: Folder, words: str) -> None:
     folder.write({"my röbot/ärm 🤖.urdf": ARM, "fehler.log": "Schlüssel fehlt 🤖\n"})
-    path = "my röbot/ärm 🤖.urdf"
-    for words in (
-        ["lint", path],
-        ["lint", path, "--fix", "--diff"],
-        ["expand", path],
-        ["gen-all", path, "--type", "effort", "--distro", "noetic", "-o", "ö made"],
-        ["explain", "fehler.log"],
-        ["smoke", path, "--engine", "none"],
-    ):
-        ran = folder.run(*words, environ=environ)
-        assert ran.returncode in {0, 1, 2}, ran.stderr
+    given = [word.replace("PATH", "my röbot/ärm 🤖.urdf") for word in words.split()]
+    plain = folder.run(*given)
+    for number, environ in enumerate(ENVIRONMENTS):
+        ran = folder.run(*(word.replace("OUT", f"ö made {number}") for word in given), environ=environ)
+        assert ran.returncode in {0, 1, 2, 5}, ran.stderr
         assert "Traceback" not in ran.stderr
-        if words[0] not in {"gen-all", "expand"}:  # made once; xacro counts the bytes of the name in its banner
-            plain = folder.run(*words)
+        if given[0] not in {
+            "gen-all",
+            "expand",
+        }:  # another folder; a banner that varies
             assert (ran.returncode, ran.stdout) == (plain.returncode, plain.stdout)
 
 
@@ -153,7 +163,7 @@ def test_a_place_that_cannot_be_written_is_said_in_one_line(folder: Folder) -> N
     folder.write({"a.urdf": ARM, "file": ""})
     ran = folder.run("gen-all", "a.urdf", "--type", "effort", "--distro", "noetic", "-o", "file/below")
     assert ran.returncode == 2
-    assert ran.stderr.splitlines()[-1].endswith("cannot be made: Not a directory")
+    assert ran.stderr.splitlines()[-1].endswith("cannot be created: Not a directory")
 
 
 @needs_posix
@@ -164,7 +174,7 @@ def test_killed_at_any_moment_a_generator_leaves_no_file_half_written(folder: Fo
     assert folder.run(*words).returncode == 0
     took = time.monotonic() - began
     whole = (folder.path / "c.yaml").read_text()
-    for part in range(6):
+    for part in sample(range(6), 3):
         folder.write({"c.yaml": "old\n"})
         process = subprocess.Popen(
             [sys.executable, "-m", "urdfctl", *words],
@@ -193,7 +203,7 @@ def test_an_interrupted_generator_ends_quietly(folder: Folder) -> None:
     )
     time.sleep(1)
     process.send_signal(signal.SIGINT)
-    out, err = process.communicate(timeout=10)
+    out, err = process.communicate(timeout=60)
     assert (process.returncode, out) == (130, "")
     assert "Traceback" not in err
 
@@ -203,9 +213,9 @@ def test_an_interrupted_generator_ends_quietly(folder: Folder) -> None:
     ("words", "status", "told"),
     [
         ("lint settings/a.urdf", 2, "settings/urdfctl.toml: unknown key '\\x1b[31mred'"),
-        (f"gen-controllers names {GEN}", 2, "which robot? names/\\x1b[31m.urdf, names/b.urdf"),
-        ("gen-check made", 0, "'made/c.yaml' is passed over: there is no \\x1b[31mred.urdf"),
-        ("smoke made/\x1b[31m", 2, "no such file or folder: 'made/\\x1b[31m'"),
+        (f"gen-controllers names {GEN}", 2, "several robots found: names/\\x1b[31m.urdf, names/b.urdf"),
+        ("gen-check made", 0, "'made/c.yaml' is skipped: its input '\\x1b[31mred.urdf' does not exist"),
+        ("smoke made/\x1b[31m", 2, "file or folder 'made/\\x1b[31m' does not exist"),
     ],
 )
 def test_what_files_and_their_names_hold_is_shown_and_not_obeyed(

@@ -102,7 +102,7 @@ def test_a_read_only_folder_is_linted_as_any_other(folder: Folder, bound: Bound)
         ("lint shut", "'shut' cannot be read: Permission denied"),
         ("expand a.urdf -o x.urdf", "'x.urdf' cannot be written: Permission denied"),
         (f"gen-controllers joints.txt {GEN} -o c.yaml", "'c.yaml' cannot be written: Permission denied"),
-        (f"gen-all joints.txt {GEN} -o made", "'made/config' cannot be made: Permission denied"),
+        (f"gen-all joints.txt {GEN} -o made", "'made/config' cannot be created: Permission denied"),
         (f"gen-transmissions a.urdf {GEN} --into secret.urdf", "'secret.urdf' cannot be read: Permission denied"),
         (f"gen-transmissions a.urdf {GEN} --into a.urdf", "'a.urdf' cannot be written: Permission denied"),
         ("gen-check shut", "'shut' cannot be read: Permission denied"),

@@ -70,15 +70,18 @@ def test_an_argument_that_is_empty_by_default_and_names_a_file_to_load_is_told(a
           <link name="${limits['joints']['elbow']['lower']}$(arg side)"/>
         </xacro:macro>
         <xacro:arm path="$(arg file)"/>"""
-    assert told_of_arguments(arm, through_a_macro) == ["argument 'file'"]
+    assert told_of_arguments(arm, through_a_macro) == []  # it only needs arguments
+    assert told_of_arguments(arm, through_a_macro, "side:=left") == ["argument 'file'"]
     assert told_of_arguments(arm, through_a_macro, "file:=config/big/limits.yaml") == []
 
 
 def test_an_argument_in_the_path_of_an_include_is_told(arm: Folder) -> None:
-    included = '<xacro:arg name="tool" default=""/><xacro:include filename="tools/$(arg tool).xacro"/><link name="a"/>'
-    assert told_of_arguments(arm, included) == ["argument 'tool'"]
-    assert told_of_arguments(arm, included.replace(' default=""', "")) == []
-    assert told_of_arguments(arm, included.replace('default=""', 'default="claw"')) == []
+    included = """<xacro:arg name="tool" default=""/><xacro:include filename="tools/$(arg tool).xacro"/>
+        <link name="$(arg side)"/>"""
+    assert told_of_arguments(arm, included) == []  # it only needs arguments
+    assert told_of_arguments(arm, included, "side:=left") == ["argument 'tool'"]
+    assert told_of_arguments(arm, included.replace(' default=""', ""), "side:=left") == []
+    assert told_of_arguments(arm, included.replace('default=""', 'default="claw"'), "side:=left") == []
 
 
 def test_an_argument_is_not_told_where_something_else_may_be_to_blame(arm: Folder) -> None:

@@ -52,6 +52,10 @@ def source(folder: Path, relative: str, *, cmake: str = "", setup: str = "") -> 
         ("install(DIRECTORY config DESTINATION share/arm/a)", "a/config/none.yaml", None),
         ("install(DIRECTORY config DESTINATION share/arm/a)", "a", None),
         ("install(DIRECTORY config DESTINATION", "config", None),
+        ("foreach(d launch config)\ninstall(DIRECTORY ${d}/ DESTINATION share/arm/x/${d})\nendforeach()", "x/config/c.yaml", "config/c.yaml"),
+        ("set(all launch\n config)\nforeach(d IN LISTS all)\ninstall(DIRECTORY ${d} DESTINATION share/arm/x)\nendforeach(d)", "x/config/c.yaml", "config/c.yaml"),
+        ("FOREACH(d IN ITEMS launch config)\ninstall(DIRECTORY ${d} DESTINATION share/arm/x)\nENDFOREACH()", "x/config/c.yaml", "config/c.yaml"),
+        ("foreach(d ${all})\ninstall(DIRECTORY ${d} DESTINATION share/arm/x)\nendforeach()", "x/config/c.yaml", None),
     ],
 )  # fmt: skip
 def test_cmake_installs(cmake: str, relative: str, expected: str | None, tmp_path: Path) -> None:
@@ -119,3 +123,10 @@ def test_an_install_rule_that_leads_out_of_the_workspace_lets_nothing_be_read(tm
     assert resolve("secret.yaml") == str(tmp_path / "secret.yaml")
     with pytest.raises(FileProblem, match="outside the workspace"):
         Files([str(tmp_path / "w")], lambda path: resolve(path) or path).read("secret.yaml")
+
+
+@pytest.mark.parametrize(("words", "whole"), [("launch config", True), ("${all}", False), ("IN LISTS unknown", False)])
+def test_a_loop_over_known_words_hides_nothing(words: str, whole: bool, tmp_path: Path) -> None:
+    loop = f"foreach(d {words})\ninstall(DIRECTORY ${{d}} DESTINATION share/arm)\nendforeach()\n"
+    (tmp_path / "CMakeLists.txt").write_text(loop)
+    assert read_install_map(str(tmp_path), "arm").whole is whole

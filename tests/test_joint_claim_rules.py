@@ -1,16 +1,14 @@
-"""What is told of joints whose states nobody publishes, that nobody commands, or that are limited by halves."""
+"""Findings on joints without published states, without commands, and with incomplete limits."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
 import pytest
-from claims_bench import GAZEBO, Bench, controllers, forward
 from control_session import ARM, STATES, component, joint, transmission
+from robots import GAZEBO, Bench, controllers, findings, forward
 
-from urdfctl.lint import Selection
-from urdfctl.load import Loader, Target
-from urdfctl.settings import Settings
+from urdfctl.load.target import Target
 
 FORWARD = "forward_command_controller/ForwardCommandController"
 STATE_CONTROLLER = "states: {type: joint_state_controller/JointStateController, publish_rate: 50}\n"
@@ -28,7 +26,7 @@ def test_a_publisher_of_states_that_is_not_started_is_named(bench: Bench) -> Non
     yaml = controllers("arm") + "    states: {type: joint_state_broadcaster/JointStateBroadcaster}\n"
     yaml += forward("arm", "shoulder, elbow")
     assert bench.says(ARM, yaml, started=("arm",)) == [
-        "info UC465 'states', which publishes the joint states, is not started"
+        "info UC465 controller 'states', which publishes the joint states, is not started"
     ]
     assert bench.says(ARM, yaml, started=("states", "arm")) == []
 
@@ -37,7 +35,7 @@ def test_of_ros_1_the_controller_that_publishes_is_named(bench: Bench) -> None:
     yaml = "arm: {type: position_controllers/JointPositionController, joint: elbow}\n"
     [said] = bench.says(transmission("elbow") + GAZEBO, yaml, distro="noetic", started=("arm",))
     assert said == (
-        "info UC465 no controller that is started publishes the joint states: "
+        "info UC465 no started controller publishes the joint states; "
         "add one of type 'joint_state_controller/JointStateController'"
     )
 
@@ -75,7 +73,7 @@ def test_joints_that_nobody_commands_are_told_in_one_finding(bench: Bench) -> No
         + f"{part}</robot>"
     )
     yaml = controllers("arm") + forward("arm", "shoulder")
-    assert "info UC467 'elbow' and 'wrist' take commands, and no controller of these files gives any" in bench.says(
+    assert "info UC467 joints 'elbow' and 'wrist' are not commanded by any controller in these files" in bench.says(
         robot, yaml
     )
 
@@ -85,7 +83,7 @@ def test_joints_that_nobody_commands_are_told_in_one_finding(bench: Bench) -> No
     [
         (
             "velocty",
-            ["no hardware exports a state interface 'velocty', so that joint states have no effort; did you"],
+            ["no hardware exports state interface 'velocty'; the joint states have no effort; did you"],
         ),
         ("velocity", []),
         ("effort", []),
@@ -98,7 +96,7 @@ def test_an_interface_is_published_under_another_name_where_it_is_there(
     yaml = controllers("states", kind="joint_state_broadcaster/JointStateBroadcaster")
     yaml += f"states:\n  ros__parameters: {{map_interface_to_joint_state: {{effort: {name}}}}}\n"
     bench = Bench(tmp_path, "UC470")
-    assert [one.message.partition(" mean")[0] for one in bench.lint(ARM, yaml)] == told
+    assert [finding.message.partition(" mean")[0] for finding in bench.lint(ARM, yaml)] == told
     assert bench.lint("", yaml) == []
 
 
@@ -142,9 +140,8 @@ def test_a_launch_file_that_activates_the_hardware_is_believed(
         encoding="utf-8",
     )
     target = Target(str(tmp_path / "robot.urdf"), launch=str(tmp_path / "robot.launch.xml"))
-    settings = Settings(distro="jazzy", workspace=str(tmp_path))
-    found = Loader(settings, Selection()).lint(target).outcome.diagnostics
-    assert [one.severity.value for one in found if one.code == "UC458"] == severities
+    found = findings(target, distro="jazzy", workspace=str(tmp_path))
+    assert [finding.severity.value for finding in found if finding.code == "UC458"] == severities
 
 
 # -- limits and gains of ROS 1 ---------------------------------------------------------------------------------------
@@ -167,21 +164,24 @@ def test_a_joint_without_limit_in_the_urdf_needs_what_its_interface_enforces(
         f'<child link="b"/></joint>{transmission("elbow", interface)}{GAZEBO}</robot>'
     )
     found = bench.lint(robot, f"{STATE_CONTROLLER}joint_limits:\n  elbow: {{{limits}}}\n", distro="noetic")
-    assert [one.severity.value for one in found if one.code == "UC468"] == told
+    assert [finding.severity.value for finding in found if finding.code == "UC468"] == told
 
 
 def test_a_number_that_is_not_said_to_count_is_told(bench: Bench) -> None:
     yaml = STATE_CONTROLLER + "joint_limits:\n  elbow: {max_velocity: 1.0}\n"
     assert bench.says(transmission("elbow") + GAZEBO, yaml, distro="noetic") == [
-        "warning UC468 'max_velocity' of 'elbow' is not read without 'has_velocity_limits: true'"
+        "warning UC468 'max_velocity' of joint 'elbow' is ignored without 'has_velocity_limits: true'"
     ]
 
 
 def test_gains_of_a_joint_that_needs_none_or_that_nobody_drives_are_told(bench: Bench) -> None:
     yaml = STATE_CONTROLLER + "gazebo_ros_control:\n  pid_gains:\n    elbow: {p: 1.0}\n    elbwo: {p: 1.0}\n"
     assert bench.says(transmission("elbow", "EffortJointInterface") + GAZEBO, yaml, distro="noetic") == [
-        "info UC469 these gains of 'elbow' are not read: its EffortJointInterface needs none",
-        "warning UC469 no transmission drives 'elbwo', so that nobody reads its gains; did you mean 'elbow'?",
+        "info UC469 gains of joint 'elbow' are ignored: its EffortJointInterface uses none",
+        (
+            "warning UC469 gains of 'elbwo' are ignored: no transmission drives a joint of this name; "
+            "did you mean 'elbow'?"
+        ),
     ]
     assert bench.says(transmission("elbow"), yaml, distro="noetic", simulator="none") == []
 

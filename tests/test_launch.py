@@ -100,7 +100,9 @@ def test_each_name_has_its_place() -> None:
         ('command="$(find xacro)/xacro.py $(find p)/r.xacro"', "/p/r.xacro", ()),
         ('command="rosrun xacro xacro $(find p)/r.xacro"', "/p/r.xacro", ()),
         ('command="cat $(find p)/r.urdf"', "/p/r.urdf", ()),
-        ('command="xacro $(find p)/r.xacro a:=$(env A)"', "/p/r.xacro", None),
+        ('command="xacro $(find p)/r.xacro a:=$(env A)"', "/p/r.xacro", (("a", UNKNOWN),)),
+        ('command="$(find p)/scripts/env_run $(find p)/base xacro $(find p)/r.xacro --inorder"', "/p/r.xacro", ()),
+        ("command=\"bash -c '$(find xacro)/xacro $(find p)/r.xacro a:=1'\"", "/p/r.xacro", (("a", "1"),)),
         ('command="xacro $(find q)/r.xacro"', None, ()),
         ('command="make_robot $(find p)/r.xacro"', None, None),
     ],
@@ -120,10 +122,62 @@ def test_a_description_of_another_name_counts_where_none_has_the_usual_one() -> 
     assert [one.file.path for one in launch(box + usual).descriptions] == ["/p/r.urdf"]
 
 
-def test_two_descriptions_are_no_one_robot() -> None:
-    one = '<param name="robot_description" textfile="$(find p)/r.urdf"/>'
-    assert launch(one).description is not None
-    assert launch(one + f'<group ns="b">{one}</group>').description is None
+def described(name: str) -> str:
+    return f'<param name="robot_description" textfile="$(find p)/{name}.urdf"/>'
+
+
+def robots(inside: str) -> list[tuple[str | None, str | None]]:
+    """The file and the namespace of each robot."""
+    return [(robot.file.path, robot.namespace) for robot in launch(inside).robots]
+
+
+@pytest.mark.parametrize(
+    "private",
+    [
+        f'<node name="n" pkg="p" type="t">{described("r")}</node>',
+        f'<group ns="b">{described("r")}</group>',
+        described("r"),
+    ],
+)
+def test_the_same_description_in_a_namespace_below_is_no_other_robot(private: str) -> None:
+    assert robots(described("r") + private) == [("/p/r.urdf", "")]
+
+
+def test_a_private_description_belongs_to_the_namespace_of_its_node() -> None:
+    node = f'<node name="n" pkg="p" type="t">{described("r")}</node>'
+    assert robots(f'<group ns="a">{node}</group>') == [("/p/r.urdf", "/a")]
+    spawner = '<node name="s" pkg="controller_manager" type="spawner" args="c"/>'
+    assert robots(f'{node}<group ns="n">{spawner}</group>') == [("/p/r.urdf", "/n")]
+
+
+def test_of_two_robots_each_has_what_is_in_its_namespace() -> None:
+    arm = '<rosparam file="$(find p)/c.yaml"/><node name="s" pkg="controller_manager" type="spawner" args="c"/>'
+    both = "".join(f'<group ns="{name}">{described(name)}{arm}</group>' for name in ("left", "right"))
+    made = launch(both)
+    assert robots(both) == [("/p/left.urdf", "/left"), ("/p/right.urdf", "/right")]
+    for robot in made.robots:
+        mine = made.among(robot)
+        assert [spawn.namespace for spawn in mine.spawns] == [robot.namespace]
+        assert [load.namespace for load in mine.loads] == [robot.namespace]
+    assert len(launch(described("r") + arm).among(made.robots[0]).loads) == 1
+
+
+def test_two_descriptions_of_one_namespace_are_no_one_robot() -> None:
+    assert launch(described("r") + described("s")).description is None
+
+
+def test_what_may_be_included_is_worth_checking_on_its_own() -> None:
+    one, other = (f'<include {when} file="$(find p)/inner.launch"/>' for when in ("", 'if="$(env X)"'))
+    assert launch(described("r") + one, inner="").unfollowed == ()
+    assert launch(described("r") + other, inner="").unfollowed == ("/p/inner.launch",)
+    assert launch(one, inner="").unfollowed == ("/p/inner.launch",)
+
+
+def test_an_argument_under_a_false_condition_is_not_declared() -> None:
+    spawner = '<node name="s" pkg="controller_manager" type="spawner" args="$(arg a)"/>'
+    first = '<arg name="a" default="x" if="false"/>'
+    assert launch(f'{first}<arg name="a" default="y" unless="false"/>{spawner}').started == ("/y",)
+    assert launch(first + spawner).started is None
 
 
 @pytest.mark.parametrize(
@@ -150,6 +204,15 @@ def test_parameters_in_a_node_are_its_own() -> None:
         ("if=\"$(eval kind != 'sim')\"", False),
         ('if="$(eval not yes)"', False),
         ('if="$(eval yes and kind)"', None),
+        ("if=\"$(eval not arg('empty'))\"", True),
+        ("if=\"$(eval arg('dof') == 6)\"", True),
+        ("if=\"$(eval arg('dof') == '6')\"", False),
+        ('if="$(eval dof > 6 or dof &lt; 3)"', False),
+        ("if=\"$(eval kind == 'sim' and not empty)\"", True),
+        ("if=\"$(eval kind == 'sim' and open)\"", None),
+        ("if=\"$(eval not optenv('OS', 'unknown').lower().startswith('windows'))\"", True),
+        ("if=\"$(eval find('p') == '/p')\"", True),
+        ('if="$(eval __import__)"', None),
         ('if="$(env X)"', None),
         ('if="$(optenv X 1)"', True),
         ('if="$(arg open)"', None),
@@ -157,6 +220,7 @@ def test_parameters_in_a_node_are_its_own() -> None:
 )
 def test_a_condition_counts_does_not_count_or_is_not_known(condition: str, counts: bool | None) -> None:
     arguments = '<arg name="yes" default="1"/><arg name="kind" value="sim"/><arg name="open"/>'
+    arguments += '<arg name="dof" default="6"/><arg name="empty" default=""/>'
     loads = launch(f'{arguments}<rosparam file="/c.yaml" {condition}/>').loads
     assert [load.sure for load in loads] == ([] if counts is False else [counts is True])
 

@@ -11,6 +11,7 @@ from urdfctl.model.build_launch_ros2 import Sources, launch_of_ros2
 from urdfctl.model.launch import Launch, Spawn
 from urdfctl.source.launch.python import Surroundings, read_python
 from urdfctl.source.launch.terms import Term
+from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place, SourceText
 
 IMPORTS = """\
@@ -311,9 +312,21 @@ DESCRIPTIONS = {
     "open('/p/r.urdf').read()": ("/p/r.urdf", ()),
     "LaunchConfiguration('description')": ("/p/d.xacro", (("a", "1"),)),
     "Command(['xacro ', LaunchConfiguration('unset'), ' a:=2'])": (None, (("a", "2"),)),
-    "Command(['xacro /p/r.xacro a:=', LaunchConfiguration('unset')])": ("/p/r.xacro", None),
+    "Command(['xacro /p/r.xacro a:=', LaunchConfiguration('unset')])": ("/p/r.xacro", (("a", UNKNOWN),)),
     "MoveItConfigsBuilder('r', package_name='p').robot_description(mappings={'a': '1'}).to_moveit_configs()"
     ".robot_description['robot_description']": ("/p/config/r.urdf.xacro", (("a", "1"),)),
+    "re.sub('<!--.*-->', '', xacro.process_file('/p/r.xacro').toxml(), flags=re.DOTALL)": ("/p/r.xacro", ()),
+    "str(xacro.process_file('/p/r.xacro').toxml().replace('a', 'b'))": ("/p/r.xacro", ()),
+    "Command([FindExecutable(name='xacro'), ' ', FindPackageShare(package='p').find('p') + '/r.xacro'])": (
+        "/p/r.xacro",
+        (),
+    ),
+    "Command(['xacro ', PythonExpression([\"'\", FindPackageShare('p'), \"' + '/r.xacro'\"])])": ("/p/r.xacro", ()),
+    "Command(['xacro /p/r.xacro a:=', PythonExpression([f\"{dict(one=1, two=2)}['\", 'two', \"']\"])])": (
+        "/p/r.xacro",
+        (("a", "2"),),
+    ),
+    "Command(['xacro /p/', 'no.xacro' if '--no' in sys.argv[1:] else 'r.xacro'])": ("/p/r.xacro", ()),
     "text": (None, None),
 }
 
@@ -331,6 +344,52 @@ def test_a_description_tells_its_file_and_arguments(
     )
     (description,) = made.descriptions
     assert (description.file.path, description.arguments) == found
+
+
+def test_a_choice_of_the_environment_gives_each_of_its_arguments() -> None:
+    made = launch("""
+        value = 'yes' if os.environ['ROS_DISTRO'] == 'humble' else 'no'
+        description = Command(['xacro /p/r.xacro a:=', value])
+        return LaunchDescription([Node(package='robot_state_publisher', executable='robot_state_publisher',
+                                       parameters=[{'robot_description': description}])])
+        """)
+    (description,) = made.robots
+    assert (description.arguments, description.alternatives) == ((("a", "yes"),), ((("a", "no"),),))
+
+
+def test_what_an_environment_variable_decides_may_be_or_not() -> None:
+    made = launch("""
+        value = LaunchConfiguration('f')
+        group = GroupAction([
+            DeclareLaunchArgument('f', default_value='/p/c.yaml'),
+            Node(package='controller_manager', executable='ros2_control_node', parameters=[value])],
+            condition=IfCondition(EnvironmentVariable('READY', default_value='false')))
+        after = Node(package='controller_manager', executable='spawner', arguments=['arm', '-p', value])
+        return LaunchDescription([group, after])
+        """)
+    assert [(load.file.path, load.sure) for load in made.loads] == [("/p/c.yaml", False), (None, True)]
+
+
+def test_the_description_of_another_node_is_no_other_one() -> None:
+    made = launch("""
+        first = Node(package='robot_state_publisher', executable='robot_state_publisher',
+                     parameters=[{'robot_description': Command(['xacro /p/r.xacro'])}])
+        text = Command(['ros2 param get --hide-type /robot_state_publisher robot_description'])
+        second = Node(package='controller_manager', executable='ros2_control_node',
+                      parameters=[{'robot_description': text}])
+        return LaunchDescription([first, second])
+        """)
+    assert [robot.file.path for robot in made.robots] == ["/p/r.xacro"]
+
+
+def test_a_file_whose_texts_are_replaced_is_loaded() -> None:
+    made = launch("""
+        file = ReplaceString('/p/c.yaml', {'<namespace>/': LaunchConfiguration('n', default='a/')})
+        return LaunchDescription([Node(package='controller_manager', executable='ros2_control_node',
+                                       parameters=[ParameterFile(file, allow_substs=True)])])
+        """)
+    (load,) = made.loads
+    assert (load.file.path, load.replaced) == ("/p/c.yaml", (("<namespace>/", "a/"),))
 
 
 def test_xacro_that_is_parsed_and_processed_is_a_description() -> None:

@@ -6,13 +6,12 @@ from collections.abc import Mapping
 from textwrap import dedent
 
 import pytest
+import robots
 from folder import Folder
 
-from urdfctl.lint import Selection, joined
-from urdfctl.load import Loader, Target
+from urdfctl.rules import launch_samples as samples
 from urdfctl.rules.examples import completed
-from urdfctl.rules.launch import samples
-from urdfctl.rules.launch.samples import (
+from urdfctl.rules.launch_samples import (
     ARM,
     BROADCASTER,
     CONTROLLERS,
@@ -23,7 +22,6 @@ from urdfctl.rules.launch.samples import (
     launched,
     spawner,
 )
-from urdfctl.settings import Settings
 
 ALL = ("UC6",)
 
@@ -31,13 +29,11 @@ ALL = ("UC6",)
 def found(
     folder: Folder, files: Mapping[str, str], *codes: str, distro: str | None = None, path: str | None = None
 ) -> list[tuple[str, str, str]]:
-    """The code, severity and text of what is found in the first file and what belongs to it, in order of codes."""
+    """Return code, severity and message of the findings in the first file and its companions, in order of codes."""
     folder.write({name: completed(name, dedent(text).strip("\n") + "\n") for name, text in files.items()})
-    settings = Settings(workspace=str(folder.path), distro=distro)
-    linted = Loader(settings, Selection(codes or ALL)).lint(Target(path or next(iter(files))))
-    assert not linted.outcome.crashed
-    told = sorted(joined([linted.outcome], Selection()), key=lambda one: (one.code, one.order))
-    return [(one.code, one.severity.value, one.message) for one in told]
+    findings = robots.findings(path or next(iter(files)), codes or ALL, workspace=str(folder.path), distro=distro)
+    findings.sort(key=lambda finding: (finding.code, finding.order))
+    return [(finding.code, finding.severity.value, finding.message) for finding in findings]
 
 
 def ros1(*nodes: str, controllers: str = "", robot: str = "") -> dict[str, str]:
@@ -69,7 +65,7 @@ def test_a_controller_is_looked_for_in_the_namespace_of_its_manager(folder: Fold
     there = [part.replace("<node ", '<node namespace="left" ') for part in (MANAGER, ARM)]
     files = launched(PUBLISHER, *there)
     assert found(folder, files, "UC601") == [
-        ("UC601", "error", "'arm_controller' is spawned in the namespace '/left', and declared in '/'"),
+        ("UC601", "error", "controller 'arm_controller' is spawned in namespace '/left', but declared in '/'"),
     ]
     anywhere = CONTROLLERS.replace("    controller_manager:", "    /**/controller_manager:")
     assert found(folder, launched(PUBLISHER, *there, controllers=anywhere), "UC601") == []
@@ -80,7 +76,10 @@ def test_of_a_name_that_is_like_no_other_the_declared_ones_are_told(folder: Fold
         (
             "UC601",
             "error",
-            "'gripper' is spawned, and no file declares it; declared are 'arm_controller', 'joint_state_broadcaster'",
+            (
+                "controller 'gripper' is spawned, but no file declares it; "
+                "declared: 'arm_controller' and 'joint_state_broadcaster'"
+            ),
         ),
     ]
 
@@ -104,7 +103,7 @@ def test_of_ros_1_what_a_launch_file_loads_is_all_there_is(folder: Folder) -> No
     node = '<node name="s" pkg="controller_manager" type="spawner" args="{}"/>'
     controllers = "arm: {type: position_controllers/JointPositionController, joint: elbow}"
     assert found(folder, ros1(node.format("hand"), controllers=controllers), "UC601") == [
-        ("UC601", "warning", "'hand' is spawned, and no file declares it; declared are 'arm'"),
+        ("UC601", "warning", "controller 'hand' is spawned, but no file declares it; declared: 'arm'"),
     ]
     assert found(folder, ros1(node.format("arm"), controllers=controllers), "UC601") == []
 
@@ -126,11 +125,15 @@ def test_controllers_that_are_alternatives_are_told_of_in_one_finding(folder: Fo
     more = CONTROLLERS.replace("        arm_controller:", gripper, 1)
     nodes = (PUBLISHER, MANAGER, spawner("joint_state_broadcaster"))
     assert found(folder, launched(*nodes, controllers=more), "UC603") == [
-        ("UC603", "info", "'gripper' and 'arm_controller' are configured, and not spawned by the launch file"),
+        (
+            "UC603",
+            "info",
+            "controllers 'gripper' and 'arm_controller' are configured but not spawned by the launch file",
+        ),
     ]
     slip = spawner("grippr")
     assert [one[2] for one in found(folder, launched(*nodes, slip, controllers=more), "UC603")] == [
-        "'arm_controller' is configured, and not spawned by the launch file"
+        "controller 'arm_controller' is configured but not spawned by the launch file"
     ]
     elsewhere = spawner("gripper arm_controller").replace("<node ", '<node if="false" ')
     assert found(folder, launched(*nodes, elsewhere, controllers=more), "UC603") == []
@@ -203,7 +206,7 @@ def test_the_manager_of_a_simulator_s_plugin_runs_where_the_plugin_says(folder: 
     gz = '<executable cmd="gz sim -r empty.sdf"/>'
     files = {**launched(PUBLISHER, gz, ARM, robot=robot + left)}
     message = (
-        "the spawner asks '/controller_manager', and the controller manager that runs is '/left/controller_manager'"
+        "the spawner contacts '/controller_manager', but the running controller manager is '/left/controller_manager'"
     )
     assert found(folder, files, "UC605", "UC606") == [("UC606", "error", message)]
     asked = spawner(f"arm_controller -c /left/controller_manager {FILE}")
@@ -236,15 +239,15 @@ def test_the_unspawner_and_the_verbs_of_foxy_are_called_otherwise_too(folder: Fo
     verb = '<executable cmd="ros2 control load_start_controller arm_controller"/>'
     files = launched(MANAGER, spawner("arm_controller", "unspawner.py"), verb)
     assert [one[2] for one in found(folder, files, "UC608", distro="jazzy")] == [
-        "humble and later have no 'unspawner.py': it is 'unspawner' there",
-        "galactic and later have no 'load_start_controller': it is 'load_controller --set-state active' there",
+        "'unspawner.py' does not exist in humble and later; use 'unspawner'",
+        "'load_start_controller' does not exist in galactic and later; use 'load_controller --set-state active'",
     ]
 
 
 @pytest.mark.parametrize(
     ("args", "distro", "expected"),
     [
-        ("--stopped", "jazzy", [("error", "the spawner has no option '--stopped'; '--inactive' says the same")]),
+        ("--stopped", "jazzy", [("error", "the spawner has no option '--stopped'; use '--inactive'")]),
         ("--stopped", "humble", []),
         ("--inactive", None, []),
         ("--inactive", "foxy", [("error", "the spawner has no option '--inactive'")]),
@@ -257,7 +260,7 @@ def test_the_unspawner_and_the_verbs_of_foxy_are_called_otherwise_too(folder: Fo
             [
                 (
                     "warning",
-                    "the spawner has no option '-t' in kilted to rolling; the type belongs in the parameters' file",
+                    "the spawner has no option '-t' in kilted to rolling; set the type in the parameter file",
                 )
             ],
         ),
@@ -297,7 +300,7 @@ BARE = MANAGER.replace('<remap from="~/robot_description" to="/robot_description
             [
                 (
                     "warning",
-                    "nothing in the launch file publishes '/robot_description', which the controller manager waits for",
+                    "no node in the launch file publishes '/robot_description', which the controller manager waits for",
                 )
             ],
         ),
@@ -308,7 +311,7 @@ BARE = MANAGER.replace('<remap from="~/robot_description" to="/robot_description
             [
                 (
                     "error",
-                    "the controller manager gets no robot description: neither as parameter nor by a remapping",
+                    "the controller manager gets no robot description, neither as a parameter nor through a remapping",
                 )
             ],
         ),
@@ -323,7 +326,7 @@ BARE = MANAGER.replace('<remap from="~/robot_description" to="/robot_description
             [
                 (
                     "error",
-                    "the controller manager gets no robot description: neither as parameter nor by a remapping",
+                    "the controller manager gets no robot description, neither as a parameter nor through a remapping",
                 )
             ],
         ),
@@ -363,7 +366,7 @@ def test_the_simulated_robot_s_description_is_looked_for_upwards(folder: Folder)
         below["arm.launch"].replace("<param ", '<group ns="x"><param ').replace('urdf"/>', 'urdf"/></group>')
     )
     assert [one[2] for one in found(folder, below, "UC613")] == [
-        "the robot description is in '/x', and the simulated robot's manager looks for it in '/'",
+        "the robot description is in '/x', but the controller manager looks for it in '/'",
     ]
     below["arm.launch"] = below["arm.launch"].replace("<group", '<include file="$(env NOWHERE)"/><group')
     assert found(folder, below, "UC613") == []
@@ -383,12 +386,20 @@ def without(*names: str) -> str:
 def test_what_a_launch_file_needs_is_told_once_and_mended_in_the_manifest(folder: Folder) -> None:
     files = {**samples.SOUND, "package.xml": without("xacro", "joint_trajectory_controller", "controller_manager")}
     assert found(folder, files, "UC614") == [
-        ("UC614", "warning", "'controller_manager' is used by a launch file, and is no <exec_depend>"),
-        ("UC614", "warning", "'joint_trajectory_controller' is used by a launch file, and is no <exec_depend>"),
-        ("UC614", "info", "'xacro' is used by a launch file, and is no <exec_depend>"),
+        (
+            "UC614",
+            "warning",
+            "launch file uses package 'controller_manager', but package.xml has no <exec_depend> for it",
+        ),
+        (
+            "UC614",
+            "warning",
+            "launch file uses package 'joint_trajectory_controller', but package.xml has no <exec_depend> for it",
+        ),
+        ("UC614", "info", "launch file uses package 'xacro', but package.xml has no <exec_depend> for it"),
     ]
-    linted = Loader(Settings(), Selection(("UC614",))).lint(Target("arm.launch.xml"))
-    fix = next(one.fix for one in linted.outcome.diagnostics if "trajectory" in one.message)
+    findings = robots.findings("arm.launch.xml", ("UC614",))
+    fix = next(finding.fix for finding in findings if "trajectory" in finding.message)
     assert fix is not None
     text = (folder.path / "package.xml").read_bytes()
     (edit,) = fix.edits
@@ -422,14 +433,14 @@ def test_of_a_controller_that_is_gone_no_package_is_asked_for(folder: Folder) ->
     )
     files = {**samples.SOUND, "controllers.yaml": gone, "package.xml": without("joint_trajectory_controller")}
     assert [one[2] for one in found(folder, files, "UC614")] == [
-        "'joint_trajectory_controller' is used by a launch file, and is no <exec_depend>"
+        "launch file uses package 'joint_trajectory_controller', but package.xml has no <exec_depend> for it"
     ]
 
 
 def test_a_manifest_of_the_first_format_has_another_word_for_it(folder: Folder) -> None:
     files = {**samples.SOUND, "package.xml": "<package><name>arm</name></package>"}
     messages = [one[2] for one in found(folder, files, "UC614")]
-    assert "'controller_manager' is used by a launch file, and is no <run_depend>" in messages
+    assert "launch file uses package 'controller_manager', but package.xml has no <run_depend> for it" in messages
 
 
 def test_without_a_manifest_that_can_be_read_nothing_is_missed_in_it(folder: Folder) -> None:
@@ -454,7 +465,8 @@ SETUP = """
     [
         ("CMakeLists.txt", "project(arm)\ninstall(DIRECTORY launch DESTINATION share/arm)", True),
         ("CMakeLists.txt", "project(arm)\ninstall(FILES controllers.yaml arm.urdf DESTINATION share/arm)", False),
-        ("CMakeLists.txt", "foreach(d launch)\ninstall(DIRECTORY ${d} DESTINATION share/arm)\nendforeach()", False),
+        ("CMakeLists.txt", "foreach(d launch)\ninstall(DIRECTORY ${d} DESTINATION share/arm)\nendforeach()", True),
+        ("CMakeLists.txt", "foreach(d ${all})\ninstall(DIRECTORY ${d} DESTINATION share/arm)\nendforeach()", False),
         ("CMakeLists.txt", "install(DIRECTORY ${FOLDERS} DESTINATION share/arm)", False),
         ("CMakeLists.txt", "ament_auto_package(INSTALL_TO_SHARE config)", False),
         ("setup.py", SETUP.format(""), True),
@@ -484,8 +496,8 @@ def test_of_a_package_that_installs_nothing_each_file_is_told(folder: Folder) ->
     include = '<include file="$(find-pkg-share arm)/nowhere.launch.xml"/>'
     files["arm.launch.xml"] = files["arm.launch.xml"].replace("</launch>", f"{include}</launch>")
     assert {one[2] for one in found(folder, files, "UC615")} == {
-        "'arm.urdf' is not installed: CMakeLists.txt does not name 'arm.urdf'",
-        "'controllers.yaml' is not installed: CMakeLists.txt does not name 'controllers.yaml'",
+        "'arm.urdf' is not installed: CMakeLists.txt does not list it",
+        "'controllers.yaml' is not installed: CMakeLists.txt does not list it",
     }
 
 
@@ -496,7 +508,7 @@ def test_a_file_of_a_package_without_build_type_need_not_be_installed(folder: Fo
 def test_a_file_that_is_not_there_is_told_of_unless_it_may_be_made(folder: Folder) -> None:
     include = '<include file="$(find-pkg-share arm)/{}"/>'
     assert found(folder, launched(include.format("other.launch.xml")), "UC616") == [
-        ("UC616", "error", "no such file: 'arm/other.launch.xml'"),
+        ("UC616", "error", "included launch file does not exist: 'arm/other.launch.xml'"),
     ]
     sometimes = include.format("other.launch.xml").replace("<include", '<include if="$(env WHAT)"')
     assert [one[1] for one in found(folder, launched(sometimes), "UC616")] == ["warning"]
@@ -509,13 +521,15 @@ def test_a_file_that_is_not_there_is_told_of_unless_it_may_be_made(folder: Folde
     (folder.path / "package.xml").unlink()
     files = launched(f'<include file="{folder.path}/other.launch.xml"/>')
     del files["package.xml"]
-    assert found(folder, files, "UC616") == [("UC616", "error", f"no such file: '{folder.path}/other.launch.xml'")]
+    assert found(folder, files, "UC616") == [
+        ("UC616", "error", f"included launch file does not exist: '{folder.path}/other.launch.xml'"),
+    ]
 
 
 def test_an_argument_that_hangs_on_the_file_s_name_is_told(folder: Folder) -> None:
     publisher = PUBLISHER.replace("arm.urdf'", "arm.urdfprefix:=left_'")
     assert [one[2] for one in found(folder, launched(publisher), "UC617")] == [
-        "there is no space before 'prefix:=' in this command",
+        "the command has no space before 'prefix:='",
     ]
 
 
@@ -549,7 +563,7 @@ def test_joints_that_a_package_lists_for_a_driver_are_the_robot_s(folder: Folder
         return [one[2] for one in found(folder, files, "UC619")]
 
     assert told("controller_joint_names: [shoulder, elbov]") == [
-        "'elbov' is listed for the robot's driver, and the robot has no such joint; did you mean 'elbow'?",
+        "controller_joint_names lists joint 'elbov', which the robot does not have; did you mean 'elbow'?",
     ]
     assert told("controller_joint_names: ['', shoulder, elbow]") == []
     assert told("controller_joint_names: [a, b, elbow]") == []

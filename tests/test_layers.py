@@ -46,10 +46,10 @@ def loaded_by(folder: Folder, code: str) -> set[str]:
 
 LINT = "from urdfctl.__main__ import _run\nassert _run(['lint', 'r.xacro', '--jobs', '1']) == 1"
 LINT_HERE = (
-    "from urdfctl.load import Loader, Target\n"
-    "from urdfctl.lint import Selection\n"
-    "from urdfctl.settings import Settings\n"
-    "assert Loader(Settings(), Selection()).lint(Target('r.xacro')).outcome.diagnostics"
+    "from urdfctl.config.settings import Settings\n"
+    "from urdfctl.lint.job import job_for, lint_work, perform_alone\n"
+    "from urdfctl.load.target import Target\n"
+    "assert perform_alone(job_for(lint_work, Target('r.xacro'), Settings()))['outcome']['diagnostics']"
 )
 
 
@@ -68,10 +68,10 @@ def test_its_worker_loads_nothing_heavy_either(folder: Folder) -> None:
 
 FAMILIES = """
 import sys
-from urdfctl.lint import Selection
-from urdfctl.load import Loader, Target
-from urdfctl.settings import Settings
-Loader(Settings(), Selection()).lint(Target("r.urdf", controllers=tuple(sys.argv[1:])))
+from urdfctl.config.settings import Settings
+from urdfctl.lint.job import job_for, lint_work, perform_alone
+from urdfctl.load.target import Target
+perform_alone(job_for(lint_work, Target("r.urdf", controllers=tuple(sys.argv[1:])), Settings()))
 families = (name.split(".") for name in sys.modules if name.startswith("urdfctl.rules."))
 print(*sorted({name[2] for name in families if name[3:] == ["family"]}))
 """
@@ -101,3 +101,18 @@ def test_rules_on_controllers_are_loaded_with_their_files(folder: Folder) -> Non
     folder.write({"r.urdf": robot, "c.yaml": "controller_manager: {ros__parameters: {update_rate: 100}}"})
     ran = subprocess.run([sys.executable, "-c", FAMILIES, "c.yaml"], capture_output=True, text=True, check=True)
     assert ran.stdout.split() == ["claims", "controllers", "migration", "ros2_control", "urdf"]
+
+
+def test_no_module_imports_itself_through_others() -> None:
+    code = """
+import graphlib, grimp
+graph = grimp.build_graph("urdfctl", exclude_type_checking_imports=False)
+edges = {module: graph.find_modules_directly_imported_by(module) for module in graph.modules}
+graphlib.TopologicalSorter(edges).prepare()
+"""
+    ran = subprocess.run([sys.executable, "-c", code], cwd=CHECKOUT, capture_output=True, text=True, check=False)
+    assert ran.returncode == 0, ran.stderr
+
+
+def test_few_modules_are_loose() -> None:
+    assert len(list((CHECKOUT / "urdfctl").glob("*.py"))) <= 6

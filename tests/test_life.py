@@ -6,7 +6,8 @@ import pytest
 from control_session import ARM, POSITION, STATES, VELOCITY, component, joint, session, transmission, ways
 
 from urdfctl.control.chains import chained_claims
-from urdfctl.control.life import Stage, lives
+from urdfctl.control.life import lives
+from urdfctl.model.stage import Stage
 
 MANAGER = "controller_manager:\n  ros__parameters: {{{}}}\n"
 TRAJECTORY = "joint_trajectory_controller/JointTrajectoryController"

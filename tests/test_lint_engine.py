@@ -10,14 +10,19 @@ import pytest
 from folder import Folder
 
 from urdfctl.catalog.distros import ALL, since
+from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic, Finding, Location, Severity
 from urdfctl.errors import UserError
-from urdfctl.lint import Linted, Outcome, Selection, checked, joined, lint, worst
-from urdfctl.load import Loader, Target
+from urdfctl.lint.engine import lint
+from urdfctl.lint.merging import merge, worst
+from urdfctl.lint.results import Outcome, TargetResult
+from urdfctl.lint.selection import Selection, validate_selection
+from urdfctl.lint.serialising import result_from_json, result_to_json
+from urdfctl.lint.target import lint_target
+from urdfctl.load.loader import Loader
+from urdfctl.load.target import Target
 from urdfctl.model.project import Project
 from urdfctl.rule import Rule
-from urdfctl.serialise import linted_from_json, linted_to_json
-from urdfctl.settings import Settings
 from urdfctl.source.budget import OverBudget
 
 HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">\n'
@@ -41,12 +46,12 @@ WHEEL = (
 UC201 = Selection(select=("UC201", "UC099"))
 
 
-def linted(path: str = "r.xacro", chosen: Selection = UC201, settings: Settings = Settings()) -> Linted:  # noqa: B008
-    return Loader(settings, chosen).lint(Target(path))
+def linted(path: str = "r.xacro", chosen: Selection = UC201, settings: Settings = Settings()) -> TargetResult:  # noqa: B008
+    return lint_target(Loader(settings), Target(path), chosen).result
 
 
 def found(*paths: str, chosen: Selection = UC201) -> list[Diagnostic]:
-    return joined([linted(path, chosen).outcome for path in paths or ("r.xacro",)], chosen)
+    return merge([linted(path, chosen).outcome for path in paths or ("r.xacro",)], chosen)
 
 
 def told(*paths: str, chosen: Selection = UC201) -> list[str]:
@@ -133,7 +138,7 @@ def broken(code: str) -> Rule:
 
 
 def outcome(*rules: Rule, path: str = "r.xacro", chosen: Selection = Selection()) -> Outcome:  # noqa: B008 (immutable)
-    loader = Loader(Settings(), chosen)
+    loader = Loader(Settings())
     file = os.path.abspath(path)
     expander = loader.expander(file)
     project = loader._project(file, expander.expand(file, {}), expander)
@@ -143,7 +148,7 @@ def outcome(*rules: Rule, path: str = "r.xacro", chosen: Selection = Selection()
 def test_two_faults_of_one_place_stay_two(folder: Folder) -> None:
     folder.write({"r.xacro": HEAD + LINKS + "</robot>"})
     one = outcome(made("UC901", (0, "too long"), (0, "too thin"), (0, "too thin")), made("UC902", (0, "too long")))
-    assert [(d.code, d.message) for d in joined([one], Selection())] == [
+    assert [(d.code, d.message) for d in merge([one], Selection())] == [
         ("UC901", "too long"),
         ("UC901", "too thin"),
         ("UC902", "too long"),
@@ -154,7 +159,7 @@ def test_two_faults_that_each_call_shows_at_one_place_stay_two(folder: Folder) -
     macro = '<xacro:macro name="part" params="n"><link name="${n}"/></xacro:macro>'
     folder.write({"r.xacro": HEAD + macro + '\n<xacro:part n="a"/><xacro:part n="b"/></robot>'})
     one = outcome(made("UC901", (0, "a is long"), (0, "a is thin"), (1, "b is long"), (1, "b is thin")))
-    assert [(d.message, d.notes[0].message, len(d.expanded_from)) for d in joined([one], Selection())] == [
+    assert [(d.message, d.notes[0].message, len(d.expanded_from)) for d in merge([one], Selection())] == [
         ("a is long", "likewise: b is long", 2),
         ("a is thin", "likewise: b is thin", 2),
     ]
@@ -164,7 +169,7 @@ def test_one_fault_that_several_variants_of_a_robot_show_through_the_same_call_s
     macro = '<xacro:macro name="part" params="n"><link name="${n}"/></xacro:macro>'
     folder.write({"r.xacro": HEAD + macro + '\n<xacro:part n="a"/></robot>'})
     one, other = outcome(made("UC901", (0, "a is long"))), outcome(made("UC901", (0, "a is long")))
-    assert [(d.message, len(d.expanded_from)) for d in joined([one, other], Selection())] == [("a is long", 1)]
+    assert [(d.message, len(d.expanded_from)) for d in merge([one, other], Selection())] == [("a is long", 1)]
 
 
 def test_the_gravest_of_what_is_merged_is_told(folder: Folder) -> None:
@@ -177,7 +182,7 @@ def test_the_gravest_of_what_is_merged_is_told(folder: Folder) -> None:
     macro = '<xacro:macro name="part" params="n"><link name="${n}"/></xacro:macro>'
     folder.write({"r.xacro": HEAD + macro + '\n<xacro:part n="a"/><xacro:part n="b"/></robot>'})
     rule = Rule("UC901", made_for_a_test, Severity.WARNING, "this test", {}, {})
-    [one] = joined([outcome(rule)], Selection())
+    [one] = merge([outcome(rule)], Selection())
     assert (one.severity, one.message) == (Severity.ERROR, "b is bad")
 
 
@@ -187,7 +192,7 @@ def test_the_order_is_by_file_place_and_code_whatever_the_order_of_rules_and_rob
     a, b = outcome(*rules, path="a.xacro"), outcome(*rules[::-1], path="b.xacro")
     expected = [(0, "UC902", "x"), (1, "UC901", "x"), (1, "UC901", "y"), (1, "UC902", "x")]
     for outcomes in ([a, b], [b, a]):
-        order = joined(outcomes, Selection())
+        order = merge(outcomes, Selection())
         assert [d.at.file for d in order] == [str(folder.path / "a.xacro")] * 4 + [str(folder.path / "b.xacro")] * 4
         assert [(d.at.line - 2, d.code, d.message) for d in order] == expected * 2
 
@@ -199,16 +204,16 @@ def test_a_rule_that_crashes_is_a_finding_and_the_others_go_on(folder: Folder) -
     folder.write({"r.xacro": HEAD + LINKS + "</robot>"})
     given = outcome(made("UC901", (0, "first")), broken("UC902"), made("UC903", (1, "last")))
     assert given.crashed
-    assert [(d.code, d.severity.value) for d in joined([given], Selection())] == [
+    assert [(d.code, d.severity.value) for d in merge([given], Selection())] == [
         ("UC000", "error"),
         ("UC901", "warning"),
         ("UC902", "warning"),
         ("UC903", "warning"),
     ]
     crash = given.diagnostics[2]
-    assert crash.message.startswith("the rule UC902 made-to-crash crashed: ZeroDivisionError: of all things (made_to_c")
+    assert crash.message.startswith("rule UC902 made-to-crash crashed: ZeroDivisionError: of all things (made_to_c")
     assert crash.at.file == str(folder.path / "r.xacro")
-    assert linted_from_json(linted_to_json(linted()._replace(outcome=given))).outcome == given
+    assert result_from_json(result_to_json(linted()._replace(outcome=given))).outcome == given
 
 
 def test_a_robot_that_is_over_its_budget_in_a_rule_is_no_crash_of_the_rule(folder: Folder) -> None:
@@ -246,10 +251,10 @@ def test_the_longest_beginning_of_a_code_decides(chosen: Selection, admitted: se
 
 def test_a_beginning_that_no_code_has_is_the_users_mistake() -> None:
     made = Selection(("UC2",), ("UC201",), ("UC1",), (("UC1", "off"),))
-    assert checked(made) is made
+    assert validate_selection(made) is made
     for mistaken in ("UC8", "201", "transmission-joint-without-interface"):
         with pytest.raises(UserError, match=f"no rule's code begins with '{mistaken}'"):
-            checked(Selection(ignore=(mistaken,)))
+            validate_selection(Selection(ignore=(mistaken,)))
 
 
 def test_a_rule_is_asked_only_for_the_distros_it_holds_for(folder: Folder) -> None:
@@ -263,7 +268,7 @@ def test_where_the_distro_is_not_known_a_note_names_those_that_a_finding_holds_f
     folder.write({"r.xacro": HEAD + LINKS + "</robot>"})
     rules = made("UC901", (0, "x"), distros=since("kinetic")), made("UC902", (0, "x"))
     some, all_of_them = outcome(*rules).diagnostics
-    assert [note.message for note in some.notes] == ["this holds for kinetic to noetic"]
+    assert [note.message for note in some.notes] == ["applies from kinetic to noetic"]
     assert not all_of_them.notes
 
 
@@ -282,7 +287,7 @@ def test_a_finding_may_be_graver_than_its_rule_where_the_distro_makes_it_so(fold
     folder.write({"r.xacro": HEAD + LINKS + "</robot>"})
     rule = Rule("UC901", made_for_a_test, Severity.INFO, "this test", {}, {})
     for distro, severity in (("noetic", Severity.ERROR), ("melodic", Severity.INFO)):
-        loader = Loader(Settings(distro=distro), Selection())
+        loader = Loader(Settings(distro=distro))
         file = os.path.abspath("r.xacro")
         expander = loader.expander(file)
         project = loader._project(file, expander.expand(file, {}), expander)
@@ -394,7 +399,7 @@ def test_a_comment_that_silences_nothing_is_told(folder: Folder) -> None:
     folder.write({"r.xacro": SOUND.format(IGNORE)})
     [one] = found()
     assert (one.code, one.at.line, one.excerpt) == ("UC099", 2, '<link name="base"/>' + IGNORE)
-    assert one.message == "nothing to ignore here: no finding of UC201 on this line or the next"
+    assert one.message == "unused suppression: there is no finding of UC201 on this line or the next"
 
 
 def test_a_comment_without_a_code_is_told(folder: Folder) -> None:
@@ -432,7 +437,7 @@ def test_it_is_not_told_for_a_distro_that_the_rule_does_not_hold_for(folder: Fol
     folder.write({"r.xacro": SOUND.format(IGNORE)})
     for distro, codes in [("jazzy", []), ("hydro", []), ("noetic", ["UC099"])]:
         given = linted(settings=Settings(distro=distro)).outcome
-        assert [d.code for d in joined([given], UC201)] == codes, distro
+        assert [d.code for d in merge([given], UC201)] == codes, distro
 
 
 def test_it_is_not_told_where_a_part_of_the_robot_is_missing(folder: Folder) -> None:
@@ -482,4 +487,4 @@ def test_what_was_linted_survives_the_way_from_a_worker(folder: Folder) -> None:
     folder.write({"r.xacro": HEAD + LINKS + WHEEL + WHEELS + SOUND.format(IGNORE).removeprefix(HEAD)})
     one = linted(chosen=Selection())
     assert {d.code for d in one.outcome.diagnostics} >= {"UC201"}
-    assert linted_from_json(json.loads(json.dumps(linted_to_json(one)))) == one
+    assert result_from_json(json.loads(json.dumps(result_to_json(one)))) == one

@@ -1,4 +1,4 @@
-"""The messages of ROS and Gazebo: their data is sound, and each spelling is found in a line by its own entry."""
+"""The messages of ROS and Gazebo: their data is valid, and each pattern matches only its own entry."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from urdfctl.rules import all_rules
 MESSAGES = log_messages()
 
 
-def test_every_message_says_what_it_means_why_and_what_to_do() -> None:
+def test_every_message_has_a_meaning_causes_and_a_fix() -> None:
     for message in MESSAGES:
         assert re.fullmatch(r"[a-z0-9]+(-[a-z0-9]+)*", message.id)
         assert message.kind in KINDS, message.id
@@ -28,21 +28,21 @@ def test_every_rule_that_a_cause_names_exists() -> None:
     assert [(message.id, code) for message in MESSAGES for code in message.rules if code not in codes] == []
 
 
-def test_every_value_in_a_message_s_texts_is_one_that_it_prints() -> None:
+def test_the_texts_of_a_message_use_only_values_that_it_prints() -> None:
     for message in MESSAGES:
         printed = {gap.name for pattern in message.patterns for gap in parsed(pattern).gaps}
         texts = (message.meaning, message.fix, *(cause.text for cause in message.causes))
         assert {gap.name for text in texts for gap in parsed(text).gaps} <= printed, message.id
 
 
-def test_each_spelling_is_found_in_a_line_of_a_log_and_by_its_own_entry_alone() -> None:
+def test_each_pattern_matches_in_a_log_line_and_only_for_its_own_entry() -> None:
     for spelling in index().spellings:
         printed = "elbow".join(spelling.pattern.literals)
         hits = index().hits(f"[ros2_control_node-1] [ERROR] [1699.9] [controller_manager]: {printed}")
         assert [hit.message.id for hit in hits] == [spelling.message.id], printed
 
 
-def test_no_spelling_is_given_twice() -> None:
+def test_no_pattern_is_duplicated() -> None:
     texts = [spelling.pattern.shown for spelling in index().spellings]
     assert sorted(texts) == sorted(set(texts))
 
@@ -61,13 +61,13 @@ def test_a_value_at_the_beginning_is_the_word_before() -> None:
     assert match.values == {"joint": "left_wheel"}
 
 
-def test_the_first_value_is_the_shortest_there_is() -> None:
+def test_the_first_value_is_the_shortest_possible() -> None:
     match = found_in(parsed("joint '{joint}' is bad"), "joint 'a' is good, joint 'b' is bad")
     assert match is not None
     assert match.values == {"joint": "b"}
 
 
-def test_braces_that_are_printed_are_no_values() -> None:
+def test_printed_braces_are_not_values() -> None:
     pattern = parsed("parameter {{{parameter}}} is of type {{{type}}}")
     match = found_in(pattern, "parameter {use_sim_time} is of type {bool}")
     assert match is not None

@@ -1,4 +1,4 @@
-"""Every literal message of the reference and of the runtimes' verdicts is explained; skipped where they are absent."""
+"""Every literal message of the reference and of the runtimes' verdicts is explained; skipped if these are absent."""
 
 from __future__ import annotations
 
@@ -9,13 +9,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import robots
 import yaml
 from corpus import SHARED
 
-from urdfctl.lint import Selection, joined
-from urdfctl.load import Loader, Target
+from urdfctl.load.target import Target
 from urdfctl.logs.digest import digest
-from urdfctl.settings import Settings
 
 REFERENCE, TRUTH = SHARED / "reference", SHARED / "truth"
 needs_reference = pytest.mark.skipif(not REFERENCE.is_dir(), reason="the reference is not beside the checkout")
@@ -23,10 +22,11 @@ needs_truth = pytest.mark.skipif(not TRUTH.is_dir(), reason="the verdicts of the
 
 BY_THE_TOOLS = re.compile(
     r"""\(\d+\ more\ kinds\) | ok\ joints=\d+ | Valid\.\ model= | urdf\ parse\ failed | urdf\ does\ not\ parse
+      | std::terminate:\  | \w+'\n\[INFO\]
       | no\ loader\ for\ type .* \(tool\ text\) | interface\ providers\ were\ not\ run | <\?xml | <robot\ name=""",
     re.VERBOSE,
 )
-"""Texts that the tools wrote which made the verdicts; no runtime prints them."""
+"""Texts of the tools that recorded the verdicts, and ends of logs without an error; no runtime prints these alone."""
 CODE = re.compile(
     r"""<[\w:]+[\ =>].*>$ | [\w.]+\( | [\w.]+=["\[$] | -\ \w+: | [\w/<>.*-]+:\ ?[\[{] | /\*\*: | \w+:\ \w+$
       | \$\((?!eval) | [{\[][\w,\ -]+[\]}\[] | --(?!params) | 'cmd'
@@ -34,7 +34,7 @@ CODE = re.compile(
           |gen-\w+|init_node|constraints/\S+|gains\S+)(?:\ [^:]|$)""",
     re.VERBOSE,
 )
-"""What stands in backticks and is code, a command or an element."""
+"""Texts in backticks that are code, a command or an element."""
 FRAGMENTS = (
     "is not a number.",
     "in URDF model.",
@@ -52,9 +52,9 @@ FRAGMENTS = (
     "yaml prefix + rosparam ns/param + enclosing group ns",
     "a b:=default c:=^ d:=^|default *block **blocks",
 )
-"""Ends and alternatives of messages that stand whole beside them, and two forms of syntax."""
+"""Parts of messages that are also quoted in full, and two forms of syntax."""
 NOTES = {"EXC_RESOURCE", "REQUIRES_IFACE_MULTI"}
-"""Names of the reference for messages of its own head."""
+"""Names that the reference gives to its own messages."""
 
 
 @cache
@@ -120,8 +120,8 @@ def test_every_message_of_the_reference_s_texts_is_explained(name: str) -> None:
     assert [m for m in sorted(messages - fragments) if not is_explained(m)] == []
 
 
-def refused() -> list[tuple[Path, dict[str, Any], str]]:
-    """Every eighth of the cases that noetic or jazzy refused, with the distro."""
+def rejected() -> list[tuple[Path, dict[str, Any], str]]:
+    """Every eighth case that noetic or jazzy rejected, with the distro."""
     files = sorted(TRUTH.glob("ros*/*/verdict.yaml"))
     return [
         (file.parent, case, distro)
@@ -132,25 +132,25 @@ def refused() -> list[tuple[Path, dict[str, Any], str]]:
     ]
 
 
-def linted(folder: Path, case: dict[str, Any], distro: str) -> set[str]:
-    """The codes of what lint finds in a case's files."""
+def codes_found(folder: Path, case: dict[str, Any], distro: str) -> set[str]:
+    """The codes of the findings in a case's files."""
     started = case.get("activation_order") or case.get("controllers")
     simulator = "gazebo-classic" if folder.parent.name == "ros1" else "none"
-    settings = Settings(workspace=str(folder), distro=distro, simulator=simulator, started=tuple(started or ()))
+    options = {"distro": distro, "simulator": simulator, "started": tuple(started or ())}
     first, *others = (str(folder / name) for name in case["files"])
-    found = Loader(settings, Selection()).lint(Target(first, controllers=tuple(others)))
-    return {one.code for one in joined([found.outcome], Selection())}
+    target = Target(first, controllers=tuple(others))
+    return {finding.code for finding in robots.findings(target, workspace=str(folder), **options)}
 
 
 @needs_truth
 def test_the_rules_that_an_explanation_names_find_the_fault_in_the_files() -> None:
-    """Nine times in ten, and more: the rest are messages that have many causes."""
-    told = []
-    for folder, case, distro in refused():
-        codes = linted(folder, case, distro)
+    """In more than nine of ten cases; the other messages have too many causes."""
+    cases = []
+    for folder, case, distro in rejected():
+        codes = codes_found(folder, case, distro)
         known = digest(case["distros"][distro]["messages"], pasted=True).known
-        rules = {code for one in known for code in one.message.rules}
+        rules = {code for message in known for code in message.message.rules}
         if codes:
-            told.append((folder.name, bool(codes & rules)))
-    assert len(told) > 50
-    assert sum(named for _, named in told) > 0.9 * len(told), [name for name, named in told if not named]
+            cases.append((folder.name, bool(codes & rules)))
+    assert len(cases) > 50
+    assert sum(named for _, named in cases) > 0.9 * len(cases), [name for name, named in cases if not named]

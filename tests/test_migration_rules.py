@@ -1,18 +1,11 @@
-"""What the rules on moving on say, distro by distro; their examples show the rest."""
+"""The findings of the migration rules, distro by distro. The rules' examples cover the rest."""
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
-from arm import Robot, notes
+from robots import Robot, notes
 
 from urdfctl.catalog.distros import coming
-
-
-@pytest.fixture
-def robot(tmp_path: Path) -> Robot:
-    return Robot(tmp_path)
 
 
 def component(hardware: str) -> str:
@@ -83,7 +76,7 @@ def test_many_plugins_of_one_library_are_one_finding(robot: Robot) -> None:
     part = f'<gazebo reference="upper">{camera}</gazebo><gazebo reference="fore">{camera}</gazebo>'
     found = robot.only("UC701", part, distro="jazzy")
     assert found.severity.value == "warning"
-    assert "1 more of it" in notes(found)
+    assert "1 more in this robot" in notes(found)
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import pytest
+from sampling import assert_each
 
 from urdfctl.catalog.catalog import CATALOG
 from urdfctl.catalog.distros import ALL
@@ -17,9 +17,10 @@ from urdfctl.control.parameter_rules import breaches
 from urdfctl.control.values import Values
 
 
-def controllers() -> list[ControllerType]:
+def controllers() -> dict[str, ControllerType]:
+    """Return each type of controller in each distro, by both names."""
     found = [CATALOG.controller(name, distro) for distro in ALL for name in CATALOG.known_types(distro)]
-    return [controller for controller in found if controller is not None]
+    return {f"{controller.distro}-{controller.type}": controller for controller in found if controller is not None}
 
 
 def faults(controller: ControllerType, values: dict[str, object]) -> list[str]:
@@ -34,34 +35,40 @@ def faults(controller: ControllerType, values: dict[str, object]) -> list[str]:
     return [fault for fault in wrong if not fault.endswith(" None")] + missing + broken + gains
 
 
-@pytest.mark.parametrize("controller", controllers(), ids=lambda c: f"{c.distro}-{c.type}")
-def test_the_least_parameters_are_right_and_cannot_be_less(controller: ControllerType) -> None:
-    values = minimal_parameters(controller)
-    assert faults(controller, values) == []
-    for name in values:
-        assert faults(controller, {other: value for other, value in values.items() if other != name}), name
+def test_the_least_parameters_are_right_and_cannot_be_less() -> None:
+    def check(controller: ControllerType) -> None:
+        values = minimal_parameters(controller)
+        assert faults(controller, values) == []
+        for name in values:
+            assert faults(controller, {other: value for other, value in values.items() if other != name}), name
+
+    assert_each(check, controllers())
 
 
-@pytest.mark.parametrize("controller", controllers(), ids=lambda c: f"{c.distro}-{c.type}")
-def test_what_is_claimed_with_them_is_known_and_no_command_is_claimed_twice(controller: ControllerType) -> None:
-    values = minimal_parameters(controller)
-    found = claims(controller, "it", values)
-    if found is not None:
-        assert found.complete
-        names = [claim.name for claim in found.command]
-        assert len(names) == len(set(names))
-        assert all(claim.component and claim.interface for claim in (*found.command, *found.state))
-    offered = exports(controller, "it", values)
-    assert offered.complete
-    assert all(claim.name.startswith("it/") for claim in (*offered.reference, *offered.state))
-    assert bool(offered.reference or offered.state) <= controller.chainable
+def test_what_is_claimed_with_them_is_known_and_no_command_is_claimed_twice() -> None:
+    def check(controller: ControllerType) -> None:
+        values = minimal_parameters(controller)
+        claimed = claims(controller, "it", values)
+        if claimed is not None:
+            assert claimed.complete
+            names = [claim.name for claim in claimed.command]
+            assert len(names) == len(set(names))
+            assert all(claim.component and claim.interface for claim in (*claimed.command, *claimed.state))
+        exported = exports(controller, "it", values)
+        assert exported.complete
+        assert all(claim.name.startswith("it/") for claim in (*exported.reference, *exported.state))
+        assert bool(exported.reference or exported.state) <= controller.chainable
+
+    assert_each(check, controllers())
 
 
-@pytest.mark.parametrize("controller", controllers(), ids=lambda c: f"{c.distro}-{c.type}")
-def test_a_default_has_the_type_of_its_parameter(controller: ControllerType) -> None:
-    for parameter in controller.parameters.values():
-        if parameter.default is not None:
-            assert type_problem(parameter.default, parameter, controller.distro) is None, parameter.name
+def test_a_default_has_the_type_of_its_parameter() -> None:
+    def check(controller: ControllerType) -> None:
+        for parameter in controller.parameters.values():
+            if parameter.default is not None:
+                assert type_problem(parameter.default, parameter, controller.distro) is None, parameter.name
+
+    assert_each(check, controllers())
 
 
 def test_a_trajectory_controller_needs_joints_and_interfaces() -> None:

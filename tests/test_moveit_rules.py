@@ -1,16 +1,19 @@
-"""The rules on what MoveIt is told of the controllers: moveit_controllers.yaml beside ros2_controllers.yaml."""
+"""The rules on MoveIt's configuration of the controllers: moveit_controllers.yaml beside ros2_controllers.yaml."""
 
 from __future__ import annotations
 
 from textwrap import dedent
 
 import pytest
+import robots
 from folder import Folder
 
-from urdfctl.lint import Selection
-from urdfctl.load import Loader, Target
+from urdfctl.config.settings import Settings
+from urdfctl.lint.selection import Selection
+from urdfctl.lint.target import lint_target
+from urdfctl.load.loader import Loader
+from urdfctl.load.target import Target
 from urdfctl.rules.moveit.samples import CONTROLLERS, configured
-from urdfctl.settings import Settings
 
 SECTION = """arm_controller:
         type: FollowJointTrajectory
@@ -20,24 +23,24 @@ SECTION = """arm_controller:
 
 
 def found(folder: Folder, old: str = "", new: str = "", controllers: str = CONTROLLERS) -> list[tuple[str, str, str]]:
-    """The code, severity and text of what is found where something is written otherwise."""
+    """Return code, severity and message of the findings after `old` is replaced by `new`."""
     files = {**configured(old, new), "ros2_controllers.yaml": controllers}
     folder.write({name: dedent(text) for name, text in files.items()})
-    linted = Loader(Settings(), Selection(("UC65",))).lint(Target("ros2_controllers.yaml"))
-    return [(one.code, one.severity.value, one.message) for one in linted.outcome.diagnostics]
+    findings = robots.findings("ros2_controllers.yaml", ("UC65",))
+    return [(finding.code, finding.severity.value, finding.message) for finding in findings]
 
 
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        (SECTION, "", "MoveIt is told to use 'arm_controller', and nothing describes it here"),
+        (SECTION, "", "controller_names lists 'arm_controller', but this file does not describe it"),
         ("default: true", "default: false", None),
-        ("type: FollowJointTrajectory", "", "MoveIt leaves 'arm_controller' out: it is not told its 'type'"),
-        ("joints: [shoulder, elbow]", "", "MoveIt leaves 'arm_controller' out: it is not told its 'joints'"),
+        ("type: FollowJointTrajectory", "", "MoveIt ignores controller 'arm_controller': 'type' is missing"),
+        ("joints: [shoulder, elbow]", "", "MoveIt ignores controller 'arm_controller': 'joints' is missing"),
         (
             SECTION,
             "arm_controller: 1",
-            "MoveIt leaves 'arm_controller' out: it is not told its 'type', 'action_ns' and",
+            "MoveIt ignores controller 'arm_controller': 'type', 'action_ns' and 'joints' are missing",
         ),
     ],
 )
@@ -48,28 +51,29 @@ def test_moveit_needs_a_type_an_action_and_joints(folder: Folder, old: str, new:
 
 def test_the_action_that_the_setup_assistant_leaves_out_is_added(folder: Folder) -> None:
     assert found(folder, "action_ns: follow_joint_trajectory", "") == [
-        ("UC651", "error", "MoveIt leaves 'arm_controller' out: it is not told its 'action_ns'"),
+        ("UC651", "error", "MoveIt ignores controller 'arm_controller': 'action_ns' is missing"),
     ]
-    linted = Loader(Settings(), Selection(("UC651",))).lint(Target("ros2_controllers.yaml"))
-    fix = linted.outcome.diagnostics[0].fix
+    fix = robots.findings("ros2_controllers.yaml", ("UC651",))[0].fix
     assert fix is not None
     assert [edit.text for edit in fix.edits] == ["action_ns: follow_joint_trajectory\n    "]
 
 
 def test_a_name_that_no_file_declares_is_told(folder: Folder) -> None:
     incomplete, unknown = found(folder, "controller_names: [arm_controller]", "controller_names: [hand]")
-    assert incomplete == ("UC651", "error", "MoveIt is told to use 'hand', and nothing describes it here")
-    declared = "declared are 'joint_state_broadcaster' and 'arm_controller'"
-    message = f"MoveIt is told to use 'hand', which no file declares; {declared}"
+    assert incomplete == ("UC651", "error", "controller_names lists 'hand', but this file does not describe it")
+    declared = "declared: 'joint_state_broadcaster' and 'arm_controller'"
+    message = f"MoveIt uses controller 'hand', which no file declares; {declared}"
     assert unknown == ("UC652", "warning", message)
     nothing = "other: {ros__parameters: {x: 1}}"
     assert [one[0] for one in found(folder, "[arm_controller]", "[hand]", nothing)] == ["UC651"]
 
 
 def test_joints_that_are_left_out_are_told_where_partial_goals_are_refused(folder: Folder) -> None:
-    assert found(folder, "joints: [shoulder, elbow]", "joints: [shoulder]") == [
-        ("UC653", "warning", "MoveIt sends 'arm_controller' no 'elbow': it refuses trajectories that leave joints out"),
-    ]
+    message = (
+        "MoveIt's joints for controller 'arm_controller' do not include 'elbow'; "
+        "the controller rejects incomplete trajectories"
+    )
+    assert found(folder, "joints: [shoulder, elbow]", "joints: [shoulder]") == [("UC653", "warning", message)]
     partial = CONTROLLERS + "        allow_partial_joints_goal: true\n"
     assert found(folder, "joints: [shoulder, elbow]", "joints: [shoulder]", partial) == []
     gripper = found(folder, "type: FollowJointTrajectory", "type: GripperCommand")
@@ -88,15 +92,14 @@ def test_joints_that_are_left_out_are_told_where_partial_goals_are_refused(folde
 )
 def test_what_is_no_configuration_of_moveit_says_nothing(folder: Folder, text: str) -> None:
     folder.write({"ros2_controllers.yaml": dedent(CONTROLLERS), "moveit_controllers.yaml": text})
-    linted = Loader(Settings(), Selection(("UC65",))).lint(Target("ros2_controllers.yaml"))
-    assert linted.outcome.diagnostics == []
+    assert robots.findings("ros2_controllers.yaml", ("UC65",)) == []
 
 
 def test_a_configuration_outside_of_the_workspace_is_not_read(folder: Folder) -> None:
     folder.write({"outside.yaml": "a: 1", "in/ros2_controllers.yaml": dedent(CONTROLLERS)})
     (folder.path / "in/moveit_controllers.yaml").symlink_to(folder.path / "outside.yaml")
     settings = Settings(workspace=str(folder.path / "in"))
-    linted = Loader(settings, Selection()).lint(Target("in/ros2_controllers.yaml"))
+    linted = lint_target(Loader(settings), Target("in/ros2_controllers.yaml"), Selection()).result
     assert [path.rpartition("/")[2] for path in linted.files] == ["ros2_controllers.yaml"]
 
 
@@ -126,20 +129,19 @@ def told_by_demo(folder: Folder, lists: str = "", limits: str = "") -> list[str]
     manifest = '<package format="2"><name>arm</name><buildtool_depend>catkin</buildtool_depend></package>'
     folder.write({"package.xml": manifest, "gripper.urdf": GRIPPER, "demo.launch": DEMO})
     folder.write({"fake_controllers.yaml": lists, "joint_limits.yaml": limits})
-    linted = Loader(Settings(), Selection(("UC654",))).lint(Target("demo.launch"))
-    return [one.message for one in linted.outcome.diagnostics]
+    return [finding.message for finding in robots.findings("demo.launch", ("UC654",))]
 
 
 def test_joints_that_a_list_for_moveit_misspells_are_told(folder: Folder) -> None:
     lists = "controller_list: [{name: hand, joints: [l_gripper_joint, r_gripper_joint]}]"
-    absent = "and the robot has no such joint; did you mean"
+    absent = "but the robot does not have it; did you mean"
     assert told_by_demo(folder, lists) == [
-        f"'l_gripper_joint' is listed for 'hand', {absent} 'l_gripper_finger_joint'?",
-        f"'r_gripper_joint' is listed for 'hand', {absent} 'r_gripper_finger_joint'?",
+        f"joint 'l_gripper_joint' is listed for 'hand', {absent} 'l_gripper_finger_joint'?",
+        f"joint 'r_gripper_joint' is listed for 'hand', {absent} 'r_gripper_finger_joint'?",
     ]
     limits = "joint_limits: {l_gripper_joint: {max_velocity: 1}, tool: {max_velocity: 1}}"
     assert told_by_demo(folder, "", limits) == [
-        f"'l_gripper_joint' has limits for MoveIt, {absent} 'l_gripper_finger_joint'?"
+        f"joint 'l_gripper_joint' has limits for MoveIt, {absent} 'l_gripper_finger_joint'?"
     ]
 
 
@@ -160,5 +162,4 @@ def test_lists_for_moveit_that_fit_the_robot_or_are_of_other_parts_say_nothing(f
 
 def test_the_limits_that_controllers_of_ros_1_are_given_are_none_of_moveits(folder: Folder) -> None:
     folder.write({"gripper.urdf": GRIPPER, "limits.yaml": "joint_limits: {l_gripper_joint: {max_velocity: 1}}"})
-    linted = Loader(Settings(), Selection(("UC654",))).lint(Target("gripper.urdf", controllers=("limits.yaml",)))
-    assert linted.outcome.diagnostics == []
+    assert robots.findings(Target("gripper.urdf", controllers=("limits.yaml",)), ("UC654",)) == []

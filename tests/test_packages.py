@@ -170,7 +170,7 @@ def test_a_link_of_that_name_does_not(tmp_path: Path) -> None:
 def test_a_path_is_no_name_of_a_package(name: str, tmp_path: Path) -> None:
     package(tmp_path / "w" / "a" / "b", "a/b")
     with pytest.raises(PackageNotFound):
-        found(name, tmp_path / "w", environ={"AMENT_PREFIX_PATH": str(tmp_path), "ROS_PACKAGE_PATH": "/"})
+        found(name, tmp_path / "w", environ={"AMENT_PREFIX_PATH": str(tmp_path), "ROS_PACKAGE_PATH": str(tmp_path)})
 
 
 def test_what_is_not_found_tells_which_names_are_known(tmp_path: Path) -> None:
@@ -191,3 +191,11 @@ def test_an_installed_path_leads_to_its_source(tmp_path: Path) -> None:
     assert packages.source_of(f"{folder}/package.xml") == f"{folder}/package.xml"
     assert packages.source_of(f"{folder}/urdf/none.xacro") == f"{folder}/urdf/none.xacro"
     assert packages.source_of("/none") == "/none"
+
+
+def test_a_package_inside_another_one_is_only_used_if_there_is_no_other(tmp_path: Path) -> None:
+    package(tmp_path / "outer")
+    copy = package(tmp_path / "outer" / "arm")
+    assert found("arm", tmp_path, "outer/launch/l.launch") == copy
+    real = package(tmp_path / "stack" / "arm")
+    assert found("arm", tmp_path, "outer/launch/l.launch") == real

@@ -1,4 +1,4 @@
-"""Which controllers' files and launch files belong to a robot, and what is known of them then."""
+"""Which controller files and launch files belong to a robot, and what is known of them then."""
 
 from __future__ import annotations
 
@@ -8,11 +8,13 @@ from typing import Any
 import pytest
 from folder import Folder
 
-from urdfctl.lint import Selection
-from urdfctl.load import Loader, Target
+from urdfctl.config.settings import Settings
+from urdfctl.lint.selection import Selection
+from urdfctl.lint.target import lint_target
+from urdfctl.load.loader import Loader
+from urdfctl.load.target import Target
 from urdfctl.model.controllers import Controllers
 from urdfctl.model.project import Project
-from urdfctl.settings import Settings
 
 ROBOT = """\
 <robot name="r">
@@ -33,7 +35,7 @@ ROS1 = "arm: {type: position_controllers/JointPositionController, joint: j}\n"
 
 def project(target: Target, settings: Settings) -> Project:
     """The project that a target becomes."""
-    return Loader(settings, Selection()).seen(target).project
+    return lint_target(Loader(settings), target, Selection()).project
 
 
 def controllers(project: Project) -> Controllers:
@@ -69,11 +71,37 @@ def test_files_named_beside_several_robots_stand_alone(folder: Folder) -> None:
     assert [(t["robot"], t["controllers"]) for t in found] == [("a.urdf", []), ("b.urdf", []), (None, ["c.yaml"])]
 
 
+def test_a_plugin_of_another_name_names_a_file_too_if_it_has_controllers(folder: Folder) -> None:
+    own = PLUGIN.replace("libgz_ros2_control-system.so", "our_hardware-system")
+    for text, expected in ((ROS2, ["c.yaml"]), ("topics: [a, b]\n", [])):
+        named = f"<parameters>{folder.path}/c.yaml</parameters>"
+        folder.write({"r.urdf": ROBOT.format(own.format(named)), "c.yaml": text})
+        (target,) = targets(folder, "r.urdf")
+        assert target["controllers"] == expected
+
+
+@pytest.mark.parametrize("simulated", [True, False])
+def test_without_a_simulator_the_plugin_loads_no_file(folder: Folder, simulated: bool) -> None:
+    named = f"<parameters>{folder.path}/plugin.yaml</parameters>"
+    manager = '<node pkg="controller_manager" exec="ros2_control_node"><param from="$(dirname)/c.yaml"/></node>'
+    publisher = (
+        '<node pkg="robot_state_publisher" exec="robot_state_publisher">'
+        '<param name="robot_description" value="$(command \'cat $(dirname)/r.urdf\')"/></node>'
+    )
+    world = '<include file="$(find-pkg-share ros_gz_sim)/launch/gz_sim.launch.py"/>' if simulated else ""
+    other = ROS2.replace("arm", "other")
+    folder.write({"r.urdf": ROBOT.format(PLUGIN.format(named)), "c.yaml": ROS2, "plugin.yaml": other})
+    folder.write({"r.launch.xml": f"<launch>{world}{publisher}{manager}</launch>"})
+    (target,) = targets(folder, "r.launch.xml")
+    assert target["controllers"] == (["plugin.yaml", "c.yaml"] if simulated else ["c.yaml"])
+
+
 def test_a_controllers_file_alone_is_a_target(folder: Folder) -> None:
     folder.write({"c.yaml": ROS2})
     (target,) = targets(folder, "c.yaml")
     assert (target["robot"], target["controllers"], target["ros"]) == (None, ["c.yaml"], 2)
-    assert folder.run("lint", "c.yaml").stdout.endswith(" in c.yaml (ROS 2, from ros__parameters)\n")
+    summary = " in c.yaml (ROS 2, from ros__parameters)\nROS distro unknown (foxy to rolling): use --distro\n"
+    assert folder.run("lint", "c.yaml").stdout.endswith(summary)
 
 
 def test_a_plugin_names_its_files_and_what_is_missing_is_a_fact(folder: Folder) -> None:
@@ -201,11 +229,34 @@ def test_a_launch_file_without_a_robot_is_a_target_too(folder: Folder) -> None:
     assert (target["robot"], target["controllers"], target["launch"]) == (None, ["p/c.yaml"], "p/launch/l.launch")
 
 
-def test_what_a_condition_leaves_open_is_not_paired(folder: Folder) -> None:
+def test_what_a_condition_leaves_open_is_paired_but_nothing_is_missing(folder: Folder) -> None:
     text = LAUNCH.replace("<rosparam ", '<rosparam if="$(env SIMULATED)" ')
     folder.write({**PACKAGE, "p/launch/l.launch": text})
     found = controllers(project(Target("p/launch/l.launch"), Settings()))
-    assert (found.files, found.whole, found.complete) == ((), False, False)
+    assert ([file.path[-8:] for file in found.files], found.complete) == (["p/c.yaml"], False)
+
+
+def test_a_file_that_a_launch_file_fills_in_is_read_as_it_is_then(folder: Folder) -> None:
+    text = LAUNCH.replace("<rosparam ", '<arg name="prefix" default="left_"/><rosparam subst_value="true" ')
+    folder.write({**PACKAGE, "p/launch/l.launch": text, "p/c.yaml": ROS1.replace("arm:", "$(arg prefix)arm:")})
+    found = controllers(project(Target("p/launch/l.launch"), Settings()))
+    assert "left_arm" in {controller.name for controller in found.controllers}
+
+
+def test_a_file_for_moveit_configures_no_controllers(folder: Folder) -> None:
+    node = '<node name="move_group" pkg="moveit_ros_move_group" type="move_group"/>'
+    load = '<rosparam file="$(find p)/m.yaml" ns="move_group"/>'
+    text = LAUNCH.replace("</launch>", f"{node}{load}</launch>")
+    folder.write({**PACKAGE, "p/launch/l.launch": text, "p/m.yaml": ROS1.replace("arm", "other")})
+    (target,) = targets(folder, "p/launch/l.launch")
+    assert target["controllers"] == ["p/c.yaml"]
+
+
+def test_sections_of_combined_hardware_are_no_controllers(folder: Folder) -> None:
+    hardware = "robot_hardware: [left]\nleft: {type: some_hw/LeftHW}\n"
+    folder.write({**PACKAGE, "p/launch/l.launch": LAUNCH, "p/c.yaml": ROS1 + hardware})
+    found = controllers(project(Target("p/launch/l.launch"), Settings()))
+    assert "left" not in {controller.name for controller in found.controllers}
 
 
 def test_a_launch_file_that_is_no_xml_is_told_of_where_it_is_named(folder: Folder) -> None:
@@ -306,13 +357,13 @@ def test_in_folders_only_what_configures_controllers_is_linted_alone(folder: Fol
     )
     assert {file for _, file, _ in codes(folder, ".")} == {"manager.yaml", "ros1.yaml", "flow.yaml"}
     assert targets(folder, ".") == []
-    assert "in 3 files that no robot uses" in folder.run("lint", ".").stdout
+    assert "3 files not used by any robot: flow.yaml, manager.yaml, ros1.yaml" in folder.run("lint", ".").stdout
 
 
 def test_in_folders_a_file_that_a_robot_uses_is_not_linted_again(folder: Folder) -> None:
     folder.write(PACKAGE)
     ran = folder.run("lint", "p", "--select", "UC0")
-    assert ran.stdout == "no findings in p/r.urdf (ROS 1, from its controllers' types)\n"
+    assert ran.stdout.startswith("no findings in p/r.urdf (ROS 1, from its controllers' types)\n")
 
 
 def test_a_launch_file_that_another_includes_is_not_linted_by_itself(folder: Folder) -> None:
@@ -335,7 +386,8 @@ def test_a_launch_file_that_is_at_fault_is_told_of_though_it_starts_no_controlle
     )
     folder.write({**PACKAGE, "p/launch/l.launch": launch})
     assert (
-        "p/launch/l.launch:1:24: error UC616 no such file: 'p/launch/nowhere.launch'" in folder.run("lint", "p").stdout
+        "p/launch/l.launch:1:24: error UC616 included launch file does not exist: 'p/launch/nowhere.launch'"
+        in folder.run("lint", "p").stdout
     )
 
 

@@ -4,18 +4,14 @@ controllers."""
 from __future__ import annotations
 
 import pytest
+import robots
 from folder import Folder
-
-from urdfctl.lint import Selection
-from urdfctl.load import Loader, Target
-from urdfctl.settings import Settings
 
 
 def told(folder: Folder, name: str, text: str) -> list[str]:
     """The findings of the two rules in one file."""
     folder.write({name: text})
-    found = Loader(Settings(), Selection()).lint(Target(name)).outcome.diagnostics
-    return [f"{one.code} {one.message}" for one in found if one.code in ("UC365", "UC448")]
+    return [f"{finding.code} {finding.message}" for finding in robots.findings(name, ("UC365", "UC448"))]
 
 
 # -- prefixes --------------------------------------------------------------------------------------------------------
@@ -46,7 +42,7 @@ def test_a_joint_without_the_prefix_that_its_macro_takes_is_told(
     folder: Folder, params: str, call: str, prefix: str
 ) -> None:
     assert told(folder, "r.xacro", CONTROL.format(params=params, parts=JOINT, call=call)) == [
-        f"UC365 joint 'elbow' has no prefix, though its macro takes '{prefix}' and uses it nowhere"
+        f"UC365 joint 'elbow' has no prefix; its macro takes '{prefix}', but never uses it"
     ]
 
 
@@ -90,8 +86,8 @@ ROW = {name: f"joint: {name}_joint" for name in ("shoulder_pan", "elbow_flex", "
 def test_half_a_controllers_name_is_no_joints(folder: Folder) -> None:
     [said] = told(folder, "c.yaml", controllers(**ROW, forearm_roll="joint: forearm_roll_position"))
     assert said == (
-        "UC448 joint 'forearm_roll_position' is not called after its controller 'forearm_roll_position_controller', "
-        "as those of the others are; did you mean 'forearm_roll_joint'?"
+        "UC448 joint 'forearm_roll_position' does not match the name of its controller "
+        "'forearm_roll_position_controller', unlike the other joints; did you mean 'forearm_roll_joint'?"
     )
 
 

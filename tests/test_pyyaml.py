@@ -8,7 +8,7 @@ import sys
 
 import pytest
 
-from urdfctl.source import pyyaml
+from urdfctl.startup import lazy_yaml as pyyaml
 
 
 @pytest.fixture

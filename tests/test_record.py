@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from urdfctl.record import NamedTuple
+from urdfctl.startup.records import NamedTuple
 
 
 class Ours(NamedTuple):

@@ -5,13 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+import robots
 
 from urdfctl.fix.edits import edited
 from urdfctl.fix.trial import splices_of
-from urdfctl.lint import Selection
-from urdfctl.load import Loader, Target
 from urdfctl.rules.examples import unmarked
-from urdfctl.settings import Settings
 
 XACRO = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">\n{}\n</robot>\n'
 WHEEL = '<xacro:macro name="wheel" params="side"><link name="${side}_wheel"/></xacro:macro>\n'
@@ -21,11 +19,10 @@ def mended(code: str, part: str, folder: Path, name: str = "robot.urdf", distro:
     """What the edits of a rule's findings make of a text, and whether all are surely meant."""
     path = folder / name
     path.write_bytes(part.encode())
-    loader = Loader(Settings(distro=distro, workspace=str(folder)), Selection())
-    found = [one for one in loader.lint(Target(str(path))).outcome.diagnostics if one.code == code]
+    found = robots.findings(path, (code,), distro=distro, workspace=str(folder))
     assert found
-    splices = {splice for one in found for splice in splices_of(one)}
-    sure = all(one.fix is not None and one.fix.safe for one in found)
+    splices = {splice for finding in found for splice in splices_of(finding)}
+    sure = all(finding.fix is not None and finding.fix.safe for finding in found)
     return edited(part.encode(), splices).decode(), sure
 
 

@@ -12,18 +12,19 @@ from xml.etree import ElementTree as ET
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from sampling import examples
 from sarif_reader import read
 
 from urdfctl.cli.writing import encoded
 from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Replacement, Severity, Step
-from urdfctl.lint import Linted, Outcome
+from urdfctl.lint.results import Outcome, TargetResult
 from urdfctl.report import FORMATS, render
 from urdfctl.report.common import Report
 
 HOSTILE = ["]]>", "%0A", "::error::", "\r\n", "\x1b[2J", "\u2028", "{0}", "[a](b)", "&lt;", '"', "'", ",", "\\", "\x00"]
 TEXTS = st.lists(st.one_of(st.sampled_from(HOSTILE), st.text(st.characters(exclude_categories=())))).map("".join)
 NAMES = st.binary(min_size=1).map(lambda name: "/" + os.fsdecode(name).replace("\x00", "?").lstrip("/"))
-FEW = settings(max_examples=40, deadline=None)
+FEW = settings(max_examples=examples(10))
 NUMBERS = st.integers(1, 300)
 
 
@@ -57,7 +58,9 @@ FINDINGS = st.builds(
 @st.composite
 def reports(draw: st.DrawFn) -> Report:
     findings = tuple(draw(st.lists(FINDINGS, max_size=3)))
-    robot = Linted(draw(NAMES), 1, None, None, None, True, False, "r", 2, (draw(NAMES),), Outcome([*findings], []))
+    robot = TargetResult(
+        draw(NAMES), 1, None, None, None, True, False, "r", 2, (draw(NAMES),), Outcome([*findings], [])
+    )
     return Report((robot,), findings)
 
 

@@ -13,7 +13,7 @@ from folder import Folder
 from jsonschema import Draft202012Validator, ValidationError
 
 from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Replacement, Severity, Step
-from urdfctl.lint import Linted, Outcome
+from urdfctl.lint.results import Outcome, TargetResult
 from urdfctl.report import jsonl
 from urdfctl.report.common import Report
 from urdfctl.report.json_report import render
@@ -41,8 +41,8 @@ def everything(folder: Folder) -> Report:
     bare = Diagnostic("UC105", "several-root-links", Severity.INFO, "bare", Location("/r.urdf", 1, 1, 1, 1, 0, 0))
     outcome = Outcome([whole, bare], [])
     yaml, launch = str(folder.path / "config/c.yaml"), str(folder.path / "launch/l.launch")
-    known = Linted(file, 1, "noetic", "--distro", "gz", True, False, "r", 2, (file,), outcome, (yaml,), launch)
-    unknown = Linted("/r.yaml", None, None, None, None, False, False, None, None, (), outcome)
+    known = TargetResult(file, 1, "noetic", "--distro", "gz", True, False, "r", 2, (file,), outcome, (yaml,), launch)
+    unknown = TargetResult("/r.yaml", None, None, None, None, False, False, None, None, (), outcome)
     return Report((known, unknown), (whole, bare))
 
 
@@ -56,8 +56,14 @@ def test_a_report_of_everything_keeps_to_the_schema_and_says_what_was_found(fold
     assert given["targets"] == [
         {
             "robot": "urdf/größe.xacro",
+            "arguments": {},
             "controllers": ["config/c.yaml"],
             "launch": "launch/l.launch",
+            "launch_arguments": {},
+            "includes": [],
+            "namespace": None,
+            "spawned": [],
+            "moveit": False,
             "ros": 1,
             "distro": "noetic",
             "distro_from": "--distro",
@@ -66,8 +72,14 @@ def test_a_report_of_everything_keeps_to_the_schema_and_says_what_was_found(fold
         },
         {
             "robot": None,
+            "arguments": {},
             "controllers": [],
             "launch": None,
+            "launch_arguments": {},
+            "includes": [],
+            "namespace": None,
+            "spawned": [],
+            "moveit": False,
             "ros": None,
             "distro": None,
             "distro_from": None,

@@ -12,7 +12,7 @@ from reported import bare, of_a_macro, report
 from sarif_reader import read
 
 from urdfctl.diagnostic import Location, Remark, Repair, Replacement, Severity, Step
-from urdfctl.lint import Outcome
+from urdfctl.lint.results import Outcome
 from urdfctl.report.common import Report
 from urdfctl.report.sarif import render
 
@@ -127,12 +127,12 @@ def test_the_rules_of_the_findings_are_explained(folder: Folder) -> None:
     ]
     assert [result["ruleIndex"] for result in given["results"]] == [1, 0]
     explained = rules[1]
-    assert explained["shortDescription"] == {"text": "A transmission's joint names no hardware interface."}
+    assert explained["shortDescription"] == {"text": "Transmission joint without a hardware interface."}
     assert explained["defaultConfiguration"] == {"level": "error"}
     assert explained["help"]["text"].startswith(
-        "A transmission's joint names no hardware interface.\n\nros_control skips the joint, so no controller can"
+        "Transmission joint without a hardware interface.\n\nros_control skips the joint, so no controller can"
     )
-    assert "the interface stood in &lt;actuator>; from" in explained["help"]["markdown"]
+    assert "the interface belonged in &lt;actuator>; from" in explained["help"]["markdown"]
     assert '**Wrong**, `robot.urdf`:\n\n```\n<transmission name="elbow_trans">\n' in explained["help"]["markdown"]
     assert explained["properties"]["distros"][0] == "indigo"
 
@@ -172,7 +172,7 @@ def test_a_fix_of_several_files_changes_each_of_them_and_one_without_edits_is_on
         ("macro m", "macro 'm' is called"),
         ("block", "a block is inserted"),
         ("include a.xacro", "'a.xacro' is included"),
-        ("uncalled macro m", "macro m, which nothing here calls"),
+        ("uncalled macro m", "macro m, which is not called in these files"),
     ],
 )
 def test_each_step_of_the_way_is_in_words(folder: Folder, what: str, told: str) -> None:

@@ -12,10 +12,10 @@ import pytest
 from folder import Folder, environment
 
 from urdfctl.diagnostic import Diagnostic, Finding, Location, Remark, Repair, Severity, Step, diagnosed
-from urdfctl.lint import Linted, Outcome
+from urdfctl.lint.results import Outcome, TargetResult
+from urdfctl.lint.serialising import diagnostic_from_json, diagnostic_to_json
 from urdfctl.report import concise, text
 from urdfctl.report.common import Report, shown, visible
-from urdfctl.serialise import diagnostic_from_json, diagnostic_to_json
 from urdfctl.source.span import Place, SourceText
 
 
@@ -29,10 +29,10 @@ def fault(where: Location, excerpt: str = "", message: str = "it is wrong") -> D
 
 def robot(
     folder: Folder, name: str = "r.xacro", distro: str | None = "noetic", source: str | None = "--distro"
-) -> Linted:
+) -> TargetResult:
     path = str(folder.path / name)
     nothing = Outcome([], [])
-    return Linted(path, 1 if distro else None, distro, source, None, True, False, "r", 2, (path,), nothing)
+    return TargetResult(path, 1 if distro else None, distro, source, None, True, False, "r", 2, (path,), nothing)
 
 
 def test_a_finding_shows_its_line_its_way_its_notes_and_its_fix(folder: Folder) -> None:
@@ -91,7 +91,7 @@ def test_of_a_way_without_end_the_two_ends_are_shown(folder: Folder) -> None:
     way = tuple(Step(str(folder.path / "r.xacro"), line, 1, "macro wheel") for line in range(1, 251))
     said = text.render(Report((), (fault(at(folder, "r.xacro", (1, 1)))._replace(expanded_from=(way,)),)))
     calls = [f"in the call of macro 'wheel' at r.xacro:{line}:1" for line in (*range(1, 8), 250)]
-    assert ", ".join([*calls[:7], "and so on, 242 times more", calls[7]]) in said
+    assert ", ".join([*calls[:7], "and 242 more calls", calls[7]]) in said
 
 
 @pytest.mark.parametrize(
@@ -162,9 +162,11 @@ def test_paths_are_relative_to_the_current_folder_and_absolute_outside_it(folder
 
 def test_paths_in_messages_are_shown_in_the_same_way(folder: Folder) -> None:
     where = at(folder, "r.xacro", (1, 1))
-    one = fault(where, message=f"no such file: '{folder.path}/a b.xacro', nor {folder.path}/c:3, nor x{folder.path}/d")
+    one = fault(
+        where, message=f"file '{folder.path}/a b.xacro' does not exist, nor {folder.path}/c:3, nor x{folder.path}/d"
+    )
     told = concise.render(Report((), (one,)))
-    assert told == f"r.xacro:1:1: error UC901 no such file: 'a b.xacro', nor c:3, nor x{folder.path}/d\n"
+    assert told == f"r.xacro:1:1: error UC901 file 'a b.xacro' does not exist, nor c:3, nor x{folder.path}/d\n"
 
 
 @pytest.mark.parametrize(
@@ -184,7 +186,7 @@ def test_the_summary_counts(folder: Folder, severities: str, counted: str) -> No
 
 
 def test_the_summary_says_what_the_distro_was_told_by(folder: Folder) -> None:
-    def summary(*robots: Linted) -> str:
+    def summary(*robots: TargetResult) -> str:
         return text.render(Report(robots, ()))
 
     assert summary(robot(folder, source="$ROS_DISTRO")) == "no findings in r.xacro (noetic, from $ROS_DISTRO)\n"
@@ -192,10 +194,10 @@ def test_the_summary_says_what_the_distro_was_told_by(folder: Folder) -> None:
     generation = robot(folder, distro=None, source="package.xml")._replace(ros=2)
     assert summary(generation) == "no findings in r.xacro (ROS 2, from package.xml)\n"
     partly = robot(folder)._replace(complete=False)
-    assert summary(partly) == "no findings in r.xacro (noetic; not all of it could be expanded)\n"
+    assert summary(partly) == "no findings in r.xacro (noetic; some parts could not be expanded)\n"
     assert summary(robot(folder, "a"), robot(folder, "b")) == "no findings in 2 robots\n"
-    assert text.render(Report((robot(folder),), (), others=2)) == (
-        "no findings in r.xacro and 2 files that no robot uses (noetic)\n"
+    assert text.render(Report((robot(folder),), (), unused=("a.yaml", "b.xacro", "c.launch", "d.yaml"))) == (
+        "no findings in r.xacro (noetic)\n4 files not used by any robot: a.yaml, b.xacro, c.launch and 1 more\n"
     )
 
 

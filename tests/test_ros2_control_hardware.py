@@ -1,17 +1,10 @@
-"""What the rules on <ros2_control> say of hardware plugins, their parameters and names, and of comments, by distro."""
+"""Rules on hardware plugins, their parameters and names, and on comments, by distro."""
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
-from arm import Robot
 from components import ELBOW, GZ, MIMIC, MOCK, STATE, component, joint, told
-
-
-@pytest.fixture
-def robot(tmp_path: Path) -> Robot:
-    return Robot(tmp_path)
+from robots import Robot
 
 
 def hardware(inside: str) -> str:
@@ -49,18 +42,18 @@ def plugin(name: str, attributes: str = 'name="arm" type="system"') -> str:
         ("my_robot/MyHardware", None, []),
     ],
 )
-def test_plugins_are_told_where_the_distro_has_none_of_the_name(
+def test_plugins_are_reported_if_the_distro_has_none_of_that_name(
     robot: Robot, name: str, distro: str | None, expected: list[str]
 ) -> None:
     assert told(robot, plugin(name), distro) == expected
 
 
-def test_a_plugin_s_name_is_mended(robot: Robot) -> None:
+def test_the_name_of_a_plugin_is_fixed(robot: Robot) -> None:
     found = robot.only("UC353", plugin("mock_components::GenericSystem"), distro="jazzy")
     assert "<plugin>mock_components/GenericSystem</plugin>" in robot.fixed(found)
 
 
-def test_a_plugin_of_another_type_is_an_error_where_no_condition_chose_it(robot: Robot) -> None:
+def test_a_plugin_of_another_type_is_an_error_unless_a_condition_chose_it(robot: Robot) -> None:
     sensor = 'name="arm" type="sensor"'
     assert "error UC354" in told(robot, plugin("mock_components/GenericSystem", sensor))
     chosen = '<xacro:if value="true"><plugin>mock_components/GenericSystem</plugin></xacro:if>'
@@ -75,10 +68,10 @@ def test_a_plugin_of_another_type_is_an_error_where_no_condition_chose_it(robot:
         (f'<command_interface name="acceleration"/>{STATE}', GZ, "jazzy", ["error UC355"]),
         ('<state_interface name="torque"/>', GZ, "jazzy", ["error UC355"]),
         (f'<command_interface name="position_pid"/>{STATE}', GZ.replace("gz_", "gazebo_"), "humble", ["warning UC353"]),
-        (f'<command_interface name="acceleration"/>{STATE}', GZ, None, ["warning UC355"]),
+        (f'<command_interface name="acceleration"/>{STATE}', GZ, None, ["error UC355"]),  # since humble
     ],
 )
-def test_interfaces_are_told_that_the_simulator_does_not_have(
+def test_interfaces_that_the_simulator_lacks_are_reported(
     robot: Robot, inside: str, hardware: str, distro: str | None, expected: list[str]
 ) -> None:
     assert told(robot, joint(inside, hardware=hardware), distro) == expected
@@ -101,33 +94,33 @@ def test_interfaces_are_told_that_the_simulator_does_not_have(
         ),
     ],
 )
-def test_parameters_of_mock_hardware_are_known_and_of_their_types(
+def test_parameters_of_mock_hardware_are_known_and_have_the_right_type(
     robot: Robot, parameter: str, humble: list[str], jazzy: list[str]
 ) -> None:
     assert told(robot, hardware(parameter), "humble") == humble
     assert told(robot, hardware(parameter), "jazzy") == jazzy
 
 
-def test_parameters_of_the_hardware_that_mock_hardware_stands_in_for_may_stay(robot: Robot) -> None:
+def test_parameters_of_the_hardware_that_mock_hardware_replaces_are_accepted(robot: Robot) -> None:
     choice = '<xacro:if value="true"><plugin>mock_components/GenericSystem</plugin></xacro:if>'
     part = component(f'<hardware>{choice}<param name="serial_port">/dev/tty</param></hardware>{ELBOW}')
     assert told(robot, part, name="robot.xacro") == []
 
 
-def test_of_two_parameters_of_a_name_the_last_counts(robot: Robot) -> None:
+def test_of_two_parameters_of_a_name_the_last_is_used(robot: Robot) -> None:
     twice = '<param name="calculate_dynamics">true</param><param name="calculate_dynamics">{}</param>'
     assert told(robot, hardware(twice.format("false"))) == ["warning UC340"]
     assert told(robot, hardware(twice.format("true"))) == ["info UC340"]
 
 
-def test_a_mimic_on_mock_hardware_has_no_state_that_the_other_lacks(robot: Robot) -> None:
+def test_a_mimic_joint_of_mock_hardware_has_only_states_of_the_mimicked_joint(robot: Robot) -> None:
     both = component(f'{MOCK}{ELBOW}<joint name="grip">{STATE}<state_interface name="velocity"/></joint>')
     assert told(robot, MIMIC + both) == ["error UC360"]
     assert told(robot, MIMIC + both, "humble") == []
     assert told(robot, MIMIC + both.replace("mock_components/GenericSystem", "my/Gripper")) == []
 
 
-def test_an_expression_in_a_plain_urdf_stays_as_it_is(robot: Robot) -> None:
+def test_an_expression_in_a_plain_urdf_is_not_expanded(robot: Robot) -> None:
     part = component(
         f'<hardware><plugin>my/Arm</plugin><param name="file">$(find arm)/a.yaml</param></hardware>{ELBOW}'
     )
@@ -135,7 +128,7 @@ def test_an_expression_in_a_plain_urdf_stays_as_it_is(robot: Robot) -> None:
     assert told(robot, part.replace("$(find arm)", "${1 + 1}"), name="robot.xacro") == []
 
 
-def test_an_empty_parameter_is_refused_up_to_galactic(robot: Robot) -> None:
+def test_an_empty_parameter_is_rejected_up_to_galactic(robot: Robot) -> None:
     part = component(f'<hardware><plugin>my/Arm</plugin><param name="file"/></hardware>{ELBOW}')
     assert [told(robot, part, distro) for distro in ("foxy", "galactic", "humble", None)] == [
         ["error UC364"],
@@ -145,12 +138,12 @@ def test_an_empty_parameter_is_refused_up_to_galactic(robot: Robot) -> None:
     ]
 
 
-# -- what is missing as a whole --------------------------------------------------------------------------------------
+# -- missing components ----------------------------------------------------------------------------------------------
 
 GZ_PLUGIN = '<gazebo><plugin filename="gz_ros2_control-system" name="x"/></gazebo>'
 
 
-def test_a_simulator_s_plugin_wants_a_component(robot: Robot) -> None:
+def test_a_simulator_plugin_requires_a_component(robot: Robot) -> None:
     assert told(robot, GZ_PLUGIN) == ["error UC361"]
     assert told(robot, GZ_PLUGIN, None) == ["error UC361"]
     assert told(robot, GZ_PLUGIN + component(GZ + ELBOW)) == []
@@ -177,25 +170,27 @@ LIBRARY = """
 """
 
 
-def test_in_a_macro_alternatives_are_no_doubles_and_neighbours_are(robot: Robot) -> None:
+def test_in_a_macro_alternatives_are_not_duplicates_but_neighbours_are(robot: Robot) -> None:
     alternatives = LIBRARY.strip().replace("MORE", "")
     assert told(robot, alternatives, None, name="library.xacro") == []
     neighbours = LIBRARY.strip().replace("MORE", "<plugin>my/Other</plugin>")
     assert told(robot, neighbours, None, name="library.xacro") == ["warning UC344"]
 
 
-# -- names with blanks -----------------------------------------------------------------------------------------------
+# -- names with whitespace --------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
     ("distro", "expected"),
     [("humble", ["error UC351"]), ("jazzy", ["warning UC351"]), ("rolling", []), (None, ["warning UC351"])],
 )
-def test_blanks_in_a_plugin_belong_to_it_in_old_releases(robot: Robot, distro: str | None, expected: list[str]) -> None:
+def test_whitespace_is_part_of_a_plugin_name_in_old_releases(
+    robot: Robot, distro: str | None, expected: list[str]
+) -> None:
     assert told(robot, plugin("\n  mock_components/GenericSystem\n"), distro) == expected
 
 
-def test_blanks_are_taken_out_of_names(robot: Robot) -> None:
+def test_whitespace_is_removed_from_names(robot: Robot) -> None:
     found = robot.only("UC351", joint('<state_interface name="position "/>'), distro="humble")
     assert '<state_interface name="position"/>' in robot.fixed(found)
     broken = robot.only("UC351", plugin("  mock_components/GenericSystem "), distro="humble")
@@ -214,18 +209,18 @@ CLASSIC = """
 
 
 @pytest.mark.parametrize("comment", ["see http://example.org", "a:b", "issue#1"])
-def test_comments_that_yaml_takes_are_left_alone(robot: Robot, comment: str) -> None:
+def test_comments_that_yaml_accepts_are_not_reported(robot: Robot, comment: str) -> None:
     assert told(robot, CLASSIC.format(comment), "humble") == []
 
 
 @pytest.mark.parametrize("comment", ["a: b", "a:\n b", "issue #1"])
-def test_comments_that_break_yaml_are_told_for_gazebo_classic_in_humble(robot: Robot, comment: str) -> None:
+def test_comments_that_break_yaml_are_reported_for_gazebo_classic_in_humble(robot: Robot, comment: str) -> None:
     assert told(robot, CLASSIC.format(comment), "humble") == ["warning UC359"]
     assert told(robot, CLASSIC.format(comment), "iron") == []
     assert robot.only("UC359", CLASSIC.format(comment), distro="humble").excerpt.count("<!--") == 1
 
 
-def test_a_component_that_is_misspelt_is_missing(robot: Robot) -> None:
+def test_a_misspelt_component_is_missing(robot: Robot) -> None:
     part = component(MOCK + ELBOW).replace("ros2_control", "Ros2_control")
     assert robot.says(part, distro="jazzy") == ["error UC154"]
     assert robot.says(part) == ["warning UC154"]

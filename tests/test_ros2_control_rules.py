@@ -1,19 +1,12 @@
-"""What the rules on <ros2_control> say by distro, as its parser and manager do; their examples show the rest."""
+"""Rules on <ros2_control> by distro, compared with its parser and manager; their examples test the rest."""
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
-from arm import Robot, notes
 from components import ELBOW, MIMIC, MOCK, component, joint, told
+from robots import Robot, notes
 
 SIMPLE = "<plugin>transmission_interface/SimpleTransmission</plugin>"
-
-
-@pytest.fixture
-def robot(tmp_path: Path) -> Robot:
-    return Robot(tmp_path)
 
 
 def gear(inside: str, attributes: str = 'name="gear"') -> str:
@@ -81,12 +74,12 @@ REFUSED = {
     ),
     "no ros2_control tag": ("UC329", f"<gazebo>{component()}</gazebo>"),
 }
-"""What every distro's parser refuses, by what humble's says."""
+"""What the parser of every distro rejects, by humble's error message."""
 
 
 @pytest.mark.parametrize("distro", ["foxy", "humble", "jazzy", "rolling", None])
 @pytest.mark.parametrize("message", REFUSED)
-def test_what_every_parser_refuses_is_an_error_in_every_distro(robot: Robot, message: str, distro: str | None) -> None:
+def test_what_every_parser_rejects_is_an_error_in_every_distro(robot: Robot, message: str, distro: str | None) -> None:
     code, part = REFUSED[message]
     assert f"error {code}" in told(robot, part, distro)
 
@@ -105,10 +98,10 @@ REFUSED_FROM_JAZZY = {
 
 
 @pytest.mark.parametrize("message", REFUSED_FROM_JAZZY)
-def test_what_contradicts_the_urdf_is_an_error_from_jazzy_on_and_else_a_warning(robot: Robot, message: str) -> None:
+def test_what_contradicts_the_urdf_is_an_error_since_jazzy_and_otherwise_a_warning(robot: Robot, message: str) -> None:
     code, part = REFUSED_FROM_JAZZY[message]
-    said = {distro: told(robot, part, distro) for distro in ("humble", "jazzy", "rolling", None)}
-    assert said == {
+    reported = {distro: told(robot, part, distro) for distro in ("humble", "jazzy", "rolling", None)}
+    assert reported == {
         "humble": [f"warning {code}"],
         "jazzy": [f"error {code}"],
         "rolling": [f"error {code}"],
@@ -192,30 +185,30 @@ def test_async_properties_are_read_where_the_component_is_asynchronous(
 
 
 @pytest.mark.parametrize("rate", ["0", "50", " 50 ", "1000"])
-def test_a_whole_rate_is_taken_with_blanks_around_it(robot: Robot, rate: str) -> None:
+def test_an_integer_rate_is_accepted_with_whitespace_around_it(robot: Robot, rate: str) -> None:
     assert told(robot, component(attributes=f'name="arm" type="system" rw_rate="{rate}"'), "jazzy") == []
 
 
 @pytest.mark.parametrize(("rate", "read"), [("10.5", "10"), ("1e2", "1")])
-def test_what_stands_behind_a_rate_is_lost(robot: Robot, rate: str, read: str) -> None:
+def test_text_after_a_rate_is_lost(robot: Robot, rate: str, read: str) -> None:
     found = robot.only("UC321", component(attributes=f'name="arm" type="system" rw_rate="{rate}"'), distro="jazzy")
     assert found.severity.value == "warning"
     assert f"read as {read};" in found.message
 
 
 @pytest.mark.parametrize("name", ["arm", "_arm", "left/arm", "arm2", " arm "])
-def test_names_that_a_node_can_have_are_taken(robot: Robot, name: str) -> None:
+def test_valid_node_names_are_accepted(robot: Robot, name: str) -> None:
     assert told(robot, component(attributes=f'name="{name}" type="system"'), "rolling") == []
 
 
 @pytest.mark.parametrize("name", ["", "my arm", "my-arm", "my.arm", "2arm", "ärm", "${name}", "a" * 256])
-def test_names_that_no_node_can_have_are_refused_from_jazzy_on(robot: Robot, name: str) -> None:
+def test_invalid_node_names_are_rejected_since_jazzy(robot: Robot, name: str) -> None:
     part = component(attributes=f'name="{name}" type="system"')
     assert told(robot, part, "jazzy") == ["error UC311"]
     assert told(robot, part, "humble") == []
 
 
-def test_the_type_is_mended_surely_where_only_its_letters_are_wrong(robot: Robot) -> None:
+def test_the_fix_of_a_type_is_safe_if_only_its_case_is_wrong(robot: Robot) -> None:
     capital = robot.only("UC303", component(attributes='name="arm" type="System"'))
     assert capital.fix is not None
     assert capital.fix.safe
@@ -225,7 +218,7 @@ def test_the_type_is_mended_surely_where_only_its_letters_are_wrong(robot: Robot
     assert not other.fix.safe
 
 
-def test_an_interface_between_the_tags_is_mended(robot: Robot) -> None:
+def test_an_interface_name_between_the_tags_is_fixed(robot: Robot) -> None:
     found = robot.only(
         "UC308", joint('<command_interface>position</command_interface><state_interface name="position"/>')
     )
@@ -235,14 +228,14 @@ def test_an_interface_between_the_tags_is_mended(robot: Robot) -> None:
     assert ros1.fix.title == 'write <command_interface name="effort"/>'
 
 
-def test_an_unknown_joint_is_mended_and_a_link_is_told(robot: Robot) -> None:
+def test_an_unknown_joint_is_fixed_and_a_link_is_noted(robot: Robot) -> None:
     found = robot.only("UC312", component(f'{MOCK}<joint name="elbwo"><state_interface name="effort"/></joint>'))
     assert 'name="elbow"' in robot.fixed(found)
     link = robot.only("UC312", component(f'{MOCK}<joint name="fore"><state_interface name="effort"/></joint>'))
-    assert "the joint that moves this link is 'elbow'" in notes(link)
+    assert "joint 'elbow' moves this link" in notes(link)
 
 
-def test_a_transmission_of_ros1_is_told_what_to_write_instead(robot: Robot) -> None:
+def test_a_note_shows_what_replaces_a_transmission_of_ros1(robot: Robot) -> None:
     part = component(
         f"""{MOCK}
         <transmission name="t">
@@ -253,12 +246,12 @@ def test_a_transmission_of_ros1_is_told_what_to_write_instead(robot: Robot) -> N
     )
     found = robot.only("UC324", part)
     assert notes(found) == (
-        'in <ros2_control> it is <joint name="elbow"><command_interface name="velocity"/>'
+        'in <ros2_control>, write <joint name="elbow"><command_interface name="velocity"/>'
         '<state_interface name="position"/><state_interface name="velocity"/></joint>'
     )
 
 
-def test_transmissions_in_the_root_of_a_robot_of_ros2_are_told_once(robot: Robot) -> None:
+def test_transmissions_in_the_root_of_a_ros2_robot_are_reported_once(robot: Robot) -> None:
     old = """
         <transmission name="NAME">
           <type>transmission_interface/SimpleTransmission</type>
@@ -268,12 +261,14 @@ def test_transmissions_in_the_root_of_a_robot_of_ros2_are_told_once(robot: Robot
     """
     part = old.replace("NAME", "elbow") + old.replace("NAME", "shoulder") + component()
     found = robot.only("UC330", part)
-    assert "transmission 'elbow' and 1 more are not read" in found.message
-    assert "joint 'shoulder' is in none" in found.message
+    assert found.message == (
+        "transmission 'elbow' and 1 more are ignored by ROS 2, which reads <ros2_control> instead; "
+        "joint 'shoulder' is in none"
+    )
     assert robot.says(old.replace("NAME", "elbow"), distro="noetic") == ["warning UC202"]
 
 
-def test_a_component_whose_hardware_the_arguments_choose_is_no_error(robot: Robot) -> None:
+def test_hardware_that_arguments_choose_is_not_an_error(robot: Robot) -> None:
     part = component(f'<xacro:if value="false">{MOCK}</xacro:if>{ELBOW}')
     assert told(robot, part, "jazzy", name="robot.xacro") == ["info UC305"]
     part = component(f'<hardware><xacro:unless value="1"><plugin>a/B</plugin></xacro:unless></hardware>{ELBOW}')
@@ -302,6 +297,6 @@ LIBRARY = """
 """
 
 
-def test_nothing_is_claimed_of_what_a_macro_is_given(robot: Robot) -> None:
+def test_nothing_is_reported_about_parameters_of_a_macro(robot: Robot) -> None:
     (robot.folder / "library.xacro").write_text(LIBRARY.strip(), encoding="utf-8")
     assert robot.says(LIBRARY.strip(), distro="jazzy", name="library.xacro") == []

@@ -1,18 +1,10 @@
-"""What the rules on <ros2_control> say of interfaces, limits and transmissions, by distro."""
+"""Rules on interfaces, limits and transmissions of <ros2_control>, by distro."""
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
-from arm import Robot, notes
 from components import ELBOW, FINGER, MIMIC, MOCK, STATE, component, joint, told
-
-
-@pytest.fixture
-def robot(tmp_path: Path) -> Robot:
-    return Robot(tmp_path)
-
+from robots import Robot, notes
 
 # -- values of interfaces --------------------------------------------------------------------------------------------
 
@@ -24,12 +16,12 @@ def initial(value: str, attributes: str = "") -> str:
 
 
 @pytest.mark.parametrize("value", ["0", "-1.5", "+.5", "1e-3", "2.", " 0.5 ", ""])
-def test_initial_values_that_are_numbers_are_taken(robot: Robot, value: str) -> None:
+def test_initial_values_that_are_numbers_are_accepted(robot: Robot, value: str) -> None:
     assert told(robot, initial(value)) == []
 
 
 @pytest.mark.parametrize("value", ["home", "90deg", "0,5", "inf", "nan", "true", "${pi/2}", "1e999"])
-def test_initial_values_that_are_none_are_refused_from_jazzy_on(robot: Robot, value: str) -> None:
+def test_other_initial_values_are_rejected_since_jazzy(robot: Robot, value: str) -> None:
     assert told(robot, initial(value)) == ["error UC331"]
     assert told(robot, initial(value), "humble") == ["warning UC331"]
 
@@ -44,7 +36,9 @@ def test_initial_values_that_are_none_are_refused_from_jazzy_on(robot: Robot, va
         ("float32", "3.5", []),
     ],
 )
-def test_an_initial_value_is_of_its_interface_s_type(robot: Robot, kind: str, value: str, expected: list[str]) -> None:
+def test_an_initial_value_has_the_type_of_its_interface(
+    robot: Robot, kind: str, value: str, expected: list[str]
+) -> None:
     assert told(robot, initial(value, f' data_type="{kind}"')) == expected
 
 
@@ -75,16 +69,16 @@ def test_limits_are_numbers_in_order_within_the_urdf_s(robot: Robot, part: str, 
     assert told(robot, part) == expected
 
 
-def test_limits_beyond_the_urdf_s_are_told_once_with_both(robot: Robot) -> None:
+def test_limits_wider_than_in_the_urdf_are_reported_once_with_both(robot: Robot) -> None:
     found = robot.only("UC334", limited("-1.5", "1.5"), distro="jazzy")
     assert found.message == (
-        "command interface 'position' of joint 'elbow' has 'min' of -1.5 and 'max' of 1.5, "
-        "beyond the URDF's 'lower' of -1 and 'upper' of 1"
+        "command interface 'position' of joint 'elbow' has 'min' -1.5 and 'max' 1.5, "
+        "beyond the URDF's 'lower' -1 and 'upper' 1"
     )
 
 
 @pytest.mark.parametrize(("name", "meant"), [("Min", "min"), ("MAX", "max"), ("maximum", "max"), ("lower", "min")])
-def test_a_limit_s_name_is_mended(robot: Robot, name: str, meant: str) -> None:
+def test_the_name_of_a_limit_is_fixed(robot: Robot, name: str, meant: str) -> None:
     limit = f'<param name="{name}">0.5</param>'
     found = robot.only("UC352", joint(f'<command_interface name="position">{limit}</command_interface>{STATE}'))
     assert f'<param name="{meant}">' in robot.fixed(found)
@@ -117,7 +111,7 @@ def test_a_limit_s_name_is_mended(robot: Robot, name: str, meant: str) -> None:
         (component(f'{MOCK}{ELBOW}<sensor name="s"><command_interface name="a"/></sensor>'), ["warning UC343"]),
     ],
 )
-def test_interfaces_that_are_lost_are_told(robot: Robot, part: str, expected: list[str]) -> None:
+def test_lost_interfaces_are_reported(robot: Robot, part: str, expected: list[str]) -> None:
     assert told(robot, part) == expected
 
 
@@ -132,7 +126,7 @@ def test_interfaces_that_are_lost_are_told(robot: Robot, part: str, expected: li
         (joint(f'<param name="initial_value">0.5</param>{STATE}'), ["warning UC342"], ["warning UC342"]),
     ],
 )
-def test_what_only_some_distros_read_is_told_where_it_is_lost(
+def test_what_only_some_distros_read_is_reported_for_the_others(
     robot: Robot, part: str, humble: list[str], jazzy: list[str]
 ) -> None:
     assert told(robot, part, "humble") == humble
@@ -144,7 +138,7 @@ def follower(parameters: str) -> str:
     return component(f'{MOCK}{ELBOW}<joint name="grip">{parameters}{STATE}</joint>')
 
 
-def test_a_mimic_in_a_parameter_is_what_the_distro_takes_it_for(robot: Robot) -> None:
+def test_a_mimic_parameter_is_judged_by_the_distro(robot: Robot) -> None:
     old = follower('<param name="mimic">elbow</param><param name="multiplier">-1</param>')
     assert told(robot, FINGER + old, "humble") == []
     assert told(robot, MIMIC + old, None) == []
@@ -161,7 +155,7 @@ def test_a_mimic_in_a_parameter_is_what_the_distro_takes_it_for(robot: Robot) ->
 
 
 def gear(inside: str, kind: str = "SimpleTransmission") -> str:
-    """A component of my own with a transmission."""
+    """A component with an unknown plugin and a transmission."""
     named = f'<transmission name="gear"><plugin>transmission_interface/{kind}</plugin>{inside}</transmission>'
     return component(f"<hardware><plugin>my/Arm</plugin></hardware>{ELBOW}{named}")
 
@@ -182,9 +176,9 @@ ENDS = '<joint name="elbow" role="joint1">{}</joint><actuator name="motor" role=
         (gear(ENDS.format("<mechanicalReduction>2</mechanicalReduction>")), "jazzy", ["warning UC338"]),
     ],
 )
-def test_transmissions_are_what_their_loaders_take(robot: Robot, part: str, distro: str, expected: list[str]) -> None:
+def test_transmissions_match_their_loaders(robot: Robot, part: str, distro: str, expected: list[str]) -> None:
     assert sorted(told(robot, part, distro)) == sorted(expected)
 
 
-def test_the_notes_lead_to_the_other_place(robot: Robot) -> None:
-    assert notes(robot.only("UC336", joint(STATE + STATE), distro="jazzy")) == "it is here"
+def test_the_note_points_to_the_first_declaration(robot: Robot) -> None:
+    assert notes(robot.only("UC336", joint(STATE + STATE), distro="jazzy")) == "first declared here"

@@ -6,8 +6,8 @@ from __future__ import annotations
 import pytest
 from folder import Folder
 
+from urdfctl.config.settings import Settings, passed_on, validate_settings
 from urdfctl.errors import UserError
-from urdfctl.settings import Settings, checked, passed_on
 
 
 @pytest.mark.parametrize(
@@ -21,20 +21,20 @@ from urdfctl.settings import Settings, checked, passed_on
             Settings(simulator="mujoko"),
             "unknown simulator 'mujoko'; did you mean 'mujoco'?; known are gz, gazebo-classic, mujoco, none",
         ),
-        (Settings(workspace="nowhere"), "no such folder: 'nowhere'"),
-        (Settings(package_paths=(".", "nowhere")), "no such folder: 'nowhere'"),
-        (Settings(timeout=0), "--timeout is a number of seconds up to 86400, not 0"),
-        (Settings(timeout=-1), "--timeout is a number of seconds up to 86400, not -1"),
-        (Settings(timeout=float("nan")), "--timeout is a number of seconds up to 86400, not nan"),
-        (Settings(timeout=float("inf")), "--timeout is a number of seconds up to 86400, not inf"),
-        (Settings(memory=0), "--memory is a number of MiB up to 1048576, not 0"),
-        (Settings(memory=-5 << 20), "--memory is a number of MiB up to 1048576, not -5"),
-        (Settings(memory=1 << 80), "--memory is a number of MiB up to 1048576, not 1152921504606846976"),
+        (Settings(workspace="nowhere"), "folder 'nowhere' does not exist"),
+        (Settings(package_paths=(".", "nowhere")), "folder 'nowhere' does not exist"),
+        (Settings(timeout=0), "--timeout must be a number of seconds up to 86400, not 0"),
+        (Settings(timeout=-1), "--timeout must be a number of seconds up to 86400, not -1"),
+        (Settings(timeout=float("nan")), "--timeout must be a number of seconds up to 86400, not nan"),
+        (Settings(timeout=float("inf")), "--timeout must be a number of seconds up to 86400, not inf"),
+        (Settings(memory=0), "--memory must be a number of MiB up to 1048576, not 0"),
+        (Settings(memory=-5 << 20), "--memory must be a number of MiB up to 1048576, not -5"),
+        (Settings(memory=1 << 80), "--memory must be a number of MiB up to 1048576, not 1152921504606846976"),
     ],
 )
 def test_a_setting_that_means_nothing_is_refused(folder: Folder, settings: Settings, told: str) -> None:
     with pytest.raises(UserError) as refused:
-        checked(settings)
+        validate_settings(settings)
     assert str(refused.value) == told
 
 
@@ -47,7 +47,7 @@ def test_a_setting_that_means_nothing_is_refused(folder: Folder, settings: Setti
     ],
 )
 def test_settings_that_mean_something_pass(folder: Folder, settings: Settings) -> None:
-    assert checked(settings) is settings
+    assert validate_settings(settings) is settings
 
 
 def test_a_description_sees_what_tells_of_ros_and_what_the_user_names() -> None:

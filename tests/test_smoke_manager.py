@@ -1,4 +1,4 @@
-"""How far the controller manager lets each controller get, and in which words it refuses one."""
+"""How far each controller gets in the controller manager, and the words with which it is rejected."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from smoking import smoked, target_of, verdicts
 
-from urdfctl.load import Target
+from urdfctl.load.target import Target
 from urdfctl.rules.smoke.common import HARDWARE
 
 FORWARD = "forward_command_controller/ForwardCommandController"
@@ -30,22 +30,24 @@ ELBOW = "joints: [elbow], interface_name: position"
 NOISE = "forward_command_controller/FowardCommandController"
 
 
-def said(folder: Path, yaml: str, hardware: str = HARDWARE, only: tuple[str, ...] = (), **options: object) -> list[str]:
-    """The controllers' verdicts, then the findings with the manager's words."""
+def verdicts_and_lines(
+    folder: Path, yaml: str, hardware: str = HARDWARE, only: tuple[str, ...] = (), **options: object
+) -> list[str]:
+    """Return the verdicts on the controllers, then the lines of the manager."""
     options = {"distro": "jazzy", **options}
     made = smoked(target_of(folder, files(yaml, hardware)), only, **options)
-    found = made.linted.outcome.diagnostics
-    notes = [note.message for one in found for note in one.notes if note.message.startswith("the controller manager")]
+    remarks = [note.message for finding in made.linted.outcome.diagnostics for note in finding.notes]
+    notes = [remark for remark in remarks if remark.startswith("the controller manager")]
     return [f"{name}: {verdict}" for name, verdict in verdicts(made).items()] + notes
 
 
 def test_a_controller_that_nothing_stops_is_not_called_passed(tmp_path: Path) -> None:
-    assert said(tmp_path, manager(arm=FORWARD) + section("arm", ELBOW)) == ["arm: skipped activate"]
+    assert verdicts_and_lines(tmp_path, manager(arm=FORWARD) + section("arm", ELBOW)) == ["arm: skipped activate"]
 
 
 def test_controllers_started_together_come_in_their_order_and_the_later_one_is_refused(tmp_path: Path) -> None:
     yaml = manager(one=FORWARD, two=FORWARD) + section("one", ELBOW) + section("two", ELBOW)
-    assert said(tmp_path, yaml, started=("two", "one")) == [
+    assert verdicts_and_lines(tmp_path, yaml, started=("two", "one")) == [
         "two: skipped activate",
         "one: failed activate",
         (
@@ -55,9 +57,9 @@ def test_controllers_started_together_come_in_their_order_and_the_later_one_is_r
     ]
 
 
-def test_controllers_of_which_nobody_says_that_they_are_started_take_turns(tmp_path: Path) -> None:
+def test_controllers_that_nothing_starts_are_judged_one_at_a_time(tmp_path: Path) -> None:
     yaml = manager(one=FORWARD, two=FORWARD) + section("one", ELBOW) + section("two", ELBOW)
-    assert said(tmp_path, yaml) == ["one: skipped activate", "two: skipped activate"]
+    assert verdicts_and_lines(tmp_path, yaml) == ["one: skipped activate", "two: skipped activate"]
 
 
 @pytest.mark.parametrize(
@@ -95,11 +97,11 @@ def test_controllers_of_which_nobody_says_that_they_are_started_take_turns(tmp_p
     ],
     ids=["type unknown", "type missing", "joints empty", "joint twice", "not offered", "combination"],
 )
-def test_a_refusal_of_ros2_is_told_with_the_managers_words(
+def test_a_refusal_of_ros2_quotes_the_manager(
     tmp_path: Path, kind: str, parameters: str, verdict: str, words: str
 ) -> None:
     yaml = manager(arm=kind) + section("arm", parameters)
-    assert said(tmp_path, yaml) == [f"arm: {verdict}", f"the controller manager says: {words}"]
+    assert verdicts_and_lines(tmp_path, yaml) == [f"arm: {verdict}", f"the controller manager says: {words}"]
 
 
 MISSPELT = "effort_controllers/JointEffrtController"
@@ -127,34 +129,34 @@ PID = "pid: {p: 1.0, i: 0.0, d: 1.0}"
     ],
     ids=["type unknown", "no transmission", "no gains", "no gains to start with"],
 )  # fmt: skip
-def test_a_refusal_of_ros1_is_told_with_the_managers_words(tmp_path: Path, yaml: str, verdict: str, words: str) -> None:
-    told = said(tmp_path, yaml, TRANSMISSION, distro="noetic", simulator="gazebo-classic")
-    assert told == [f"arm: {verdict}", f"the controller manager says: {words}"]
+def test_a_refusal_of_ros1_quotes_the_manager(tmp_path: Path, yaml: str, verdict: str, words: str) -> None:
+    lines = verdicts_and_lines(tmp_path, yaml, TRANSMISSION, distro="noetic", simulator="gazebo-classic")
+    assert lines == [f"arm: {verdict}", f"the controller manager says: {words}"]
 
 
-def test_what_lint_says_of_it_is_named_where_it_is_one_thing(tmp_path: Path) -> None:
+def test_the_code_of_lint_is_named_if_it_is_only_one(tmp_path: Path) -> None:
     yaml = "arm: {type: position_controllers/JointPositionController, joint: elbow}"
     made = smoked(target_of(tmp_path, files(yaml, TRANSMISSION)), distro="noetic", simulator="gazebo-classic")
     [found] = made.linted.outcome.diagnostics
-    assert found.message.endswith("is not loaded: no hardware offers 'elbow' in the PositionJointInterface")
+    assert found.message.endswith("cannot be loaded: no hardware offers joint 'elbow' in the PositionJointInterface")
     assert [note.message for note in found.notes] == [
         "the controller manager says: Could not find resource 'elbow' in 'hardware_interface::PositionJointInterface'.",
-        "urdfctl lint tells of it as UC461",
+        "urdfctl lint reports it as UC461",
     ]
 
 
-def test_nothing_is_said_for_a_manager_that_is_never_asked(tmp_path: Path) -> None:
+def test_the_manager_is_not_quoted_if_it_never_sees_the_file(tmp_path: Path) -> None:
     yaml = f"arm: {{type: effort_controllers/JointPositionController, joint: shoulder, {PID}, gain: }}"
-    told = said(tmp_path, yaml, TRANSMISSION, distro="noetic", simulator="gazebo-classic")
-    assert told == ["arm: failed load"]
+    lines = verdicts_and_lines(tmp_path, yaml, TRANSMISSION, distro="noetic", simulator="gazebo-classic")
+    assert lines == ["arm: failed load"]
 
 
 def test_two_controllers_of_one_joint_are_a_conflict_in_ros1(tmp_path: Path) -> None:
     kind = f"{{type: effort_controllers/JointPositionController, joint: elbow, {PID}}}"
-    told = said(
+    lines = verdicts_and_lines(
         tmp_path, f"one: {kind}\ntwo: {kind}", TRANSMISSION, distro="noetic", started=("one", "two"), simulator="gz"
     )
-    assert told == [
+    assert lines == [
         "one: skipped activate",
         "two: failed activate",
         "the controller manager says: Could not switch controllers, due to resource conflict",
@@ -162,20 +164,24 @@ def test_two_controllers_of_one_joint_are_a_conflict_in_ros1(tmp_path: Path) -> 
 
 
 def test_a_controller_of_ros1_without_type_is_not_loaded(tmp_path: Path) -> None:
-    told = said(tmp_path, f"arm: {{joint: elbow, {PID}}}", TRANSMISSION, distro="noetic", started=("arm",))
-    assert told[-1] == (
+    lines = verdicts_and_lines(
+        tmp_path, f"arm: {{joint: elbow, {PID}}}", TRANSMISSION, distro="noetic", started=("arm",)
+    )
+    assert lines[-1] == (
         "the controller manager says: Could not load controller 'arm' because the type was not specified."
     )
 
 
 def test_a_robot_that_is_refused_stops_all_of_them(tmp_path: Path) -> None:
-    told = said(tmp_path, manager(arm=FORWARD) + section("arm", ELBOW), HARDWARE + '<link name="other"/>')
-    assert told == ["arm: failed load"]
+    lines = verdicts_and_lines(
+        tmp_path, manager(arm=FORWARD) + section("arm", ELBOW), HARDWARE + '<link name="other"/>'
+    )
+    assert lines == ["arm: failed load"]
 
 
-def test_only_some_controllers_may_be_asked_for(tmp_path: Path) -> None:
+def test_a_test_can_be_limited_to_some_controllers(tmp_path: Path) -> None:
     yaml = manager(one=FORWARD, two=NOISE) + section("one", ELBOW)
-    assert said(tmp_path, yaml, only=("one",)) == ["one: skipped activate"]
+    assert verdicts_and_lines(tmp_path, yaml, only=("one",)) == ["one: skipped activate"]
 
 
 def test_a_comment_silences_a_finding(tmp_path: Path) -> None:
@@ -185,7 +191,7 @@ def test_a_comment_silences_a_finding(tmp_path: Path) -> None:
     assert made.linted.outcome.diagnostics == []
 
 
-def test_where_the_distro_is_not_told_it_is_the_newest_that_knows_most_types(tmp_path: Path) -> None:
+def test_if_the_distro_is_unknown_it_is_the_newest_that_has_most_types(tmp_path: Path) -> None:
     yaml = manager(hand="position_controllers/GripperActionController") + section("hand", "joint: elbow")
     state = '<state_interface name="position"/>'
     hardware = HARDWARE.replace(state, f'{state}<state_interface name="velocity"/>')
@@ -214,9 +220,9 @@ def test_a_controller_before_one_that_is_refused_is_refused_too(tmp_path: Path) 
     velocity = HARDWARE.replace(
         '<state_interface name="position"/>', '<state_interface name="position"/><state_interface name="velocity"/>'
     )
-    sound = said(tmp_path, yaml + section("low", given.format("position")), velocity)
+    sound = verdicts_and_lines(tmp_path, yaml + section("low", given.format("position")), velocity)
     assert sound == ["low: skipped activate", "high: skipped activate"]
-    broken = said(tmp_path, yaml + section("low", given.format("effort")), velocity)
+    broken = verdicts_and_lines(tmp_path, yaml + section("low", given.format("effort")), velocity)
     assert broken[:2] == ["low: failed activate", "high: failed activate"]
     assert broken[-1] == (
         "the controller manager says: Unable to activate controller 'high' since the command interface "

@@ -1,4 +1,4 @@
-"""The page of HTML: self-contained, failures first, with pictures and curves, and safe whatever texts it holds."""
+"""The page of HTML is self-contained, shows failures first, draws pictures and curves, and escapes all texts."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ from smoke_robots import ARMS, Rover
 from smoking import smoked, target_of, whole
 from smoking_engines import needs_pybullet
 
-from urdfctl.lint import Selection, joined
+from urdfctl.lint.merging import merge
+from urdfctl.lint.selection import Selection
 from urdfctl.smoke.page import page
 from urdfctl.smoke.picture import picture_of
 from urdfctl.smoke.reports import report_of
@@ -44,7 +45,7 @@ class Elements(HTMLParser):
 
 
 def page_of(*made: Smoked) -> str:
-    findings = joined([one.linted.outcome for one in made], Selection())
+    findings = merge([smoke_test.linted.outcome for smoke_test in made], Selection())
     return page(report_of(made, findings))
 
 
@@ -53,7 +54,7 @@ def rover(folder: Path, **changes: str) -> Smoked:
     return smoked(target, distro="jazzy")
 
 
-def test_it_needs_nothing_from_elsewhere(tmp_path: Path) -> None:
+def test_it_is_self_contained(tmp_path: Path) -> None:
     text = page_of(rover(tmp_path))
     elements = Elements(text)
     assert not {"script", "link", "img", "iframe", "object"} & {tag for tag, _ in elements.found}
@@ -63,7 +64,7 @@ def test_it_needs_nothing_from_elsewhere(tmp_path: Path) -> None:
     assert "prefers-color-scheme: dark" in text
 
 
-def test_what_fails_stands_first(tmp_path: Path) -> None:
+def test_failures_come_first(tmp_path: Path) -> None:
     (tmp_path / "a").mkdir()
     (tmp_path / "b").mkdir()
     good, bad = rover(tmp_path / "a"), rover(tmp_path / "b", left="right", right="left")
@@ -73,7 +74,7 @@ def test_what_fails_stands_first(tmp_path: Path) -> None:
     assert "UC911" in elements.texts
 
 
-def test_texts_of_strangers_are_no_markup(tmp_path: Path) -> None:
+def test_texts_are_escaped(tmp_path: Path) -> None:
     made = rover(tmp_path)
     wicked = "<script>alert(1)</script>"
     evil = made.controllers[0]._replace(name=wicked, reason=wicked)
@@ -83,12 +84,13 @@ def test_texts_of_strangers_are_no_markup(tmp_path: Path) -> None:
 
 
 def test_the_robot_is_drawn(tmp_path: Path) -> None:
-    from urdfctl.load import Loader
-    from urdfctl.settings import Settings
+    from urdfctl.config.settings import Settings
+    from urdfctl.lint.target import lint_target
+    from urdfctl.load.loader import Loader
     from urdfctl.smoke.mechanism import mechanism_of
 
     target = target_of(tmp_path, {"robot.urdf": Rover().urdf()})
-    robot = Loader(Settings(), Selection()).seen(target).project.robot
+    robot = lint_target(Loader(Settings()), target, Selection()).project.robot
     assert robot is not None
     mechanism = mechanism_of(robot)
     assert mechanism is not None
@@ -101,11 +103,11 @@ def test_the_robot_is_drawn(tmp_path: Path) -> None:
 
 
 @needs_pybullet
-def test_the_curves_are_drawn_with_words_for_those_who_do_not_see_them(tmp_path: Path) -> None:
+def test_the_curves_have_text_for_screen_readers(tmp_path: Path) -> None:
     arm = ARMS["joints that turn level"]
     target = target_of(tmp_path, {"robot.urdf": arm.urdf(), "controllers.yaml": arm.yaml()})
     elements = Elements(page_of(whole(target, "pybullet", distro="jazzy")))
-    assert [a["class"] for a in elements.named("polyline")] == ["told", "did"] * 2
+    assert [a["class"] for a in elements.named("polyline")] == ["commanded", "measured"] * 2
     labels = [a["aria-label"] or "" for a in elements.named("svg")]
     assert labels[0].startswith("mover: shoulder, position in rad or m, from ")
 

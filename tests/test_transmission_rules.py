@@ -1,12 +1,10 @@
-"""What the rules on transmissions say by distro and simulator, with notes and fixes; their examples show the rest."""
+"""The transmission rules beyond their examples: findings by distro and simulator, notes and fixes."""
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
-from arm import Robot, notes
 from folder import Folder
+from robots import Robot, notes
 
 SOUND = """
     <transmission name="elbow_trans">
@@ -35,11 +33,6 @@ OTHER_SIMULATION = """
 """
 
 
-@pytest.fixture
-def robot(tmp_path: Path) -> Robot:
-    return Robot(tmp_path)
-
-
 # -- names of interfaces ---------------------------------------------------------------------------------------------
 
 BARE = SOUND.replace("hardware_interface/", "")
@@ -56,13 +49,13 @@ BARE = SOUND.replace("hardware_interface/", "")
         ("jazzy", None, ["warning UC330"]),
     ],
 )
-def test_a_bare_interface_is_deprecated_in_gazebo_and_refused_by_hardware(
+def test_a_bare_interface_is_deprecated_in_gazebo_and_rejected_by_hardware(
     robot: Robot, distro: str, simulator: str, expected: list[str]
 ) -> None:
     assert robot.says(BARE, distro=distro, simulator=simulator) == expected
 
 
-def test_the_prefix_is_a_safe_fix_only_where_the_distro_is_known_to_take_it(robot: Robot) -> None:
+def test_adding_the_prefix_is_safe_only_if_the_distro_is_known_to_accept_it(robot: Robot) -> None:
     known = robot.only("UC202", BARE, distro="melodic")
     assert known.fix is not None
     assert known.fix.safe
@@ -90,9 +83,9 @@ def test_a_prefixed_interface_stops_the_simulation_up_to_jade(
 
 def test_an_unknown_interface_is_corrected_in_the_form_of_the_distro(robot: Robot) -> None:
     written = SOUND.replace("hardware_interface/EffortJointInterface", "position")
-    found = robot.only("UC203", written, distro="noetic")
-    assert "did you mean 'hardware_interface/PositionJointInterface'?" in found.message
-    assert ">hardware_interface/PositionJointInterface<" in robot.fixed(found)
+    finding = robot.only("UC203", written, distro="noetic")
+    assert "did you mean 'hardware_interface/PositionJointInterface'?" in finding.message
+    assert ">hardware_interface/PositionJointInterface<" in robot.fixed(finding)
     assert "did you mean 'PositionJointInterface'?" in robot.only("UC203", written, distro="indigo").message
 
 
@@ -105,13 +98,13 @@ def test_an_unknown_interface_is_corrected_in_the_form_of_the_distro(robot: Robo
         ("EfortJointInterface", "EffortJointInterface"),
     ],
 )
-def test_the_interface_that_was_meant_is_found(robot: Robot, text: str, meant: str) -> None:
-    found = robot.only("UC203", SOUND.replace("hardware_interface/EffortJointInterface", text), simulator="none")
-    assert found.severity.value == "error"
-    assert f"did you mean 'hardware_interface/{meant}'?" in found.message
+def test_the_intended_interface_is_suggested(robot: Robot, text: str, meant: str) -> None:
+    finding = robot.only("UC203", SOUND.replace("hardware_interface/EffortJointInterface", text), simulator="none")
+    assert finding.severity.value == "error"
+    assert f"did you mean 'hardware_interface/{meant}'?" in finding.message
 
 
-def test_an_interface_like_no_other_is_an_error_only_where_the_runtime_is_known(robot: Robot) -> None:
+def test_an_interface_without_a_suggestion_is_an_error_only_if_the_runtime_is_known(robot: Robot) -> None:
     foo = SOUND.replace("hardware_interface/EffortJointInterface", "foo")
     assert robot.says(foo) == ["warning UC203"]
     assert robot.says(foo, simulator="none") == ["error UC203"]
@@ -120,15 +113,17 @@ def test_an_interface_like_no_other_is_an_error_only_where_the_runtime_is_known(
     assert robot.says(foo + PLUGIN) == ["error UC203"]
 
 
-def test_interfaces_of_hardware_alone_are_errors_only_in_gazebo(robot: Robot) -> None:
+def test_interfaces_of_hardware_only_are_errors_only_in_gazebo(robot: Robot) -> None:
     posvel = SOUND.replace("EffortJointInterface", "PosVelJointInterface")
     assert robot.says(posvel) == []
     assert robot.says(posvel, simulator="none") == []
-    found = robot.only("UC203", posvel, simulator="gazebo-classic", distro="noetic")
-    assert "'hardware_interface/EffortJointInterface', 'hardware_interface/PositionJointInterface' and" in found.message
+    finding = robot.only("UC203", posvel, simulator="gazebo-classic", distro="noetic")
+    assert (
+        "'hardware_interface/EffortJointInterface', 'hardware_interface/PositionJointInterface' and" in finding.message
+    )
 
 
-def test_a_bare_interface_of_hardware_alone_is_not_told_of_twice_in_gazebo(robot: Robot) -> None:
+def test_a_bare_interface_of_hardware_only_is_reported_once_in_gazebo(robot: Robot) -> None:
     posvel = SOUND.replace("hardware_interface/EffortJointInterface", "PosVelJointInterface")
     assert robot.says(posvel, simulator="gazebo-classic") == ["error UC203"]
     assert robot.says(posvel) == ["warning UC202"]
@@ -143,7 +138,7 @@ def test_an_interface_of_another_package_is_left_to_its_own_hardware(robot: Robo
     assert robot.says(franka + OTHER_SIMULATION, simulator="gazebo-classic") == []
 
 
-def test_gazebo_looks_at_the_first_of_several_interfaces(robot: Robot) -> None:
+def test_gazebo_reads_the_first_of_several_interfaces(robot: Robot) -> None:
     second = SOUND.replace("</hardwareInterface>", "</hardwareInterface><hardwareInterface>foo</hardwareInterface>")
     assert robot.says(second, simulator="gazebo-classic") == ["warning UC217"]
     assert robot.says(second) == ["warning UC203"]
@@ -156,32 +151,32 @@ def test_an_actuator_may_name_the_interface_of_its_joint_in_any_form(robot: Robo
     assert robot.says(same.replace(">EffortJoint", ">hardware_interface/EffortActuator")) == []
 
 
-def test_a_comment_that_hides_an_interface_is_told_of(robot: Robot) -> None:
+def test_a_comment_that_hides_an_interface_is_noted(robot: Robot) -> None:
     hidden = SOUND.replace("<hardware", "<hardwareInterface><!-- c -->x</hardwareInterface><hardware", 1)
-    assert "a comment stands before its text" in notes(robot.only("UC223", hidden))
+    assert "a comment precedes the text" in notes(robot.only("UC223", hidden))
 
 
-def test_a_missing_interface_is_told_with_where_it_may_have_gone(robot: Robot) -> None:
+def test_a_missing_interface_has_a_note_where_it_may_be(robot: Robot) -> None:
     snake = SOUND.replace("hardwareInterface", "hardware_interface")
-    found = robot.only("UC201", snake)
-    assert "<hardware_interface> is not read: the element is spelt <hardwareInterface>" in notes(found)
-    assert found.fix is not None
-    assert found.fix.title == "write <hardwareInterface> for <hardware_interface>"
-    assert robot.fixed(found) == f'<joint name="elbow">{EFFORT}</joint>'
+    finding = robot.only("UC201", snake)
+    assert "<hardware_interface> is ignored; the element is called <hardwareInterface>" in notes(finding)
+    assert finding.fix is not None
+    assert finding.fix.title == "rename <hardware_interface> to <hardwareInterface>"
+    assert robot.fixed(finding) == f'<joint name="elbow">{EFFORT}</joint>'
     hidden = robot.only("UC201", SOUND.replace("<hardwareInterface>", "<hardwareInterface><!-- c -->"))
-    assert "the <hardwareInterface> of joint 'elbow' of transmission 'elbow_trans' is empty" in hidden.message
-    assert "a comment stands before the text" in notes(hidden)
+    assert "joint 'elbow' of transmission 'elbow_trans' has an empty <hardwareInterface>" in hidden.message
+    assert "a comment precedes the text" in notes(hidden)
     assert notes(robot.only("UC201", SOUND.replace(EFFORT, "<hardwareInterface/>"), distro="noetic")) == ""
     beside = SOUND.replace(EFFORT, "").replace("<actuator", EFFORT + "<!-- c --><note/><actuator")
-    assert "stands beside the joint; it belongs inside <joint>" in notes(robot.only("UC201", beside))
+    assert "is outside the joint; move it into <joint>" in notes(robot.only("UC201", beside))
     assert robot.lint(beside, distro="indigo")[0].fix is not None
 
 
 def test_a_missing_interface_is_added_as_the_actuator_names_it(robot: Robot) -> None:
     actuator = SOUND.replace(EFFORT, "").replace('_motor">', '_motor"><hardwareInterface>Velocity</hardwareInterface>')
     actuator = actuator.replace("Velocity", "VelocityJointInterface")
-    found = robot.only("UC201", actuator, distro="kinetic")
-    assert robot.fixed(found) == f'<joint name="elbow">{EFFORT.replace("Effort", "Velocity")}</joint>'
+    finding = robot.only("UC201", actuator, distro="kinetic")
+    assert robot.fixed(finding) == f'<joint name="elbow">{EFFORT.replace("Effort", "Velocity")}</joint>'
     closed = robot.only("UC201", actuator.replace('"elbow"></joint>', '"elbow" />'), distro="indigo")
     assert robot.fixed(closed) == (
         '<joint name="elbow" ><hardwareInterface>VelocityJointInterface</hardwareInterface></joint>'
@@ -194,19 +189,19 @@ def test_a_missing_interface_is_added_as_the_actuator_names_it(robot: Robot) -> 
 # -- types -----------------------------------------------------------------------------------------------------------
 
 
-def test_a_misspelt_or_hidden_type_is_told_of(robot: Robot) -> None:
+def test_a_misspelt_or_hidden_type_is_noted(robot: Robot) -> None:
     case = SOUND.replace("<type>", "<Type>").replace("</type>", "</Type>")
-    assert "<Type> is not read: the element is spelt <type>" in notes(robot.only("UC204", case))
+    assert "<Type> is ignored; the element is called <type>" in notes(robot.only("UC204", case))
     comment = SOUND.replace("<type>", "<type><!-- simple -->")
-    assert "a comment stands before the text" in notes(robot.only("UC204", comment))
+    assert "a comment precedes the text" in notes(robot.only("UC204", comment))
     attribute = robot.only(
         "UC204", SOUND.replace("<type>", "<kind>").replace("</type>", "</kind>").replace('s"', 's" type="x"', 1)
     )
-    assert "the attribute type is not read by ros_control" in notes(attribute)
+    assert "ros_control does not read the attribute 'type'" in notes(attribute)
     two = DIFFERENTIAL.replace("<type>transmission_interface/DifferentialTransmission</type>", "<type/>")
-    found = robot.only("UC204", two)
-    assert found.fix is not None
-    assert "DifferentialTransmission" in found.fix.title
+    finding = robot.only("UC204", two)
+    assert finding.fix is not None
+    assert "DifferentialTransmission" in finding.fix.title
 
 
 def test_the_form_of_the_pr2_is_left_to_the_pr2(robot: Robot) -> None:
@@ -239,7 +234,7 @@ def test_the_form_of_the_pr2_is_left_to_the_pr2(robot: Robot) -> None:
         ("transmission_interface/Gear", "ros_control knows 'transmission_interface/SimpleTransmission', "),
     ],
 )
-def test_the_type_that_was_meant_is_found(robot: Robot, text: str, expected: str) -> None:
+def test_the_intended_type_is_suggested(robot: Robot, text: str, expected: str) -> None:
     unknown = SOUND.replace("transmission_interface/SimpleTransmission", text)
     assert expected in robot.only("UC205", unknown).message
     assert robot.says(unknown, simulator="gazebo-classic") == ["warning UC205"]
@@ -258,16 +253,16 @@ def test_a_type_of_another_package_is_left_to_that_package(robot: Robot) -> None
 
 @pytest.mark.parametrize(("simulator", "expected"), [(None, "error"), ("gazebo-classic", "error"), ("none", "warning")])
 def test_an_unknown_joint_stops_the_simulation(robot: Robot, simulator: str, expected: str) -> None:
-    found = robot.only("UC206", SOUND.replace('"elbow"', '"elbw"'), simulator=simulator)
-    assert found.severity.value == expected
-    assert '<joint name="elbow">' in robot.fixed(found)
+    finding = robot.only("UC206", SOUND.replace('"elbow"', '"elbw"'), simulator=simulator)
+    assert finding.severity.value == expected
+    assert '<joint name="elbow">' in robot.fixed(finding)
 
 
-def test_a_link_in_the_place_of_a_joint_is_told_of(robot: Robot) -> None:
-    found = robot.only("UC206", SOUND.replace('"elbow"', '"fore"'))
-    assert found.fix is None
-    assert "'fore' is a link; a transmission drives a joint" in notes(found)
-    assert "the joint that moves this link is 'elbow'" in notes(found)
+def test_a_link_in_place_of_a_joint_is_noted(robot: Robot) -> None:
+    finding = robot.only("UC206", SOUND.replace('"elbow"', '"fore"'))
+    assert finding.fix is None
+    assert "'fore' is a link; a transmission drives a joint" in notes(finding)
+    assert "joint 'elbow' moves this link" in notes(finding)
     assert "is a link" in notes(robot.only("UC206", SOUND.replace('"elbow"', '"base"')))
 
 
@@ -301,31 +296,31 @@ CALLING = """\
 """
 
 
-def told_of_calls(folder: Folder, second: str = "${arm}_axis_2", link: str = "") -> list[str]:
+def findings_of_calls(folder: Folder, second: str = "${arm}_axis_2", link: str = "") -> list[str]:
     folder.write({"drives.xacro": OTHER_ARM.replace("SECOND", second).replace("LINK", link), "robot.xacro": CALLING})
-    said = folder.run("lint", "robot.xacro", "--select", "UC206", "--format", "concise").stdout
-    return said.splitlines()
+    output = folder.run("lint", "robot.xacro", "--select", "UC206", "--format", "concise").stdout
+    return output.splitlines()
 
 
-def test_a_macro_for_another_robot_is_told_once_where_it_is_called(folder: Folder) -> None:
-    none = "and this robot has none of them"
-    assert told_of_calls(folder) == [
-        f"robot.xacro:7:3: error UC206 macro 'drives' drives 'other_axis_1' and 'other_axis_2', {none}",
+def test_a_macro_for_another_robot_is_reported_once_at_its_call(folder: Folder) -> None:
+    missing = "but this robot has none of these joints"
+    assert findings_of_calls(folder) == [
+        f"robot.xacro:7:3: error UC206 macro 'drives' drives 'other_axis_1' and 'other_axis_2', {missing}",
     ]
 
 
 @pytest.mark.parametrize(
     ("second", "link"), [("elbow", ""), ("elbo", ""), ("other_axis_2", '<link name="${arm}_tool"/>')]
 )
-def test_a_macro_that_fits_the_robot_in_part_is_told_where_it_does_not(second: str, link: str, folder: Folder) -> None:
-    assert [said.partition(":")[0] for said in told_of_calls(folder, second, link) if "UC206" in said] == [
+def test_a_macro_that_partly_fits_the_robot_is_reported_in_the_macro(second: str, link: str, folder: Folder) -> None:
+    assert [line.partition(":")[0] for line in findings_of_calls(folder, second, link) if "UC206" in line] == [
         "drives.xacro" for name in ("other_axis_1", second) if name != "elbow"
     ]
 
 
-def test_an_unknown_joint_is_no_finding_where_a_part_of_the_robot_is_missing(robot: Robot) -> None:
+def test_an_unknown_joint_is_not_reported_if_a_part_of_the_robot_is_missing(robot: Robot) -> None:
     part = "<xacro:no_such_macro/>" + SOUND.replace('"elbow"', '"elbw"')
-    assert "UC206" not in {found.code for found in robot.lint(part, name="robot.xacro")}
+    assert "UC206" not in {finding.code for finding in robot.lint(part, name="robot.xacro")}
 
 
 def test_a_robot_without_joints_is_a_fragment(robot: Robot) -> None:
@@ -339,37 +334,37 @@ TOOL = "<link name='tool'/><joint name='mount' type='fixed'><parent link='fore'/
     ("simulator", "expected"), [(None, "warning"), ("gazebo-classic", "error"), ("none", "warning")]
 )
 def test_a_fixed_joint_stops_the_simulation(robot: Robot, simulator: str, expected: str) -> None:
-    found = robot.only("UC207", TOOL + SOUND.replace('"elbow"', '"mount"'), simulator=simulator)
-    assert found.severity.value == expected
-    assert "which is fixed" in found.message
+    finding = robot.only("UC207", TOOL + SOUND.replace('"elbow"', '"mount"'), simulator=simulator)
+    assert finding.severity.value == expected
+    assert "which is fixed" in finding.message
 
 
-def test_a_fixed_joint_that_gazebo_is_told_to_keep_does_not_stop_it(robot: Robot) -> None:
+def test_a_preserved_fixed_joint_does_not_stop_gazebo(robot: Robot) -> None:
     kept = "<gazebo reference='mount'><preserveFixedJoint>true</preserveFixedJoint></gazebo>"
-    found = robot.only("UC207", TOOL + kept + SOUND.replace('"elbow"', '"mount"'), simulator="gazebo-classic")
-    assert found.severity.value == "warning"
+    finding = robot.only("UC207", TOOL + kept + SOUND.replace('"elbow"', '"mount"'), simulator="gazebo-classic")
+    assert finding.severity.value == "warning"
 
 
-def test_two_transmissions_of_one_joint_with_two_interfaces_work_against_each_other(robot: Robot) -> None:
+def test_different_interfaces_in_two_transmissions_of_a_joint_are_noted(robot: Robot) -> None:
     second = SOUND.replace("elbow_", "other_").replace("Effort", "Position")
-    found = robot.only("UC208", SOUND + second)
-    assert "it stands in transmission 'elbow_trans' first" in notes(found)
-    assert "their interfaces differ" in notes(found)
+    finding = robot.only("UC208", SOUND + second)
+    assert "it is first used in transmission 'elbow_trans'" in notes(finding)
+    assert "their interfaces differ" in notes(finding)
     assert "differ" not in notes(robot.only("UC208", SOUND + SOUND.replace("elbow_", "other_")))
 
 
 # -- what the parser skips -------------------------------------------------------------------------------------------
 
 
-def test_misspelt_joints_and_actuators_are_told_of(robot: Robot) -> None:
+def test_misspelt_joints_and_actuators_are_noted(robot: Robot) -> None:
     joint = SOUND.replace("<joint", "<Joint").replace("</joint", "</Joint")
-    assert "<Joint> is not read" in notes(robot.only("UC219", joint))
+    assert "<Joint> is ignored" in notes(robot.only("UC219", joint))
     assert notes(robot.only("UC219", SOUND.replace(f'<joint name="elbow">{EFFORT}</joint>', ""))) == ""
     actuator = SOUND.replace("<actuator", "<Actuator").replace("</actuator", "</Actuator")
-    assert "<Actuator> is not read" in notes(robot.only("UC211", actuator))
+    assert "<Actuator> is ignored" in notes(robot.only("UC211", actuator))
 
 
-def test_a_name_that_is_empty_skips_its_own_end_and_one_that_is_missing_the_transmission(robot: Robot) -> None:
+def test_an_empty_name_skips_one_end_and_a_missing_name_skips_the_transmission(robot: Robot) -> None:
     motor = "<actuator name='m2'><mechanicalReduction>1</mechanicalReduction></actuator></transmission>"
     two = SOUND.replace("</transmission>", motor)
     assert robot.only("UC211", two.replace('"elbow_motor"', '""')).severity.value == "warning"
@@ -380,12 +375,12 @@ def test_a_name_that_is_empty_skips_its_own_end_and_one_that_is_missing_the_tran
     assert robot.only("UC219", joints).severity.value == "warning"
 
 
-def test_an_empty_transmission_name_is_empty_and_hydro_takes_it(robot: Robot) -> None:
+def test_an_empty_transmission_name_is_accepted_only_by_hydro(robot: Robot) -> None:
     empty = SOUND.replace('"elbow_trans"', '""')
-    found = robot.only("UC220", empty)
-    assert "the name of the transmission of joint 'elbow' is empty" in found.message
-    assert found.fix is not None
-    assert found.fix.title == 'add name="elbow_trans"'
+    finding = robot.only("UC220", empty)
+    assert "the transmission of joint 'elbow' has an empty 'name'" in finding.message
+    assert finding.fix is not None
+    assert finding.fix.title == 'add name="elbow_trans"'
     nameless = empty.replace('"elbow"', '""').replace('"elbow_motor"', '""')
     assert robot.says(nameless, distro="hydro", simulator="none") == []
 
@@ -394,7 +389,7 @@ def test_a_transmission_inside_another_element_is_not_read(robot: Robot) -> None
     assert "inside <link>" in robot.only("UC221", f"<link name='x'>{SOUND}</link>").message
     inside = f"<ros2_control name='x' type='system'>{SOUND}</ros2_control>"
     assert "UC221" in robot.only("UC221", inside, distro="noetic").code
-    assert "UC221" not in {found.code for found in robot.lint(inside)}
+    assert "UC221" not in {finding.code for finding in robot.lint(inside)}
     settings = (
         "<gazebo><plugin name='p' filename='libp.so'><transmission><type>x</type></transmission></plugin></gazebo>"
     )
@@ -403,16 +398,16 @@ def test_a_transmission_inside_another_element_is_not_read(robot: Robot) -> None
     control = (
         "<ros2_control name='x' type='system'><transmission name='t'><plugin>p</plugin></transmission></ros2_control>"
     )
-    assert "UC221" not in {found.code for found in robot.lint(control, distro="noetic")}
+    assert "UC221" not in {finding.code for finding in robot.lint(control, distro="noetic")}
 
 
-def test_nothing_is_called_absent_that_could_not_be_expanded(robot: Robot) -> None:
+def test_parts_that_could_not_be_expanded_are_not_reported_as_missing(robot: Robot) -> None:
     part = """
         <transmission name="elbow_trans">
           <xacro:no_such_macro/>
         </transmission>
     """
-    assert {found.code for found in robot.lint(part, name="robot.xacro", distro="noetic")} == {"UC008"}
+    assert {finding.code for finding in robot.lint(part, name="robot.xacro", distro="noetic")} == {"UC008"}
     texts = (
         SOUND.replace("effort", "effort")
         .replace("hardware_interface/EffortJointInterface", "${nothing}")
@@ -423,14 +418,14 @@ def test_nothing_is_called_absent_that_could_not_be_expanded(robot: Robot) -> No
         .replace('"elbow"', '"${nothing}"')
         .replace("elbow_motor", "${nothing}")
     )
-    assert {found.code for found in robot.lint(texts, name="robot.xacro", distro="noetic")} == {"UC006"}
+    assert {finding.code for finding in robot.lint(texts, name="robot.xacro", distro="noetic")} == {"UC006"}
 
 
 # -- what only real hardware reads -----------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
-    ("reduction", "said"),
+    ("reduction", "problem"),
     [
         ("", "is empty"),
         ("abc", "is not a number: 'abc'"),
@@ -440,20 +435,20 @@ def test_nothing_is_called_absent_that_could_not_be_expanded(robot: Robot) -> No
         ("nan", "is read as nan: 'nan' is not a plain number"),
     ],
 )
-def test_a_reduction_is_read_as_its_leading_number(robot: Robot, reduction: str, said: str) -> None:
+def test_a_reduction_is_read_as_its_leading_number(robot: Robot, reduction: str, problem: str) -> None:
     written = SOUND.replace(">1<", f">{reduction}<")
-    assert robot.only("UC225", written).message.endswith(said)
-    expected = "warning" if "read as" in said else "error"
+    assert robot.only("UC225", written).message.endswith(problem)
+    expected = "warning" if "read as" in problem else "error"
     assert robot.says(written, simulator="none") == [f"{expected} UC225"]
     assert robot.says(written, simulator="gazebo-classic") == ["warning UC225"]
 
 
 @pytest.mark.parametrize("reduction", ["1", "-50", "+.5", "1e2", " 100. "])
-def test_a_plain_number_is_a_sound_reduction(robot: Robot, reduction: str) -> None:
+def test_a_plain_number_is_a_valid_reduction(robot: Robot, reduction: str) -> None:
     assert robot.says(SOUND.replace(">1<", f">{reduction}<")) == []
 
 
-def test_a_joints_reduction_is_read_where_the_type_has_two_joints(robot: Robot) -> None:
+def test_the_reduction_of_a_joint_is_read_if_the_type_has_two_joints(robot: Robot) -> None:
     joint = DIFFERENTIAL.replace(
         "<role>joint1</role>", "<role>joint1</role><mechanicalReduction>two</mechanicalReduction>"
     )
@@ -461,15 +456,15 @@ def test_a_joints_reduction_is_read_where_the_type_has_two_joints(robot: Robot) 
     assert robot.says(SOUND.replace("<hardware", "<mechanicalReduction>two</mechanicalReduction><hardware", 1)) == []
 
 
-def test_a_reduction_in_a_wrong_place_is_told_of(robot: Robot) -> None:
+def test_a_reduction_in_the_wrong_place_is_noted(robot: Robot) -> None:
     reduction = "<mechanicalReduction>1</mechanicalReduction>"
     without = SOUND.replace(reduction, "")
     in_joint = without.replace('<joint name="elbow">', f'<joint name="elbow">{reduction}')
-    assert "the one in <joint> does not stand for it" in notes(robot.only("UC212", in_joint))
+    assert "the one in <joint> does not apply to the actuator" in notes(robot.only("UC212", in_joint))
     beside = without.replace("</transmission>", f"{reduction}</transmission>")
-    assert "stands beside the actuator" in notes(robot.only("UC212", beside))
+    assert "is outside the actuator" in notes(robot.only("UC212", beside))
     misspelt = SOUND.replace("mechanicalReduction", "mechanical_reduction")
-    assert "<mechanical_reduction> is not read" in notes(robot.only("UC212", misspelt))
+    assert "<mechanical_reduction> is ignored" in notes(robot.only("UC212", misspelt))
     assert notes(robot.only("UC212", without.replace("<actuator", "<note/><actuator"), distro="noetic")) == ""
     assert robot.says(without, simulator="none") == ["error UC212"]
     assert robot.says(without, simulator="gazebo-classic") == ["warning UC212"]
@@ -480,42 +475,42 @@ def test_an_offset_is_a_number_in_the_joint(robot: Robot) -> None:
     assert robot.says(text, simulator="none") == ["error UC213"]
     assert robot.says(text) == ["warning UC213"]
     empty = robot.only("UC213", SOUND.replace("<hardware", "<offset/><hardware", 1))
-    assert "an empty text is not a number" in empty.message
+    assert empty.message == "<offset> of joint 'elbow' of transmission 'elbow_trans' is empty"
     actuator = SOUND.replace("<mech", "<offset>1</offset><mech")
     assert robot.says(actuator, simulator="none") == ["warning UC213"]
 
 
 @pytest.mark.parametrize(
-    ("role", "said"),
+    ("role", "problem"),
     [
-        ("", "has no <role>: it is 'actuator1' or 'actuator2'"),
-        ("<role/>", "has an empty <role>: it is 'actuator1' or 'actuator2'"),
-        ("<role>actuator3</role>", "has the role 'actuator3': it is 'actuator1' or 'actuator2'"),
+        ("", "has no <role>; use 'actuator1' or 'actuator2'"),
+        ("<role/>", "has an empty <role>; use 'actuator1' or 'actuator2'"),
+        ("<role>actuator3</role>", "has unknown role 'actuator3'; use 'actuator1' or 'actuator2'"),
         (
             "<role>actuator1</role>",
-            "has the role 'actuator1' of another actuator: they are 'actuator1' and 'actuator2'",
+            "has the same role 'actuator1' as another actuator; use 'actuator1' and 'actuator2'",
         ),
     ],
 )
-def test_each_end_has_a_role_of_its_own(robot: Robot, role: str, said: str) -> None:
+def test_each_end_has_a_role_of_its_own(robot: Robot, role: str, problem: str) -> None:
     written = DIFFERENTIAL.replace("<role>actuator2</role>", role)
-    assert robot.only("UC214", written).message == f"actuator 'right' of transmission 'wrist' {said}"
+    assert robot.only("UC214", written).message == f"actuator 'right' of transmission 'wrist' {problem}"
     assert robot.says(written, simulator="none") == ["error UC214"]
     assert robot.says(written) == ["warning UC214"]
 
 
-def test_a_role_that_could_not_be_worked_out_is_no_finding(robot: Robot) -> None:
+def test_an_unknown_role_is_not_reported(robot: Robot) -> None:
     unknown = DIFFERENTIAL.replace(">joint1<", ">${nothing}<").replace("<role>joint2</role>", "<xacro:no_such_macro/>")
-    assert "UC214" not in {found.code for found in robot.lint(unknown, name="robot.xacro", distro="noetic")}
+    assert "UC214" not in {finding.code for finding in robot.lint(unknown, name="robot.xacro", distro="noetic")}
 
 
-def test_a_count_that_does_not_fit_the_type_is_an_error_on_hardware(robot: Robot) -> None:
+def test_a_wrong_number_of_actuators_is_an_error_on_hardware(robot: Robot) -> None:
     two = SOUND.replace(
         "</transmission>", "<actuator name='m2'><mechanicalReduction>1</mechanicalReduction></actuator></transmission>"
     )
-    found = robot.only("UC215", two, simulator="none")
-    assert found.severity.value == "error"
-    assert found.message == "transmission 'elbow_trans' has 2 actuators: a SimpleTransmission joins 1 actuator"
+    finding = robot.only("UC215", two, simulator="none")
+    assert finding.severity.value == "error"
+    assert finding.message == "transmission 'elbow_trans' has 2 actuators; a SimpleTransmission has 1 actuator"
     assert robot.says(two) == ["warning UC215"]
 
 
@@ -539,6 +534,6 @@ def test_a_transmission_of_two_joints_is_an_error_only_in_gazebo(robot: Robot) -
     assert robot.says(DIFFERENTIAL + OTHER_SIMULATION, simulator="gazebo-classic") == []
 
 
-def test_joints_that_the_parser_drops_do_not_count_in_gazebo(robot: Robot) -> None:
+def test_joints_that_the_parser_skips_do_not_count_in_gazebo(robot: Robot) -> None:
     dropped = DIFFERENTIAL.replace(f"joint2</role>{EFFORT}", "joint2</role>")
     assert robot.says(dropped, simulator="gazebo-classic") == ["error UC201"]

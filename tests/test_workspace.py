@@ -7,10 +7,12 @@ from pathlib import Path
 import pytest
 from folder import Folder
 
-from urdfctl.lint import Selection
-from urdfctl.load import Loader, Target
-from urdfctl.settings import Settings
-from urdfctl.workspace import workspace_of
+from urdfctl.config.settings import Settings
+from urdfctl.lint.selection import Selection
+from urdfctl.lint.target import lint_target
+from urdfctl.load.loader import Loader
+from urdfctl.load.target import Target
+from urdfctl.source.workspace import workspace_of
 
 PACKAGE = "<package><name>arm</name></package>"
 
@@ -93,7 +95,7 @@ PART = "<robot><link name='part'/></robot>"
 
 
 def codes(settings: Settings) -> list[str]:
-    linted = Loader(settings, Selection(select=("UC0",))).lint(Target("robot/arm.xacro"))
+    linted = lint_target(Loader(settings), Target("robot/arm.xacro"), Selection(select=("UC0",))).result
     return [diagnostic.code for diagnostic in linted.outcome.diagnostics]
 
 

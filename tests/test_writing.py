@@ -10,7 +10,7 @@ import sys
 import pytest
 from folder import Folder
 
-from urdfctl.cli.writing import encoded, tell, write_file
+from urdfctl.cli.writing import encoded, print_message, write_file
 from urdfctl.errors import UserError
 
 READER = """
@@ -73,14 +73,14 @@ def test_a_device_is_written_to_and_stays(folder: Folder) -> None:
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this system has no pipes in its file system")
 def test_a_pipe_is_written_to_where_somebody_reads_it(folder: Folder) -> None:
     os.mkfifo("pipe")
-    with pytest.raises(UserError, match=r"^'pipe' cannot be written: it is a pipe that nobody reads$"):
+    with pytest.raises(UserError, match=r"^'pipe' cannot be written: it is a pipe that no program reads$"):
         write_file("pipe", "text", force=False)
     text = "text" * 100_000  # more than a pipe holds
     reader = subprocess.Popen([sys.executable, "-c", READER], stdout=subprocess.PIPE, text=True)
     assert reader.stdout is not None
     assert reader.stdout.readline() == "reading\n"
     write_file("pipe", text, force=False)
-    assert reader.communicate(timeout=10)[0] == "400000\n"
+    assert reader.communicate(timeout=60)[0] == "400000\n"
 
 
 @pytest.mark.parametrize(
@@ -111,5 +111,5 @@ def test_bytes_of_file_names_that_are_no_text_stay_as_they_are() -> None:
 
 
 def test_a_line_on_standard_error_is_one_whatever_it_holds(capsys: pytest.CaptureFixture[str]) -> None:
-    tell("no such file: 'a\n\x1b[31m'")
-    assert capsys.readouterr().err == "urdfctl: no such file: 'a\\n\\x1b[31m'\n"
+    print_message("file 'a\n\x1b[31m' does not exist")
+    assert capsys.readouterr().err == "urdfctl: file 'a\\n\\x1b[31m' does not exist\n"

@@ -7,16 +7,19 @@ import subprocess
 import sys
 from collections.abc import Mapping
 from pathlib import Path
+from types import FunctionType, MethodType
 
 import pytest
 from expansion import NAMESPACE, elements, expanded, laid_out, ours, robot, said, theirs
 from xacro_features import FAILURES, FEATURES
 
+from urdfctl.expand.xml_writer import write
 from urdfctl.source.files import Files
 from urdfctl.source.packages import PackageIndex, Packages
-from urdfctl.source.xacro import UNKNOWN, Expander
+from urdfctl.source.xacro import expansion, private_module, safety, speed, without_ros
+from urdfctl.source.xacro.expansion import UNKNOWN, Expander
+from urdfctl.source.xacro.replacements import REPLACEMENTS, replace
 from urdfctl.source.xml import parse
-from urdfctl.source.xml_writer import write
 
 ARGUMENTS = {"given": "yes"}
 
@@ -76,13 +79,13 @@ def test_several_problems_are_told_in_one_run(tmp_path: Path) -> None:
 <link name="l"><c d="$(arg n)"/></link>
 <a b="${1 +}"/>
 <xacro:if value="maybe"><z/></xacro:if>"""
-    known = "no <xacro:property>, parameter or argument of that name is known here"
+    known = "no <xacro:property>, parameter or argument has this name here"
     assert problems(tmp_path, body) == [
         f"r.xacro:2:7 UNDEFINED_NAME 'x' is not defined: {known}",
-        "r.xacro:3:1 UNKNOWN_MACRO macro 'm' is not defined before this call",
+        "r.xacro:3:1 UNKNOWN_MACRO macro 'm' is called before it is defined",
         "r.xacro:4:22 UNDEFINED_ARGUMENT argument 'n' is not defined",
-        "r.xacro:5:7 EXPRESSION '1 +' is no expression: invalid syntax",
-        "r.xacro:6:1 CONDITION the conditional 'maybe' evaluated to 'maybe', which is not a boolean expression.",
+        "r.xacro:5:7 EXPRESSION '1 +' is not a valid expression: invalid syntax",
+        "r.xacro:6:1 CONDITION condition 'maybe' evaluates to 'maybe', which is not a boolean",
     ]
 
 
@@ -135,8 +138,8 @@ def test_what_a_missing_include_would_have_brought_is_not_missed_again(tmp_path:
 <a b="${length}"/>
 <a b="${1 / 0}"/>"""
     assert problems(tmp_path, body) == [
-        "r.xacro:2:1 PACKAGE_NOT_FOUND package 'nowhere' is not found",
-        f"r.xacro:3:1 FILE_NOT_FOUND no such file: '{tmp_path}/none.xacro'",
+        "r.xacro:2:1 PACKAGE_NOT_FOUND package 'nowhere' was not found in this workspace",
+        f"r.xacro:3:1 FILE_NOT_FOUND file does not exist: '{tmp_path}/none.xacro'",
         "r.xacro:6:7 EXPRESSION '1 / 0' cannot be evaluated: ZeroDivisionError: division by zero",
     ]
     assert left(tmp_path, body) == [f"a b={UNKNOWN}", f"a b={UNKNOWN}"]
@@ -171,7 +174,7 @@ def test_a_macro_of_a_name_that_another_file_has_taken_is_told(tmp_path: Path) -
     other = {"i.xacro": f'<robot {NAMESPACE}><xacro:macro name="m"><a/></xacro:macro></robot>'}
     body = '<xacro:include filename="i.xacro"/>\n<xacro:macro name="m"><b/></xacro:macro>\n<xacro:m/>'
     assert problems(tmp_path, body, other) == [
-        f"r.xacro:3:20 DUPLICATE_MACRO macro 'm' is defined again; its definition at {tmp_path}/i.xacro:1 is lost"
+        f"r.xacro:3:20 DUPLICATE_MACRO macro 'm' is defined again; it replaces the one at {tmp_path}/i.xacro:1"
     ]
     twice = '<xacro:include filename="i.xacro"/>' * 2 + "<xacro:m/>"
     assert problems(tmp_path, twice, other) == []
@@ -184,8 +187,8 @@ def test_a_macro_that_bears_the_name_of_a_file_beside_its_own_is_told(tmp_path: 
     body = '<xacro:include filename="med.gazebo.xacro"/>'
     [told] = problems(tmp_path, body, {"med.gazebo.xacro": MED, "iiwa.gazebo.xacro": MED})
     assert told == (
-        "med.gazebo.xacro:1:71 MACRO_OF_OTHER_FILE macro 'iiwa_gazebo' bears the name of 'iiwa.gazebo.xacro', which "
-        "defines it too: of the two the later one is called"
+        "med.gazebo.xacro:1:71 MACRO_OF_OTHER_FILE macro 'iiwa_gazebo' has the same name as a macro in "
+        "'iiwa.gazebo.xacro'; the later definition is called"
     )
 
 
@@ -213,20 +216,20 @@ def test_a_file_beside_a_macro_that_may_not_be_read_tells_nothing_of_it(tmp_path
 def test_an_attribute_that_xacro_cannot_write_is_told(tmp_path: Path) -> None:
     body = '<a><xacro:attribute name="b" value="${1 + 1}"/></a>\n<a><xacro:attribute name="b" value="${0}"/></a>'
     assert problems(tmp_path, body) == [
-        "r.xacro:2:4 XACRO attribute 'b' becomes 2, no text: xacro cannot write it",
-        "r.xacro:3:37 XACRO_WARNING attribute 'b' becomes 0, no text: xacro writes an empty attribute",
+        "r.xacro:2:4 XACRO attribute 'b' becomes 2, which is not a string; xacro cannot write it",
+        "r.xacro:3:37 XACRO_WARNING attribute 'b' becomes 0, which is not a string; xacro writes an empty attribute",
     ]
 
 
 def test_files_that_include_each_other_without_end_are_cut_off(tmp_path: Path) -> None:
     others = {"i.xacro": f'<robot {NAMESPACE}><xacro:include filename="i.xacro"/></robot>'}
     (found,) = problems(tmp_path, '<xacro:include filename="i.xacro"/>', others)
-    assert "BUDGET the description is not expanded: macros and includes call each other more than" in found
+    assert "BUDGET the description cannot be expanded: macros and includes are nested more than" in found
 
 
 def test_macros_that_call_each_other_without_end_are_cut_off(tmp_path: Path) -> None:
     (found,) = problems(tmp_path, '<xacro:macro name="m"><xacro:m/></xacro:macro><xacro:m/>')
-    assert " BUDGET the description is not expanded: " in found
+    assert " BUDGET the description cannot be expanded: " in found
 
 
 def test_macros_that_double_their_calls_are_cut_off(tmp_path: Path) -> None:
@@ -243,7 +246,7 @@ def test_blocks_that_double_are_cut_off(tmp_path: Path) -> None:
         twice = f'<xacro:insert_block name="p{n}"/>' * 2
         body += f'<xacro:property name="p{n + 1}">{twice}</xacro:property>'
     (found,) = problems(tmp_path, body + '<xacro:insert_block name="p30"/>')
-    assert " BUDGET the description is not expanded: more than 20000 " in found
+    assert " BUDGET the description cannot be expanded: more than 20000 " in found
 
 
 def test_includes_that_double_are_cut_off(tmp_path: Path) -> None:
@@ -252,7 +255,7 @@ def test_includes_that_double_are_cut_off(tmp_path: Path) -> None:
         twice = f'<xacro:include filename="i{n + 1}.xacro"/>' * 2
         others[f"i{n}.xacro"] = f"<robot {NAMESPACE}>{twice}</robot>"
     (found,) = problems(tmp_path, '<xacro:include filename="i0.xacro"/>', others)
-    assert " BUDGET the description is not expanded: more than 20000 " in found
+    assert " BUDGET the description cannot be expanded: more than 20000 " in found
 
 
 def test_a_robot_may_be_nested_as_deep_as_it_can_be_written(tmp_path: Path) -> None:
@@ -262,7 +265,7 @@ def test_a_robot_may_be_nested_as_deep_as_it_can_be_written(tmp_path: Path) -> N
         return ours(laid_out(tmp_path, {"r.xacro": robot(f'{macro}<xacro:m n="{calls}"/>')}))
 
     assert nested(90).count("<l") == 20 * 91
-    assert nested(200) == "error: the description is not expanded: macros or expressions nest too deeply"
+    assert nested(200) == "error: the description cannot be expanded: macros or expressions are nested too deeply"
 
 
 # -- what a run is given ----------------------------------------------------------------------------------------------
@@ -280,9 +283,7 @@ def test_only_the_environment_that_is_passed_on_is_seen(tmp_path: Path, monkeypa
     monkeypatch.setenv("SECRET", "s")
     path = laid_out(tmp_path, {"r.xacro": robot('<l a="$(env SECRET)"/><l a="$(optenv SECRET none)"/>')})
     expansion = expanded(path)
-    assert [(p.kind.name, p.hint) for p in expansion.problems] == [
-        ("UNDEFINED_ARGUMENT", "pass it on with --env SECRET")
-    ]
+    assert [(p.kind.name, p.hint) for p in expansion.problems] == [("UNDEFINED_VARIABLE", "pass it with --env SECRET")]
     assert elements(expansion.document)[2].attrs == {"a": "none"}
     assert elements(expanded(path, environ={"SECRET": "x"}).document)[1].attrs == {"a": "x"}
 
@@ -321,8 +322,8 @@ EXPAND = """
 import sys
 from urdfctl.source.files import Files
 from urdfctl.source.packages import PackageIndex, Packages
-from urdfctl.source.xacro import Expander
-from urdfctl.source.xml_writer import write
+from urdfctl.source.xacro.expansion import Expander
+from urdfctl.expand.xml_writer import write
 
 def expand(path):
     return Expander(Files(), Packages(path, PackageIndex("/none", environ={})), {}, strict=True).expand(path, {})
@@ -372,3 +373,32 @@ except UserError as error:
     assert done.stdout == (
         f"the package xacro at {tmp_path}/old/xacro is of an unknown version (no 'LEXER'); known are 2.1.0 and 2.1.1\n"
     )
+
+
+def test_only_the_names_in_the_table_are_replaced_and_all_of_them(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    replaced: set[str] = set()
+    for user in (expansion, safety, speed, without_ros):
+
+        def note(owner: object, name: str, value: object, *, within: str = "") -> None:
+            replaced.add(f"{within}.{name}" if within else name)
+            replace(owner, name, value, within=within)
+
+        monkeypatch.setattr(user, "replace", note)
+    package = "<package><name>r</name></package>"
+    path = laid_out(tmp_path, {"r.xacro": robot('<a b="$(find r)" d="$(eval 1 + 1)"/>'), "package.xml": package})
+    expander = Expander(Files(), Packages(path, PackageIndex(str(tmp_path), environ={})), {})
+    assert not expander.expand(path, {}).problems
+    table = {entry.name for entry in REPLACEMENTS} - {"substitution_args._eval_dict"}  # changed in place
+    assert replaced == table
+    plain = private_module.load()
+    private_module.release(plain)
+    own = {name: value for name, value in vars(expander.module).items() if isinstance(value, FunctionType | MethodType)}
+    changed = {name for name, value in own.items() if value.__code__ != getattr(vars(plain)[name], "__code__", None)}
+    assert changed <= table
+
+
+def test_a_name_that_is_not_in_the_table_cannot_be_replaced() -> None:
+    with pytest.raises(KeyError):
+        replace(private_module, "eval_everything", None)

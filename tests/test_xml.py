@@ -13,11 +13,11 @@ from folder import Folder
 from hypothesis import given
 from hypothesis import strategies as st
 
+from urdfctl.expand.xml_writer import write
 from urdfctl.source.dom import Cloning, Element, Text
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import SourceText
 from urdfctl.source.xml import parse
-from urdfctl.source.xml_writer import write
 
 
 def tree(text: str | bytes) -> Element:
@@ -75,30 +75,30 @@ def test_a_byte_order_mark_shifts_no_column() -> None:
         (b"\xef\xbb\xbf", "1:1 the file is empty"),
         (
             b"<a>\n  <b>\n</a>",
-            "3:1 <b> of line 2 is not closed: </a> stands where </b> is due",
+            "3:1 <b> in line 2 is not closed: expected </b>, found </a>",
         ),
-        (b"<a></a>\n<b/>", "2:1 text stands after the end of the root element"),
-        (b"<a/>\ntext", "2:1 text stands after the end of the root element"),
-        (b"\n<?xml version='1.0'?><a/>", "2:1 the XML declaration <?xml ...?> is not at the very start of the file"),
-        (b"  <?xml version='1.0'?><a/>", "1:3 the XML declaration <?xml ...?> is not at the very start of the file"),
-        (b"<a><xacro:b/></a>", "1:4 the prefix 'xacro:' is not declared"),
-        (b"<a><b x:y='1'/></a>", "1:4 the prefix 'x:' is not declared"),
-        (b"<a><b>", "1:7 the file ends inside <b> of line 1"),
-        (b"<a>\n<b", "2:1 the file ends inside <a> of line 1"),
-        (b"<a x='1 & 2'/>", "1:9 a bare '&' is not XML"),
-        (b"<a>&</a>", "1:4 a bare '&' is not XML"),
-        (b"<a>x &y z</a>", "1:6 a bare '&' is not XML"),
-        (b"<a>\n <b\n <c/></a>", "2:2 the tag <b is not closed before the next '<'"),
+        (b"<a></a>\n<b/>", "2:1 text after the end of the root element"),
+        (b"<a/>\ntext", "2:1 text after the end of the root element"),
+        (b"\n<?xml version='1.0'?><a/>", "2:1 the XML declaration <?xml ...?> is not at the start of the file"),
+        (b"  <?xml version='1.0'?><a/>", "1:3 the XML declaration <?xml ...?> is not at the start of the file"),
+        (b"<a><xacro:b/></a>", "1:4 prefix 'xacro:' is not declared"),
+        (b"<a><b x:y='1'/></a>", "1:4 prefix 'x:' is not declared"),
+        (b"<a><b>", "1:7 <b> in line 1 has no end tag"),
+        (b"<a>\n<b", "2:1 <a> in line 1 has no end tag"),
+        (b"<a x='1 & 2'/>", "1:9 a bare '&' is not valid XML"),
+        (b"<a>&</a>", "1:4 a bare '&' is not valid XML"),
+        (b"<a>x &y z</a>", "1:6 a bare '&' is not valid XML"),
+        (b"<a>\n <b\n <c/></a>", "2:2 tag <b is not closed before the next '<'"),
         (b"<a>&nbsp;</a>", "1:4 not well-formed XML: undefined entity"),
         (b"<a b='1' b='2'/>", "1:10 not well-formed XML: duplicate attribute"),
-        (b"<a b='\xff'/>", "1:7 byte 0xff is not UTF-8"),
-        (b"<a>\x00</a>", "1:4 the file is binary, no XML"),
-        (b"\x7fELF\x00\x01", "1:5 the file is binary, no XML"),
+        (b"<a b='\xff'/>", "1:7 byte 0xff is not valid UTF-8"),
+        (b"<a>\x00</a>", "1:4 the file is binary, not XML"),
+        (b"\x7fELF\x00\x01", "1:5 the file is binary, not XML"),
         ("<a/>".encode("utf-16"), "1:1 the file is UTF-16; xacro and urdfdom read UTF-8"),
-        (b"just text", "1:1 not XML: a file of XML begins with a tag"),
+        (b"just text", "1:1 not XML: an XML file starts with a tag"),
         (b"<a b=1/>", "1:6 not well-formed XML: unexpected '1'"),
-        (b"<a></a></b>", "1:8 the end tag </b> closes nothing that is open"),
-        (b"<a></a>\n\t</b >", "2:2 the end tag </b> closes nothing that is open"),
+        (b"<a></a></b>", "1:8 end tag </b> has no matching start tag"),
+        (b"<a></a>\n\t</b >", "2:2 end tag </b> has no matching start tag"),
         (b"<?xml version='1.0'?>", "1:22 not well-formed XML: no element found"),
     ],
 )  # fmt: skip
@@ -115,7 +115,7 @@ def test_the_way_out_is_named_where_there_is_one() -> None:
 def test_a_declared_encoding_is_passed_over_as_xacro_and_urdfdom_do() -> None:
     root = tree("<?xml version='1.0' encoding='ISO-8859-1'?><a b='\xe9'/>")
     assert root.getAttribute("b") == "\xe9"
-    assert told(b"<?xml version='1.0' encoding='ISO-8859-1'?><a b='\xe9'/>") == "1:50 byte 0xe9 is not UTF-8"
+    assert told(b"<?xml version='1.0' encoding='ISO-8859-1'?><a b='\xe9'/>") == "1:50 byte 0xe9 is not valid UTF-8"
 
 
 def test_a_doctype_that_declares_something_is_refused() -> None:

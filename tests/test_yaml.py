@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import time
 
 import pytest
 import yaml as pyyaml
@@ -11,6 +10,8 @@ from corpus import CORPUS, needs_corpus
 from folder import Folder
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from sampling import sample
+from work import work
 
 from urdfctl.source import yaml as reader
 from urdfctl.source.kinds import Kind
@@ -144,13 +145,17 @@ def test_a_tab_that_libyaml_allows_is_no_problem(monkeypatch: pytest.MonkeyPatch
     assert read("a:\t1\t# one\nb: [1,\n\t2]\n").readable
 
 
-def test_aliases_of_aliases_cost_nothing() -> None:
+MOST_CALLS = 1_000_000
+
+
+def test_aliases_of_aliases_cost_little_work() -> None:
     levels = "".join(f"l{n}: &l{n} [{', '.join([f'*l{n - 1}'] * 10)}]\n" for n in range(1, 30))
-    began = time.perf_counter()
-    kind, *_, message = problem(f"l0: &l0 [x]\n{levels}")
+    problems: list[tuple[ProblemKind, int, int, str]] = []
+    calls = work(lambda: problems.append(problem(f"l0: &l0 [x]\n{levels}")))
+    [(kind, *_, message)] = problems
     assert kind is ProblemKind.BUDGET
     assert "200000" in message
-    assert time.perf_counter() - began < 1
+    assert calls < MOST_CALLS
 
 
 def test_aliases_cannot_nest_deeper_than_brackets() -> None:
@@ -263,7 +268,7 @@ def test_whatever_a_file_holds_places_lie_within_it_and_nothing_is_raised(text: 
 def test_every_plain_scalar_of_the_corpus_is_what_its_span_cuts_out() -> None:
     files = [path for path in sorted(CORPUS.glob("**/*.y*ml")) if path.is_file()]
     assert len(files) > 1000
-    for path in files:
+    for path in sample(files, 40):
         for document in read(path.read_bytes()).documents:
             for text, cut in texts(document):
                 if cut[:1] not in ("'", '"', "|", ">", "!", "&", "*"):

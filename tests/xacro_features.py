@@ -1,6 +1,6 @@
-"""Small documents, one for each thing that xacro can do: a name and its files, the first of which is expanded.
+"""Small documents, one for each feature of xacro: a name and its files, the first of which is expanded.
 
-A plain text stands for the body of a robot in `r.xacro`.
+A string instead of files is the body of a robot in `r.xacro`.
 """
 
 # ruff: noqa: E501 (the documents are literal)

@@ -8,23 +8,23 @@ import sys
 
 
 def main() -> None:
-    """Run a command, and turn what it raises into its exit status: 2 for the user's errors, 3 for ours."""
+    """Run a command, and exit with its status: 2 after a UserError, 3 after a crash."""
     from urdfctl.errors import UserError
 
-    _open_what_is_closed()
+    _open_closed_streams()
     try:
         status = _run(sys.argv[1:])
     except UserError as error:
-        from urdfctl.cli.writing import tell
+        from urdfctl.cli.writing import print_message
 
-        tell(str(error))
+        print_message(str(error))
         status = 2
     except BrokenPipeError:  # `urdfctl lint | head`
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         status = 1
     except KeyboardInterrupt:
         status = 130
-    except Exception:  # noqa: BLE001 (the last place where it can be told)
+    except Exception:  # noqa: BLE001 (the last place where it can be reported)
         from urdfctl.cli.crash import report_crash
 
         sys.stderr.write(report_crash())
@@ -32,15 +32,15 @@ def main() -> None:
     _leave(status)
 
 
-def _open_what_is_closed() -> None:
-    """`urdfctl lint >&-` has no standard output; what is said then is said to nobody."""
+def _open_closed_streams() -> None:
+    """Replace closed standard streams by the null device: `urdfctl lint >&-` has no standard output."""
     if sys.stdout is None or sys.stderr is None:
         nowhere = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115 (open until the end)
         sys.stdout, sys.stderr = sys.stdout or nowhere, sys.stderr or nowhere
 
 
 def _leave(status: int) -> None:
-    """Leave without taking the interpreter to pieces: that alone would cost a tenth of a run."""
+    """Exit without tearing down the interpreter, which takes a tenth of a run."""
     try:
         sys.stdout.flush()
         sys.stderr.flush()
@@ -50,15 +50,15 @@ def _leave(status: int) -> None:
 
 def _run(words: list[str]) -> int:
     if words[:1] == ["lint"]:
-        from urdfctl.cli.lint_words import plain_options
+        from urdfctl.cli.fast_path import lint_options
 
-        options = plain_options(words[1:])
+        options = lint_options(words[1:])
         if options is not None:
-            gc.disable()  # the process lives for a moment, and its workers have a limit of their own
-            from urdfctl.cli.lint_command import lint_words
+            gc.disable()  # the process is short-lived, and its workers have their own memory limit
+            from urdfctl.cli.lint_command import run_lint
 
-            return lint_words(**options)
-    if words == ["--version"]:  # what scripts ask before anything else
+            return run_lint(options)
+    if words == ["--version"]:  # a common call in scripts, without the import of typer
         from urdfctl import __version__
 
         sys.stdout.write(f"urdfctl {__version__}\n")

@@ -1,55 +1,58 @@
-"""What a rule yields, and what a user gets."""
+"""Findings, as rules yield them, and diagnostics, as reports show them."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from enum import Enum
 
-from urdfctl.record import NamedTuple
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place, SourceSpan
+from urdfctl.startup.records import NamedTuple
 
 
 class Severity(Enum):
-    """How bad a finding is."""
+    """The severity of a finding."""
 
     ERROR = "error"
     """The robot does not load, start or move."""
     WARNING = "warning"
-    """It loads and is wrong, or will break."""
+    """The robot loads but is wrong, or will break later."""
     INFO = "info"
     """Worth knowing."""
 
     @property
     def weight(self) -> int:
-        """3 for an error, 2 for a warning, 1 for information."""
+        """3 for an error, 2 for a warning, 1 for info."""
         return {"error": 3, "warning": 2, "info": 1}[self.value]
 
 
 class Edit(NamedTuple):
-    """Bytes of one source file to be replaced."""
+    """A replacement of bytes in one source file."""
 
     span: SourceSpan
     text: str
 
 
 class Fix(NamedTuple):
-    """A repair: what it does, its edits (none where only a person can make them), and whether it is surely meant."""
+    """A fix for a finding."""
 
     title: str
+    """What the fix does, in the imperative."""
     edits: tuple[Edit, ...] = ()
+    """Empty if the fix must be made by hand."""
     safe: bool = False
+    """Whether the fix is certainly what was meant."""
 
 
 class Note(NamedTuple):
-    """A further word on a finding, with a place where there is one."""
+    """Additional information about a finding, with a place if there is one."""
 
     message: str
     at: Place | None = None
 
 
 class Finding(NamedTuple):
-    """What a rule yields. `severity` is given only where it differs from the rule's own."""
+    """A fault that a rule found. `severity` is None unless it differs from the rule's own severity."""
 
     at: Place
     message: str
@@ -59,7 +62,7 @@ class Finding(NamedTuple):
 
 
 class Location(NamedTuple):
-    """A span as reports show it: lines and columns from 1, offsets in bytes from 0."""
+    """A span as reports show it. Lines and columns count from 1, offsets are in bytes and count from 0."""
 
     file: str
     line: int
@@ -71,7 +74,7 @@ class Location(NamedTuple):
 
 
 class Step(NamedTuple):
-    """One call on the way to a finding: `what` is `macro wheel`, `include x.xacro` or `block`."""
+    """One call in the chain that leads to a finding. `what` is `macro wheel`, `include x.xacro` or `block`."""
 
     file: str
     line: int
@@ -87,24 +90,24 @@ class Remark(NamedTuple):
 
 
 class Replacement(NamedTuple):
-    """An edit as reports show it: what stands at a place becomes `text`."""
+    """An edit as reports show it: the text at a place is replaced by `text`."""
 
     at: Location
     text: str
 
     @property
     def file(self) -> str:
-        """The file to be changed."""
+        """The file to change."""
         return self.at.file
 
     @property
     def start(self) -> int:
-        """The first byte that is replaced."""
+        """The offset of the first byte that is replaced."""
         return self.at.start
 
     @property
     def end(self) -> int:
-        """The byte after the last one that is replaced."""
+        """The offset after the last byte that is replaced."""
         return self.at.end
 
 
@@ -117,8 +120,11 @@ class Repair(NamedTuple):
 
 
 class Diagnostic(NamedTuple):
-    """What a user gets: plain data, free of the trees it came from. `excerpt` is the source line it starts on, or of a
-    long one the part around it; `excerpt_column` tells where that part begins."""
+    """A finding as plain data, without references to the source trees.
+
+    `excerpt` is the source line that the finding starts on, or the part of a long line around it. `excerpt_column` is
+    the column at which that part begins, from 1.
+    """
 
     code: str
     name: str
@@ -134,32 +140,34 @@ class Diagnostic(NamedTuple):
 
     @property
     def order(self) -> tuple[Location, str, str]:
-        """The key of the stable order of a report."""
+        """The sort key that gives a report its stable order."""
         return self.at, self.code, self.message
 
     @property
     def in_macro(self) -> bool:
-        """Whether it stands in what a macro's call, or an inserted block, brought in."""
+        """Whether it is in the content of a macro call or an inserted block."""
         return any(not step.what.startswith("include") for chain in self.expanded_from for step in chain)
 
 
 def diagnosed(code: str, name: str, severity: Severity, finding: Finding, url: str | None = None) -> Diagnostic:
-    """The plain data of a finding."""
+    """Return a finding as plain data."""
     fix = finding.fix
     at = located(finding.at.span)
     excerpt, excerpt_column = _excerpt(finding.at.source.line(at.line), at.column)
     return Diagnostic(
-        code,
-        name,
-        severity,
-        _told(finding.message),
-        at,
-        _chains(finding.at),
-        tuple(Remark(_told(note.message), located(note.at.span) if note.at else None) for note in finding.notes),
-        Repair(_told(fix.title), fix.safe, _replacements(fix.edits)) if fix else None,
-        excerpt,
-        url,
-        excerpt_column,
+        code=code,
+        name=name,
+        severity=severity,
+        message=_readable(finding.message),
+        at=at,
+        expanded_from=_chains(finding.at),
+        notes=tuple(
+            Remark(_readable(note.message), located(note.at.span) if note.at else None) for note in finding.notes
+        ),
+        fix=Repair(_readable(fix.title), fix.safe, _replacements(fix.edits)) if fix else None,
+        excerpt=excerpt,
+        url=url,
+        excerpt_column=excerpt_column,
     )
 
 
@@ -167,23 +175,33 @@ _MOST_EXCERPT = 400
 
 
 def _excerpt(line: str, column: int) -> tuple[str, int]:
-    """What is worth keeping of a line, and the column it begins at: a robot may stand on one line, and have a thousand
-    faults there."""
+    """The part of a line to show, and its first column, from 1.
+
+    It is limited because a robot may be written on one line and have a thousand faults there.
+    """
     if len(line) <= _MOST_EXCERPT:
         return line, 1
     start = max(0, column - 1 - _MOST_EXCERPT // 2)
     return line[start : start + _MOST_EXCERPT], start + 1
 
 
-def _told(message: str) -> str:
-    """A message as people read it: what is not known stands in it as a question mark."""
+def _readable(message: str) -> str:
+    """A message with a question mark for each unknown part."""
     return message.replace(UNKNOWN, "?")
 
 
 def located(span: SourceSpan) -> Location:
-    """A span with its lines and columns worked out."""
+    """Return the location of a span, with its lines and columns."""
     start, end = span.source.position(span.start), span.source.position(span.end)
-    return Location(span.file, start.line, start.column, end.line, end.column, span.start, span.end)
+    return Location(
+        file=span.file,
+        line=start.line,
+        column=start.column,
+        end_line=end.line,
+        end_column=end.column,
+        start=span.start,
+        end=span.end,
+    )
 
 
 def _chains(place: Place) -> tuple[tuple[Step, ...], ...]:

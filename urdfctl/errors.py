@@ -1,7 +1,7 @@
-"""The one kind of error that is the user's to mend on the command line or in the configuration."""
+"""The error for an invalid command or configuration."""
 
 from __future__ import annotations
 
 
 class UserError(Exception):
-    """The command or the configuration is wrong: told in one line, exit status 2."""
+    """The command or the configuration is invalid. Printed as one line; the exit status is 2."""

@@ -1,4 +1,4 @@
-"""A rule: one function that looks at a project, with all that is to be known of it in decorator and docstring."""
+"""A rule: one function that checks a project. Its decorator and docstring hold everything else about it."""
 
 from __future__ import annotations
 
@@ -8,19 +8,20 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from urdfctl.catalog.distros import ALL
 from urdfctl.diagnostic import Edit, Finding, Fix, Note, Severity
 from urdfctl.model.project import Project
-from urdfctl.record import NamedTuple
+from urdfctl.model.stage import Stage, StageDependsOn
+from urdfctl.startup.records import NamedTuple
 
 Check = Callable[[Project], Iterator[Finding]]
 Example = Mapping[str, str]
 
 
 class Rule(NamedTuple):
-    """A rule as the engine, `urdfctl rules` and `urdfctl explain` see it.
+    """A rule as the engine, `urdfctl rules` and `urdfctl explain` use it.
 
-    In the texts of `bad_as_written` the place of the expected finding stands between « and ». `options` are those of
-    the command line that the examples are linted with. A rule with `whole_robot` is silent where a part of the robot
-    could not be expanded; one that is not `in_library` where conditions are not decided, and alternatives stand side by
-    side.
+    In the texts of `bad_as_written`, « and » mark the place of the expected finding. `options` are the command-line
+    options that the examples are linted with. A rule with `whole_robot` does not run if a part of the robot could not
+    be expanded. A rule without `in_library` does not run on a macro library, where both branches of a condition are
+    kept.
     """
 
     code: str
@@ -33,20 +34,26 @@ class Rule(NamedTuple):
     whole_robot: bool = False
     in_library: bool = True
     options: tuple[str, ...] = ()
+    stage: Stage | StageDependsOn | None = None
+    """The stage that a robot or controller with an error of this rule does not pass. None: that of its family."""
+    message: str = ""
+    """The message of a smoke rule, with named fields for `str.format`. Empty for a rule of lint."""
+    explains: tuple[Rule, ...] = ()
+    """The smoke rules whose findings about the same controller this one explains, so that they are left out."""
 
     @property
     def name(self) -> str:
-        """What the fault is called: the function's name, with hyphens."""
+        """The name of the fault: the function's name, with hyphens."""
         return self.check.__name__.replace("_", "-")
 
     @property
     def of_smoke(self) -> bool:
-        """Whether it is the smoke test that tells it, and not reading."""
+        """Whether the smoke test reports it, not lint."""
         return self.code.startswith("UC9")
 
     @property
     def summary(self) -> str:
-        """The docstring's first paragraph."""
+        """The first paragraph of the docstring."""
         return self._paragraphs[0]
 
     @property
@@ -56,7 +63,7 @@ class Rule(NamedTuple):
 
     @property
     def authority(self) -> str:
-        """The upstream line or document that makes the rule true."""
+        """The upstream line or document that the rule is based on."""
         return _one_line(self.authority_as_written)
 
     @property
@@ -66,7 +73,7 @@ class Rule(NamedTuple):
 
     @property
     def good(self) -> dict[str, str]:
-        """The files of the sound example, by name."""
+        """The files of the correct example, by name."""
         return {name: _file(content) for name, content in self.good_as_written.items()}
 
     @property
@@ -74,7 +81,7 @@ class Rule(NamedTuple):
         return [_one_line(part) for part in cleandoc(self.check.__doc__ or "").split("\n\n")]
 
 
-def rule(  # noqa: PLR0913 (each is a thing to be known of a rule)
+def rule(  # noqa: PLR0913 (a rule has this many attributes)
     code: str,
     *,
     severity: Severity,
@@ -85,12 +92,27 @@ def rule(  # noqa: PLR0913 (each is a thing to be known of a rule)
     whole_robot: bool = False,
     in_library: bool = True,
     options: Iterable[str] = (),
+    stage: Stage | StageDependsOn | None = None,
+    message: str = "",
+    explains: tuple[Rule, ...] = (),
 ) -> Callable[[Check], Rule]:
-    """Make a rule of a function: its name is the function's, its summary and reason are the docstring's."""
+    """Make a function a rule. Its name is the function's name; its summary and reason come from the docstring."""
 
     def made(check: Check) -> Rule:
         return Rule(
-            code, check, severity, authority, bad, good, tuple(distros), whole_robot, in_library, tuple(options)
+            code=code,
+            check=check,
+            severity=severity,
+            authority_as_written=authority,
+            bad_as_written=bad,
+            good_as_written=good,
+            distros=tuple(distros),
+            whole_robot=whole_robot,
+            in_library=in_library,
+            options=tuple(options),
+            stage=stage,
+            message=message,
+            explains=explains,
         )
 
     return made
@@ -101,17 +123,17 @@ def _one_line(text: str) -> str:
 
 
 def _file(content: str) -> str:
-    """An example's file: tabs in it are kept."""
+    """The text of an example's file, dedented. Tabs are kept."""
     from textwrap import dedent
 
     return dedent(content).strip("\n").rstrip() + "\n"
 
 
 def cleandoc(text: str) -> str:
-    """inspect.cleandoc, imported when somebody reads: lint never does."""
+    """Return inspect.cleandoc(text). The import happens on the first call, because lint never needs it."""
     import inspect
 
     return inspect.cleandoc(text)
 
 
-__all__ = ["Edit", "Finding", "Fix", "Note", "Project", "Rule", "Severity", "rule"]
+__all__ = ["Edit", "Finding", "Fix", "Note", "Project", "Rule", "Severity", "Stage", "StageDependsOn", "rule"]

@@ -28,7 +28,7 @@ from seeds import Tree, trees
 import urdfctl.__main__ as urdfctl
 
 DEADLINE = 60.0
-_FAULT = re.compile(r"fault of urdfctl|urdfctl crashed|Traceback|gave no result|Warning:|Exception ignored")
+_FAULT = re.compile(r"bug in urdfctl|urdfctl crashed|Traceback|gave no result|Warning:|Exception ignored")
 _ADDRESS = re.compile(r"0x[0-9a-f]+|'[^']*'|\"[^\"]*\"|\d+")
 
 

@@ -27,20 +27,23 @@ from mutations import mutated
 from seeds import CHECKOUT, OTHER_TEXTS, trees
 
 with atheris.instrument_imports(include=["urdfctl", "xacro"]):
-    import urdfctl.launching
-    import urdfctl.pairing  # noqa: F401 (what is imported later is not instrumented)
-    from urdfctl.config import Config, config_of
+    import urdfctl.load.controller_files  # noqa: F401 (what is imported later is not instrumented)
+    from urdfctl.config.file import Config, config_of
+    from urdfctl.config.settings import Settings
     from urdfctl.errors import UserError
-    from urdfctl.expand import perform as expand
-    from urdfctl.lint import Selection, joined
-    from urdfctl.load import Loader, Target
+    from urdfctl.expand.job import expand_work
+    from urdfctl.lint.job import job_for, perform_alone
+    from urdfctl.lint.merging import merge
+    from urdfctl.lint.selection import Selection
+    from urdfctl.lint.target import lint_target
+    from urdfctl.load.loader import Loader
+    from urdfctl.load.target import Target
     from urdfctl.logs.digest import digest
     from urdfctl.logs.reading import Lines
     from urdfctl.report.common import Report
     from urdfctl.report.log_text import render_log
     from urdfctl.report.sarif import render
     from urdfctl.rules import all_rules
-    from urdfctl.settings import Settings
     from urdfctl.source.budget import OverBudget
     from urdfctl.source.problem import ReadError
 
@@ -61,14 +64,14 @@ PACKAGE = {
 
 def lint(settings: Settings, **files: Any) -> None:
     """Lint a robot with what belongs to it, and report it."""
-    outcome = Loader(settings, Selection()).lint(Target("urdf/arm.xacro", **files)).outcome
+    outcome = lint_target(Loader(settings), Target("urdf/arm.xacro", **files), Selection()).result.outcome
     if outcome.crashed:
         raise RuntimeError(next(one.message for one in outcome.diagnostics if one.code == "UC000"))
-    render(Report((), tuple(joined([outcome], Selection()))))
+    render(Report((), tuple(merge([outcome], Selection()))))
 
 
 def read_xacro(settings: Settings) -> None:
-    expand({"path": "urdf/arm.xacro", "arguments": {}, "settings": settings.to_json()})
+    perform_alone(job_for(expand_work, Target("urdf/arm.xacro"), settings))
     lint(settings)
 
 

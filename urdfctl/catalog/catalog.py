@@ -1,4 +1,4 @@
-"""The catalogue: what the world offers of controllers, hardware and simulators, by distro, with what the user adds."""
+"""The catalogue: controllers, hardware, simulators and transmissions by distro, plus the user's additions."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from urdfctl.catalog.distros import ALL, generation
 from urdfctl.catalog.entries import NOTHING, ControllerType, Parameter, Replacement
 from urdfctl.catalog.reading import controller_type, distros_of, extension, in_distro, read_parameters, replacement_of
 from urdfctl.catalog.store import plain, renamed
-from urdfctl.hints import TYPE_CHECKING, Any
+from urdfctl.startup.hints import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from urdfctl.catalog.hardware import HardwareInterface, HardwareType, SimulatorPlugin, TransmissionType
@@ -19,62 +19,62 @@ Plain = Mapping[str, Any]
 
 
 class Catalog:
-    """Asked for something of a distro that it does not know, it answers None, or an empty mapping."""
+    """Looks up catalogue entries by name and distro. Lookups of unknown entries return None or an empty mapping."""
 
     def __init__(
         self, controllers: Mapping[str, Plain] | None = None, hardware: Mapping[str, Plain] | None = None
     ) -> None:
         self._controllers = dict(controllers or {})
         self._hardware = dict(hardware or {})
-        self._made: dict[tuple[str, str], ControllerType | None] = {}
-        self._made_hardware: dict[tuple[str, str], HardwareType | None] = {}
+        self._controller_types: dict[tuple[str, str], ControllerType | None] = {}
+        self._hardware_types: dict[tuple[str, str], HardwareType | None] = {}
         self._hardware_of: dict[str, tuple[str, ...]] = {}
 
     # -- controllers -------------------------------------------------------------------------------------------------
 
     def controller(self, name: str, distro: str) -> ControllerType | None:
-        """A type of controller as a distro has it; None where it has it not."""
-        if (name, distro) not in self._made:
-            self._made[name, distro] = self._controller_type(name, distro)
-        return self._made[name, distro]
+        """Return the controller type `name` in a distro; None if the distro does not have it."""
+        if (name, distro) not in self._controller_types:
+            self._controller_types[name, distro] = self._controller_type(name, distro)
+        return self._controller_types[name, distro]
 
     def known_types(self, distro: str) -> tuple[str, ...]:
-        """The types of controllers that a distro has."""
+        """Return the names of the controller types in a distro."""
         ros = generation(distro)
         return tuple(name for name, entry in self._controller_entries(ros) if distro in distros_of(entry, ros))
 
     def distros_of(self, name: str) -> tuple[str, ...]:
-        """The distros of both generations that have a type of controller; none where it is not known at all."""
+        """Return the distros of both ROS generations that have a controller type; none if the type is unknown."""
         entries = ((ros, self._controller_entry(name, ros)) for ros in (1, 2))
         return tuple(distro for ros, entry in entries if entry for distro in distros_of(entry, ros))
 
     def replacement(self, name: str, distro: str) -> Replacement | None:
-        """What takes the place of a type in a distro: of one removed or deprecated, or of the other generation's.
+        """Return the replacement for a controller type that is removed, deprecated, or from the other ROS generation.
 
-        None also where what would take its place is not in that distro.
+        None if there is no replacement, or the distro does not have it.
         """
         ros = generation(distro)
         entry = self._controller_entry(name, ros)
-        found = replacement_of(entry) if entry else None
-        if found is None and (entry is None or distro not in distros_of(entry, ros)):
-            other = renamed()[f"to_ros{ros}"].get(name)
-            found = replacement_of({"replacement": other}) if other else None
-        return found if found and self.controller(found.type, distro) else None
+        replacement = replacement_of(entry) if entry else None
+        if replacement is None and (entry is None or distro not in distros_of(entry, ros)):
+            counterpart = renamed()[f"to_ros{ros}"].get(name)
+            replacement = replacement_of({"replacement": counterpart}) if counterpart else None
+        return replacement if replacement and self.controller(replacement.type, distro) else None
 
     # -- hardware, simulators, transmissions --------------------------------------------------------------------------
 
     def hardware(self, name: str, distro: str) -> HardwareType | None:
-        """A hardware plugin as a distro has it; None where it has it not."""
-        if (name, distro) not in self._made_hardware:
+        """Return the hardware plugin `name` in a distro; None if the distro does not have it."""
+        if (name, distro) not in self._hardware_types:
             from urdfctl.catalog.hardware import hardware_type
 
             ros = generation(distro)
             own = in_distro({**plain(ros, "hardware"), **self._hardware}.get(name, {"distros": "rolling"}), distro)
-            self._made_hardware[name, distro] = hardware_type(own, distro) if own and "type" in own else None
-        return self._made_hardware[name, distro]
+            self._hardware_types[name, distro] = hardware_type(own, distro) if own and "type" in own else None
+        return self._hardware_types[name, distro]
 
     def known_hardware(self, distro: str) -> tuple[str, ...]:
-        """The hardware plugins that a distro has."""
+        """Return the names of the hardware plugins in a distro."""
         if distro not in self._hardware_of:
             ros = generation(distro)
             entries = {**plain(ros, "hardware"), **self._hardware}
@@ -82,30 +82,32 @@ class Catalog:
         return self._hardware_of[distro]
 
     def hardware_replacement(self, name: str, distro: str) -> str | None:
-        """The hardware plugin that takes the place of one in a distro."""
+        """Return the name of the hardware plugin that replaces `name`; None if the distro does not have it."""
         entry = plain(generation(distro), "hardware").get(name)
-        found = replacement_of(entry) if entry else None
-        return found.type if found and found.type in self.known_hardware(distro) else None
+        replacement = replacement_of(entry) if entry else None
+        return replacement.type if replacement and replacement.type in self.known_hardware(distro) else None
 
     def simulator_plugins(self, distro: str) -> tuple[SimulatorPlugin, ...]:
-        """The simulator plugins that robots of a distro may load."""
+        """Return the simulator plugins that robots can load in a distro."""
         return _simulator_plugins(distro)
 
     def simulator_plugin(self, filename: str, distro: str) -> SimulatorPlugin | None:
-        """The simulator plugin of a library, by its file name with or without `lib` and `.so`, as a distro has it; None
-        where it has it not."""
+        """Return the simulator plugin of a library in a distro; None if the distro does not have it.
+
+        filename: name of the library file, with or without `lib` and `.so`.
+        """
         from urdfctl.catalog.hardware import library_of
 
         return _simulator_plugin(library_of(filename), distro)
 
     def distros_of_library(self, filename: str) -> tuple[str, ...]:
-        """The distros of both generations that have a simulator plugin; none where it is not known at all."""
+        """Return the distros of both ROS generations that have a simulator plugin; none if the library is unknown."""
         from urdfctl.catalog.hardware import library_of
 
         return _distros_of_library(library_of(filename))
 
     def transmission(self, name: str, distro: str) -> TransmissionType | None:
-        """A type of transmission as a distro has it; None where it has it not."""
+        """Return the transmission type `name` in a distro; None if the distro does not have it."""
         from urdfctl.catalog.hardware import transmission_type
 
         entry = plain(generation(distro), "transmissions").get(name)
@@ -113,50 +115,51 @@ class Catalog:
         return transmission_type(own, distro) if own else None
 
     def known_transmissions(self, distro: str) -> tuple[str, ...]:
-        """The types of transmissions that a distro has."""
+        """Return the names of the transmission types in a distro."""
         ros = generation(distro)
         return tuple(name for name, entry in plain(ros, "transmissions").items() if distro in distros_of(entry, ros))
 
     def hardware_interfaces(self, distro: str) -> Mapping[str, HardwareInterface]:
-        """The hardware interfaces of ROS 1 that a distro has, by name; none in ROS 2."""
+        """Return the ROS 1 hardware interfaces in a distro, by name; none for ROS 2."""
         from urdfctl.catalog.hardware import hardware_interface
 
         if generation(distro) != 1:
             return {}
-        found = {name: in_distro(entry, distro) for name, entry in plain(1, "interfaces").items()}
-        return {name: hardware_interface(own) for name, own in found.items() if own}
+        entries = {name: in_distro(entry, distro) for name, entry in plain(1, "interfaces").items()}
+        return {name: hardware_interface(own) for name, own in entries.items() if own}
 
     # -- the controller manager ---------------------------------------------------------------------------------------
 
     def manager_parameters(self, distro: str) -> Mapping[str, Parameter]:
-        """The parameters of the controller manager's own node, without those of its controllers."""
+        """Return the parameters of the controller manager's own node, without those of its controllers."""
         return _manager(distro, "manager")
 
     def controller_keys(self, distro: str) -> Mapping[str, Parameter]:
-        """What the controller manager reads of each controller, below the controller's name: its type, and more."""
+        """Return the parameters that the controller manager reads below each controller's name, such as `type`."""
         return _manager(distro, "controller")
 
     def common_parameters(self, distro: str) -> Mapping[str, Parameter]:
-        """The parameters that every controller's node has beside its own."""
+        """Return the parameters that the node of every controller has."""
         return _manager(distro, "every_controller")
 
     def filters(self, distro: str) -> Mapping[str, Mapping[str, Parameter]]:
-        """The parameters of the filters that a chain may hold, by the filter's type."""
-        found = {f["type"]: in_distro(f, distro) for f in plain(generation(distro), "manager").get("filters", ())}
-        return {name: read_parameters(own["parameters"], distro) for name, own in found.items() if own}
+        """Return the parameters of the filters that a filter chain can contain, by filter type."""
+        filters = plain(generation(distro), "manager").get("filters", ())
+        entries = {entry["type"]: in_distro(entry, distro) for entry in filters}
+        return {name: read_parameters(own["parameters"], distro) for name, own in entries.items() if own}
 
     def standard_interfaces(self, distro: str) -> tuple[str, ...]:
-        """The names of interfaces that have a meaning of their own: position, velocity, ...; ROS 2."""
+        """Return the names of the standard interfaces: position, velocity, ...; none for ROS 1."""
         return tuple(_interfaces(distro).get("standard", ()))
 
     def sensor_interfaces(self, distro: str) -> Mapping[str, tuple[str, ...]]:
-        """The interfaces of a sensor of a kind (imu, force_torque, ...); ROS 2."""
+        """Return the interfaces of each kind of sensor (imu, force_torque, ...); none for ROS 1."""
         return {kind: tuple(names) for kind, names in _interfaces(distro).get("sensors", {}).items()}
 
-    # -- the user's ---------------------------------------------------------------------------------------------------
+    # -- the user's additions -----------------------------------------------------------------------------------------
 
     def extended(self, additions: Additions) -> Catalog:
-        """A catalogue with further entries, which go over those of the same type."""
+        """Return a catalogue with these additions, which replace existing entries of the same type."""
         return Catalog(
             {**self._controllers, **{entry["type"]: entry for entry in additions.controllers}},
             {**self._hardware, **{entry["type"]: entry for entry in additions.hardware}},
@@ -167,8 +170,8 @@ class Catalog:
         if entry is None:
             return None
         earlier = entry.get("same_as", NOTHING).get(distro)
-        made = self.controller(name, earlier) if earlier else controller_type(entry, distro)
-        return made._replace(distro=distro) if made and earlier else made
+        controller = self.controller(name, earlier) if earlier else controller_type(entry, distro)
+        return controller._replace(distro=distro) if controller and earlier else controller
 
     def _controller_entries(self, ros: int) -> Iterator[tuple[str, Plain]]:
         for name in {**plain(ros, "controllers"), **self._controllers}:
@@ -177,9 +180,10 @@ class Catalog:
                 yield name, entry
 
     def _controller_entry(self, name: str, ros: int, above: tuple[str, ...] = ()) -> Plain | None:
-        """The entry of a type, with what it extends: another type's, or the catalogue's own of the same name.
+        """The entry of a type, merged with the entry it extends: another type, or the catalogue's type of that name.
 
-        None where that is not known, or leads back to one of those `above`.
+        above: the types that extend this one, from the innermost on.
+        None if the extended type is unknown, or is one of those `above`.
         """
         own = self._controllers.get(name)
         if own is None:
@@ -197,13 +201,14 @@ class Catalog:
 
 
 CATALOG = Catalog()
-"""The catalogue without anything of the user's."""
+"""The catalogue without the user's additions."""
 
 _LAST: list[tuple[Additions, Catalog]] = [(NO_ADDITIONS, CATALOG)]
+"""The additions and the catalogue of the last call of `catalog_with`."""
 
 
 def catalog_with(additions: Additions) -> Catalog:
-    """The catalogue with the user's entries: the same one as the last time, where they are the same."""
+    """Return the catalogue with the user's additions. Repeated calls with one object return the same catalogue."""
     if not any(additions):
         return CATALOG
     if _LAST[0][0] is not additions:
@@ -215,8 +220,8 @@ def catalog_with(additions: Additions) -> Catalog:
 def _simulator_plugins(distro: str) -> tuple[SimulatorPlugin, ...]:
     from urdfctl.catalog.hardware import simulator_plugin
 
-    found = (in_distro(entry, distro) for entry in plain(generation(distro), "simulators").values())
-    return tuple(simulator_plugin(own, distro) for own in found if own is not None)
+    entries = (in_distro(entry, distro) for entry in plain(generation(distro), "simulators").values())
+    return tuple(simulator_plugin(own, distro) for own in entries if own is not None)
 
 
 @cache
@@ -238,8 +243,8 @@ def _by_library(ros: int) -> Mapping[str, Plain]:
 
 @cache
 def _distros_of_library(library: str) -> tuple[str, ...]:
-    found = ((distro, _by_library(generation(distro)).get(library)) for distro in ALL)
-    return tuple(distro for distro, entry in found if entry and distro in distros_of(entry, generation(distro)))
+    entries = ((distro, _by_library(generation(distro)).get(library)) for distro in ALL)
+    return tuple(distro for distro, entry in entries if entry and distro in distros_of(entry, generation(distro)))
 
 
 @cache

@@ -1,7 +1,7 @@
-"""Makes the JSON that the program reads of the YAML that people edit: `python -m urdfctl.catalog.compiled`.
+"""Compile the YAML files that people edit to the JSON that the program reads: `python -m urdfctl.catalog.compiled`.
 
-YAML of this size takes a fifth of a second to read, its JSON some milliseconds. What only people read (messages, notes,
-provenance) is left out; what an entry shares with others (`extends`, `groups`) is put into it.
+Reading the YAML takes a fifth of a second, reading the JSON a few milliseconds. Content that only people read
+(messages, notes, provenance) is left out. Shared content (`extends`, `groups`) is copied into each entry.
 """
 
 from __future__ import annotations
@@ -13,24 +13,27 @@ from pathlib import Path
 from urdfctl.catalog.distros import ROS1, ROS2
 from urdfctl.catalog.entries import ControllerType
 from urdfctl.catalog.reading import controller_type, extension
-from urdfctl.hints import Any
+from urdfctl.startup.hints import Any
 
 DATA = Path(__file__).parent / "data"
 KINDS = ("controllers", "hardware", "simulators", "transmissions", "interfaces", "manager")
-_FOR_PEOPLE = {
+_ONLY_FOR_PEOPLE = {
     "messages", "message", "notes", "topics", "unit", "default_from", "wrong_type", "vendor", "releases", "since_of",
     "built_from_source", "deprecated_since", "removed_since", "chainable_since", "distros_of_branches", "order",
     "fields", "distros_not_read", "read_by", "purpose",
 }  # fmt: skip
+"""Keys that are left out of the JSON."""
 _BY_NAME = {
     "parameters", "removed_parameters", "children", "hardware_parameters", "joint_parameters", "sensor_parameters",
     "joint_children", "actuator_children", "manager", "controller", "every_controller", "joint_limits",
 }  # fmt: skip
+"""Keys whose value is a map from names of parameters or the like; a name is kept even if it is in the list above."""
 _KEY = {"controllers": "type", "hardware": "type", "simulators": "id", "transmissions": "type", "filters": "type"}
+"""The field that identifies an entry of each kind."""
 
 
 def files() -> Iterator[tuple[Path, str]]:
-    """Each JSON file, with the text that it ought to hold."""
+    """Yield the path of each JSON file with its expected content."""
     for ros in (1, 2):
         folder = DATA / f"ros{ros}"
         for kind in KINDS:
@@ -40,45 +43,46 @@ def files() -> Iterator[tuple[Path, str]]:
 
 
 def sources() -> list[Path]:
-    """The YAML files that people edit."""
+    """Return the YAML files that people edit."""
     return sorted(DATA.rglob("*.yaml"))
 
 
 def _collected(folder: Path, kind: str) -> dict[str, Any]:
-    """All entries of a kind by their key."""
-    one = folder / f"{kind}.yaml"
-    paths = sorted((folder / kind).glob("*.yaml")) if (folder / kind).is_dir() else [one] if one.exists() else []
-    read = [_yaml(path) for path in paths]
-    if kind not in _KEY and kind == "interfaces" and isinstance(read[0], list):
-        return {entry["name"]: _for_program(entry) for entry in read[0]}
+    """All entries of one kind, by key."""
+    file = folder / f"{kind}.yaml"
+    paths = sorted((folder / kind).glob("*.yaml")) if (folder / kind).is_dir() else [file] if file.exists() else []
+    contents = [_yaml(path) for path in paths]
+    if kind not in _KEY and kind == "interfaces" and isinstance(contents[0], list):
+        return {entry["name"]: _for_program(entry) for entry in contents[0]}
     if kind not in _KEY:
-        return _for_program(read[0])  # type: ignore[no-any-return]
-    entries = {entry[_KEY[kind]]: entry for file in read for entry in file}
+        return _for_program(contents[0])  # type: ignore[no-any-return]
+    entries = {entry[_KEY[kind]]: entry for content in contents for entry in content}
     if kind == "controllers":
         groups = _yaml(folder / "groups.yaml") if (folder / "groups.yaml").exists() else {}
-        entries = {key: _whole(entry, entries, groups) for key, entry in entries.items() if not entry.get("base")}
-    made = {key: _for_program(entry) for key, entry in sorted(entries.items())}
+        entries = {key: _merged(entry, entries, groups) for key, entry in entries.items() if not entry.get("base")}
+    compiled = {key: _for_program(entry) for key, entry in sorted(entries.items())}
     distros = ROS1 if folder.name == "ros1" else ROS2
-    return {key: _with_likes(entry, distros) for key, entry in made.items()} if kind == "controllers" else made
+    return (
+        {key: _with_same_as(entry, distros) for key, entry in compiled.items()} if kind == "controllers" else compiled
+    )
 
 
-def _with_likes(entry: dict[str, Any], distros: tuple[str, ...]) -> dict[str, Any]:
-    """An entry of a controller with the distros that have it just as an earlier one does, which `same_as` tells."""
-    first: list[ControllerType] = []
+def _with_same_as(entry: dict[str, Any], distros: tuple[str, ...]) -> dict[str, Any]:
+    """A controller's entry with `same_as`: for each distro, the earlier distro in which the type is identical."""
+    distinct: list[ControllerType] = []
     same: dict[str, str] = {}
     for distro in distros:
-        made = controller_type(entry, distro)
-        earlier = next((one for one in first if made == one._replace(distro=distro)), None)
+        controller = controller_type(entry, distro)
+        earlier = next((known for known in distinct if controller == known._replace(distro=distro)), None)
         if earlier is not None:
             same[distro] = earlier.distro
-        elif made is not None:
-            first.append(made)
+        elif controller is not None:
+            distinct.append(controller)
     return {**entry, "same_as": same} if same else entry
 
 
 def _log_messages() -> Iterator[tuple[str, dict[str, Any]]]:
-    """The entries of the messages by their ids, with what their group says of all its own; the rules of a cause stand
-    behind its text."""
+    """The log messages by id, each merged with the settings of its group; a cause is its text followed by its rules."""
     for path in sorted((DATA / "log_messages").glob("*.yaml")):
         for group in _yaml(path):
             shared = {key: value for key, value in group.items() if key != "entries"}
@@ -89,15 +93,15 @@ def _log_messages() -> Iterator[tuple[str, dict[str, Any]]]:
 
 
 def _cause(cause: str | dict[str, str]) -> list[str]:
-    """A cause and the codes of the rules that find it: `UC201, UC223: text`, or the text alone."""
+    """The text of a cause and the codes of the rules that find it, from `UC201, UC223: text` or the text alone."""
     if isinstance(cause, str):
         return [cause]
     ((codes, text),) = cause.items()
     return [text, *codes.split(", ")]
 
 
-def _whole(entry: dict[str, Any], entries: dict[str, Any], groups: dict[str, Any]) -> dict[str, Any]:
-    """An entry with the parameters of its groups, and with what it extends."""
+def _merged(entry: dict[str, Any], entries: dict[str, Any], groups: dict[str, Any]) -> dict[str, Any]:
+    """An entry merged with the parameters of its groups and with the entry that it extends."""
     own = dict(entry)
     grouped = {
         f"{prefix}.{name}" if prefix else name: parameter
@@ -107,24 +111,24 @@ def _whole(entry: dict[str, Any], entries: dict[str, Any], groups: dict[str, Any
     if grouped:
         own["parameters"] = {**grouped, **own.get("parameters", {})}
     extended = own.pop("extends", None)
-    return extension(_whole(entries[extended], entries, groups), own) if extended else own
+    return extension(_merged(entries[extended], entries, groups), own) if extended else own
 
 
 def _for_program(plain: Any) -> Any:
     if isinstance(plain, dict):
-        return {key: _part(key, value) for key, value in plain.items() if key not in _FOR_PEOPLE}
-    return [_for_program(part) for part in plain] if isinstance(plain, list) else plain
+        return {key: _part(key, value) for key, value in plain.items() if key not in _ONLY_FOR_PEOPLE}
+    return [_for_program(item) for item in plain] if isinstance(plain, list) else plain
 
 
 def _part(key: str, value: Any) -> Any:
-    """A value of an entry; where its keys are names and no words of ours, they all stay."""
+    """The value of a key; if the keys of the value are names from ROS, all of them are kept."""
     if key in _BY_NAME and isinstance(value, dict):
-        return {name: _for_program(named) for name, named in value.items()}
+        return {name: _for_program(item) for name, item in value.items()}
     return _for_program(value)
 
 
 def _json(entries: dict[str, Any]) -> str:
-    """One line an entry, so that a change of one shows as one."""
+    """JSON with one line per entry, so that a changed entry is one changed line."""
     lines = (f"{json.dumps(key)}:{json.dumps(value, separators=(',', ':'))}" for key, value in entries.items())
     return "{\n" + ",\n".join(lines) + "\n}\n"
 
@@ -136,7 +140,7 @@ def _yaml(path: Path) -> Any:
 
 
 def main() -> None:
-    """Write the files that are not what they ought to be."""
+    """Write the JSON files that are not up to date."""
     for path, text in files():
         if not path.exists() or path.read_text(encoding="utf-8") != text:
             path.write_text(text, encoding="utf-8")

@@ -1,4 +1,4 @@
-"""What the catalogue tells of controllers and their parameters, for one distro."""
+"""The catalogue's data on controllers and their parameters, for one distro."""
 
 from __future__ import annotations
 
@@ -6,19 +6,28 @@ from collections.abc import Mapping
 from functools import lru_cache
 from types import MappingProxyType
 
-from urdfctl.record import NamedTuple
+from urdfctl.startup.records import NamedTuple
 
 NOTHING: Mapping[str, object] = MappingProxyType({})
 
 
 class Parameter(NamedTuple):
-    """A parameter. In its dotted `name`, `<joints>` stands for each element of the parameter `joints`.
+    """A parameter of a controller or of the controller manager.
 
-    `type` is one of ros2_control's (`double`, `string_array`), or several between bars; `none` is a subtree of free
-    form. A `default` of None is no default. Values that break the `validators` are refused, those that break what is
-    `useful` are taken and do nothing. `floats_only`: integers among its numbers are refused. `if_absent`: a controller
-    that runs without it will `crash`, or `idle`. `since` is the first release of the distro that reads it. One that is
-    `ignored` is documented, and read by nobody.
+    name: dotted name, in which `<joints>` is a placeholder for each element of the parameter `joints`.
+    type: a type of ros2_control (`double`, `string_array`), or several separated by bars; `none` is a subtree of any
+        form.
+    required: the controller refuses to load without it.
+    default: default value; None if there is none.
+    validators: checks that the controller makes; it refuses values that fail one.
+    useful: checks that the controller does not make; values that fail one have no effect.
+    floats_only: integers are refused.
+    if_absent: what a controller does that runs without the parameter: `crash` or `idle`.
+    deprecated: the distro still reads it, but upstream wants it gone.
+    replacement: the parameter to use instead.
+    note: further advice for the message of a finding.
+    since: first release of the distro that reads it; None for all releases.
+    ignored: documented upstream, but never read.
     """
 
     name: str
@@ -37,12 +46,12 @@ class Parameter(NamedTuple):
 
     @property
     def types(self) -> tuple[str, ...]:
-        """The types that a value may have."""
+        """The allowed types of a value."""
         return _types(self.type)
 
     @property
     def needed(self) -> bool:
-        """Whether leaving it out is refused: there is no default, or one that its own validators refuse."""
+        """Whether the controller refuses to load without it: it is required, or its default fails its validators."""
         if self.required or self.default is None or not self.validators:
             return self.required
         from urdfctl.catalog.validators import problem
@@ -51,7 +60,7 @@ class Parameter(NamedTuple):
 
     @property
     def is_map(self) -> bool:
-        """Whether it stands for one parameter for each element of another."""
+        """Whether the name has a placeholder for each element of another parameter."""
         return "<" in self.name
 
 
@@ -61,7 +70,13 @@ def _types(text: str) -> tuple[str, ...]:
 
 
 class FormerParameter(NamedTuple):
-    """A parameter that a controller does not read in a distro, but in others or in earlier releases of it."""
+    """A parameter that a controller does not read in this distro, but in other distros or in earlier releases.
+
+    distros: the other distros that read it.
+    last_version: the last release of this distro that read it; None if none did.
+    replacement: the parameter to use instead.
+    note: further advice for the message of a finding.
+    """
 
     name: str
     distros: tuple[str, ...] = ()
@@ -71,7 +86,12 @@ class FormerParameter(NamedTuple):
 
 
 class Condition(NamedTuple):
-    """Holds where a parameter is set or not (`is_set`), or else where it has the value `value`."""
+    """A condition on one parameter.
+
+    param: name of the parameter.
+    is_set: True or False: the condition holds if the parameter is set or not set; None: `value` decides.
+    value: the condition holds if the parameter has this value.
+    """
 
     param: str
     is_set: bool | None = None
@@ -79,7 +99,7 @@ class Condition(NamedTuple):
 
 
 class ClaimRule(NamedTuple):
-    """Yields names of interfaces; the grammar is told in data/README.md."""
+    """A rule that yields names of interfaces; data/README.md documents the fields."""
 
     for_each: str | None = None
     or_else: str | None = None
@@ -99,21 +119,33 @@ class ClaimRule(NamedTuple):
 
 
 class ClaimRules(NamedTuple):
-    """What a controller claims: commands (in ROS 1: exclusively), and states that it shares."""
+    """The interfaces that a controller claims.
+
+    command: command interfaces; in ROS 1, claimed exclusively.
+    state: state interfaces, which it shares with other controllers.
+    """
 
     command: tuple[ClaimRule, ...] = ()
     state: tuple[ClaimRule, ...] = ()
 
 
 class ExportRules(NamedTuple):
-    """What a chainable controller offers to those before it."""
+    """The interfaces that a chainable controller exports to preceding controllers."""
 
     reference: tuple[ClaimRule, ...] = ()
     state: tuple[ClaimRule, ...] = ()
 
 
 class ParameterRule(NamedTuple):
-    """A rule that joins several parameters; `details` are those of its `kind`, told in data/README.md."""
+    """A constraint between several parameters.
+
+    kind: the kind of constraint; data/README.md documents the kinds.
+    params: the parameters that it concerns.
+    severity: severity of a finding.
+    when: conditions that must all hold for the constraint to apply.
+    when_any: conditions of which at least one must hold, if there are any.
+    details: further fields, which depend on the kind.
+    """
 
     id: str
     kind: str
@@ -125,7 +157,12 @@ class ParameterRule(NamedTuple):
 
 
 class Replacement(NamedTuple):
-    """What takes the place of a type, with the parameters to set."""
+    """The replacement for a type.
+
+    type: the type to use instead.
+    parameters: parameters to set with it.
+    note: further advice for the message of a finding.
+    """
 
     type: str
     parameters: Mapping[str, object] = NOTHING
@@ -133,11 +170,22 @@ class Replacement(NamedTuple):
 
 
 class ControllerType(NamedTuple):
-    """A type of controller as one distro has it.
+    """A controller type in one distro.
 
-    `claims` is None where the catalogue does not know them. `parameters` are by name, in the order of their source;
-    `former` are those that only other distros or releases read. Of an `external` one, of another package than
-    ros_control's and ros2_control's own, the distros are not sure. `ignored` parameters look right and do nothing.
+    parameters: the parameters by name, in the order of the upstream source.
+    former: parameters that only other distros or earlier releases read.
+    claims: None if unknown.
+    exports: the interfaces that it exports as a chainable controller.
+    rules: constraints between its parameters.
+    external: the package is not part of ros_control or ros2_control, so the list of distros may be incomplete.
+    since: first release of the distro that has the type; None for all releases.
+    hardware_interfaces: ROS 1: the hardware interfaces that it uses.
+    joint_parameters: the parameters that name joints.
+    ignored: parameters that look valid but have no effect.
+    needs_robot_description: it reads the robot description.
+    joints_must_be_in_urdf: it refuses joints that the robot description does not have.
+    publishes_joint_states: it publishes /joint_states.
+    open: it may read other parameters too.
     """
 
     type: str
@@ -160,17 +208,18 @@ class ControllerType(NamedTuple):
     needs_robot_description: bool = False
     joints_must_be_in_urdf: bool = False
     publishes_joint_states: bool = False
+    open: bool = False
 
     @property
     def undeclared(self) -> tuple[str, ...]:
-        """Parameters that its claims and rules speak of, and no distro's has."""
+        """Parameters that the claims and rules use, but that are not declared for any distro."""
         known = {*self.parameters, *self.former}
-        claims = [rule for part in (*(self.claims or ()), *self.exports) for rule in part]
+        claims = [rule for group in (*(self.claims or ()), *self.exports) for rule in group]
         conditions = [condition for rule in (*claims, *self.rules) for condition in (*rule.when, *rule.when_any)]
-        spoken = [
+        used = [
             *(name for rule in claims for name in (rule.for_each, rule.or_else, rule.names_from, rule.interfaces_from)),
             *(name for rule in self.rules for name in rule.params),
             *(condition.param for condition in conditions),
         ]
-        named = dict.fromkeys(name for name in spoken if name and "{" not in name and name not in known)
-        return tuple(name for name in named if not any(one.startswith(f"{name}.") for one in known))
+        unknown = dict.fromkeys(name for name in used if name and "{" not in name and name not in known)
+        return tuple(name for name in unknown if not any(other.startswith(f"{name}.") for other in known))

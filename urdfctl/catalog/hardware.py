@@ -1,4 +1,4 @@
-"""What the catalogue tells of hardware plugins, simulator plugins and transmissions, for one distro."""
+"""Catalogue entries of hardware plugins, simulator plugins and transmissions, for one distro."""
 
 from __future__ import annotations
 
@@ -7,19 +7,21 @@ from types import MappingProxyType
 
 from urdfctl.catalog.entries import NOTHING, Parameter, Replacement
 from urdfctl.catalog.reading import in_distro, read_parameters, replacement_of
-from urdfctl.hints import Any
-from urdfctl.record import NamedTuple
+from urdfctl.startup.hints import Any
+from urdfctl.startup.records import NamedTuple
 
 Plain = Mapping[str, Any]
 
 
 class HardwareType(NamedTuple):
-    """A hardware plugin as one distro has it.
+    """A hardware plugin in one distro.
 
-    `simulator` is what it simulates with: a simulator's name, `mock`, `topic` or `replay`; None is real hardware.
-    `host` is the id of the simulator plugin that loads it. Interfaces of None are any, or not known.
-    `sensor_interfaces` are by kind of sensor. `states_commanded`: a parameter that is true adds a command interface to
-    each state interface of a kind of part. Commands of some names are `offered_as` others.
+    simulator: a simulator, `mock`, `topic` or `replay`; None for real hardware.
+    host: the id of the simulator plugin that loads it.
+    command_interfaces, state_interfaces: those of a joint; None if it has any, or they are not known.
+    sensor_interfaces: by kind of sensor.
+    states_commanded: boolean parameters, each with a kind of part whose state interfaces get command interfaces too.
+    offered_as: exported names of renamed command interfaces, by declared name.
     """
 
     type: str
@@ -40,7 +42,10 @@ class HardwareType(NamedTuple):
 
 
 class PluginChild(NamedTuple):
-    """An element that a simulator plugin reads. `names` says what its text must name: a `joint` or a `link`."""
+    """An element that a simulator plugin reads.
+
+    names: what its text must name: a `joint` or a `link`; None for other texts.
+    """
 
     name: str
     type: str
@@ -54,9 +59,12 @@ class PluginChild(NamedTuple):
 
 
 class SimulatorPlugin(NamedTuple):
-    """A plugin of a simulator as one distro has it: by its library's file names, and by its own names where they are
-    not free. `old_names` are taken too, with a warning; `replacement` is the id of the one that takes its place. Of an
-    `external` one, of another package than the simulator's own, the distros are not sure."""
+    """A simulator plugin in one distro.
+
+    filenames: the file names of its library. names: its classes; empty if the name is free.
+    old_names: classes that are accepted with a warning. replacement: the id of the plugin that replaces it.
+    external: whether it is from another package than the simulator's own; its distros are then uncertain.
+    """
 
     id: str
     simulator: str
@@ -77,9 +85,10 @@ class SimulatorPlugin(NamedTuple):
 class HardwareInterface(NamedTuple):
     """A hardware interface of ROS 1.
 
-    `kind` is `command`, `state`, `mode`, `abstract` or `transmission_only`, None where not known. `resource` is what
-    its handles are of: a joint, an actuator, a sensor. `in_gazebo` tells what gazebo_ros_control's own simulation makes
-    of it as `<hardwareInterface>`: `accepted`, `refused`, `absent`, or `registered` for every joint, and refused.
+    kind: `command`, `state`, `mode`, `abstract` or `transmission_only`; None if not known.
+    resource: what its handles are for: a joint, an actuator or a sensor.
+    in_gazebo: how the simulation of gazebo_ros_control treats it as `<hardwareInterface>`: `accepted`, `refused`,
+    `absent`, or `registered` for every joint, but refused.
     """
 
     name: str
@@ -89,9 +98,9 @@ class HardwareInterface(NamedTuple):
 
 
 class TransmissionType(NamedTuple):
-    """How many ends of each side a type of transmission wants, and their roles where they have some.
+    """A transmission type: the number of its joints and actuators, and their roles if it has some.
 
-    A `legacy` one is of another loader than ros_control's.
+    joints, actuators: None if any number is accepted. legacy: whether another loader than ros_control's reads it.
     """
 
     type: str
@@ -104,52 +113,53 @@ class TransmissionType(NamedTuple):
 
 
 def hardware_type(own: Plain, distro: str) -> HardwareType:
-    """A hardware plugin of its plain entry."""
+    """Return a hardware plugin from its plain entry."""
     sensors = own.get("sensor_interfaces")
     parameters = _parameters(own.get("hardware_parameters"), distro)
     return HardwareType(
-        own["type"],
-        distro,
-        own.get("package", own["type"].partition("/")[0]),
-        tuple(own.get("component_types", ("system",))),
-        own.get("simulator"),
-        own.get("host"),
-        _interfaces(own.get("command_interfaces")),
-        _interfaces(own.get("state_interfaces")),
-        {kind: tuple(names) for kind, names in sensors.items()} if sensors is not None else None,
-        parameters,
-        _parameters(own.get("joint_parameters"), distro),
-        _holds(own.get("deprecated"), distro),
-        replacement_of(own),
-        {name: kind for name, kind in own.get("states_commanded", {}).items() if name in (parameters or ())},
-        own.get("offered_as", {}),
+        type=own["type"],
+        distro=distro,
+        package=own.get("package", own["type"].partition("/")[0]),
+        component_types=tuple(own.get("component_types", ("system",))),
+        simulator=own.get("simulator"),
+        host=own.get("host"),
+        command_interfaces=_interfaces(own.get("command_interfaces")),
+        state_interfaces=_interfaces(own.get("state_interfaces")),
+        sensor_interfaces={kind: tuple(names) for kind, names in sensors.items()} if sensors is not None else None,
+        hardware_parameters=parameters,
+        joint_parameters=_parameters(own.get("joint_parameters"), distro),
+        deprecated=_holds(own.get("deprecated"), distro),
+        replacement=replacement_of(own),
+        states_commanded={
+            name: kind for name, kind in own.get("states_commanded", {}).items() if name in (parameters or ())
+        },
+        offered_as=own.get("offered_as", {}),
     )
 
 
 def simulator_plugin(own: Plain, distro: str) -> SimulatorPlugin:
-    """A simulator plugin of its plain entry."""
+    """Return a simulator plugin from its plain entry."""
     children = {name: in_distro(child, distro) for name, child in own["children"].items()}
     return SimulatorPlugin(
-        own["id"],
-        own["simulator"],
-        own.get("package"),
-        tuple(own["filenames"]),
-        tuple(own.get("names", ())),
-        {name: _child(name, child) for name, child in children.items() if child is not None},
-        own.get("hosts_ros2_control", False) or own.get("hosts_ros_control", False),
-        own.get("default_hardware"),
-        own.get("of_sensor", False),
-        own.get("one_per_model", False),
-        tuple(own.get("old_names", ())),
-        _holds(own.get("deprecated"), distro),
-        own.get("replacement"),
-        "origin" in own,
+        id=own["id"],
+        simulator=own["simulator"],
+        package=own.get("package"),
+        filenames=tuple(own["filenames"]),
+        names=tuple(own.get("names", ())),
+        children={name: _child(name, child) for name, child in children.items() if child is not None},
+        hosts_control=own.get("hosts_ros2_control", False) or own.get("hosts_ros_control", False),
+        default_hardware=own.get("default_hardware"),
+        of_sensor=own.get("of_sensor", False),
+        one_per_model=own.get("one_per_model", False),
+        old_names=tuple(own.get("old_names", ())),
+        deprecated=_holds(own.get("deprecated"), distro),
+        replacement=own.get("replacement"),
+        external="origin" in own,
     )
 
 
 def library_of(filename: str) -> str:
-    """What a plugin's file name says, however it is written: without folder, `lib` and `.so`, and by gz-sim's name of
-    today where Ignition's is given."""
+    """Return the library of a plugin's file name: without folder, `lib` and `.so`; Ignition's names become gz-sim's."""
     stem = filename.strip().rpartition("/")[2].removesuffix(".so").removeprefix("lib")
     return f"gz-sim{stem.removeprefix(_OF_IGNITION)}" if stem.startswith(_OF_IGNITION) else stem
 
@@ -158,35 +168,35 @@ _OF_IGNITION = "ignition-gazebo"
 
 
 def hardware_interface(own: Plain) -> HardwareInterface:
-    """A hardware interface of its plain entry."""
+    """Return a hardware interface from its plain entry."""
     return HardwareInterface(own["name"], own.get("class"), own.get("resource"), own.get("in_gazebo"))
 
 
 def transmission_type(own: Plain, distro: str) -> TransmissionType:
-    """A type of transmission of its plain entry."""
-    del distro  # its overrides are applied
+    """Return a transmission type from its plain entry."""
+    del distro  # overrides are already applied
     return TransmissionType(
-        own["type"],
-        own.get("joints"),
-        own.get("actuators"),
-        tuple(own.get("joint_roles", ())),
-        tuple(own.get("actuator_roles", ())),
-        tuple(own.get("interfaces", ())),
-        own.get("legacy", False),
+        type=own["type"],
+        joints=own.get("joints"),
+        actuators=own.get("actuators"),
+        joint_roles=tuple(own.get("joint_roles", ())),
+        actuator_roles=tuple(own.get("actuator_roles", ())),
+        interfaces=tuple(own.get("interfaces", ())),
+        legacy=own.get("legacy", False),
     )
 
 
 def _child(name: str, own: Plain) -> PluginChild:
     return PluginChild(
-        name,
-        own["type"],
-        own.get("required", False),
-        own.get("default"),
-        own.get("repeatable", False),
-        own.get("names"),
-        own.get("validators", NOTHING),
-        tuple(own.get("aliases", ())),
-        own.get("note"),
+        name=name,
+        type=own["type"],
+        required=own.get("required", False),
+        default=own.get("default"),
+        repeatable=own.get("repeatable", False),
+        names=own.get("names"),
+        validators=own.get("validators", NOTHING),
+        aliases=tuple(own.get("aliases", ())),
+        note=own.get("note"),
     )
 
 

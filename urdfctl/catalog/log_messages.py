@@ -1,4 +1,4 @@
-"""What ROS and Gazebo print, and what it means."""
+"""The messages of ROS and Gazebo, with their meaning, causes and fix."""
 
 from __future__ import annotations
 
@@ -7,23 +7,23 @@ from functools import lru_cache
 
 from urdfctl.catalog.distros import ALL, spanned
 from urdfctl.catalog.store import log_message_entries
-from urdfctl.hints import Any
-from urdfctl.record import NamedTuple
+from urdfctl.startup.hints import Any
+from urdfctl.startup.records import NamedTuple
 
 KINDS = ("failure", "consequence", "warning", "harmless")
-"""The most urgent first. A consequence tells that something failed, and another line tells why."""
+"""The kinds of messages, most urgent first. A consequence reports a failure whose reason is in another line."""
 
 
 class Cause(NamedTuple):
-    """Why a message is printed, and the codes of the rules that find it."""
+    """A cause of a message, and the codes of the rules that find it."""
 
     text: str
     rules: tuple[str, ...] = ()
 
 
 class LogMessage(NamedTuple):
-    """A message in all its spellings. `{joint}` in its texts stands for the value that a line has in that place; the
-    grammar is told in data/README.md."""
+    """A message with all its patterns. In the texts, `{joint}` is replaced by the value in the line; data/README.md
+    describes the grammar."""
 
     id: str
     kind: str
@@ -37,26 +37,26 @@ class LogMessage(NamedTuple):
 
     @property
     def rules(self) -> tuple[str, ...]:
-        """The codes of the rules that find its causes, the likeliest first."""
+        """The codes of the rules that find its causes, most likely first."""
         return tuple(dict.fromkeys(code for cause in self.causes for code in cause.rules))
 
 
 @lru_cache(maxsize=1)
 def log_messages() -> tuple[LogMessage, ...]:
-    """All messages, in the order of the data."""
+    """Return all messages, in the order of the data."""
     return tuple(_message(key, entry) for key, entry in log_message_entries().items())
 
 
 def _message(key: str, entry: Mapping[str, Any]) -> LogMessage:
     span = entry.get("distros")
     return LogMessage(
-        key,
-        entry["kind"],
-        entry["by"],
-        (*spanned(span, 1), *spanned(span, 2)) if span else ALL,
-        tuple(entry["messages"]),
-        entry["meaning"],
-        tuple(Cause(text, tuple(rules)) for text, *rules in entry["causes"]),
-        entry.get("fix", ""),
-        entry["authority"],
+        id=key,
+        kind=entry["kind"],
+        by=entry["by"],
+        distros=(*spanned(span, 1), *spanned(span, 2)) if span else ALL,
+        patterns=tuple(entry["messages"]),
+        meaning=entry["meaning"],
+        causes=tuple(Cause(text, tuple(rules)) for text, *rules in entry["causes"]),
+        fix=entry.get("fix", ""),
+        authority=entry["authority"],
     )

@@ -1,4 +1,4 @@
-"""Makes typed entries, as one distro has them, of the catalogue's plain ones."""
+"""Convert the catalogue's plain entries to typed entries for one distro."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from urdfctl.catalog.entries import (
     ParameterRule,
     Replacement,
 )
-from urdfctl.hints import TYPE_CHECKING, Any
+from urdfctl.startup.hints import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from typing import TypeVar
 
-    Made = TypeVar("Made")
+    Typed = TypeVar("Typed")
 
 Plain = Mapping[str, Any]
 _JOINED = ("parameters", "removed_parameters")
@@ -30,12 +30,12 @@ _RULE_KEYS = ("id", "kind", "param", "params", "severity", "when", "when_any", "
 
 
 def distros_of(entry: Plain, ros: int) -> tuple[str, ...]:
-    """The distros that have what an entry tells of; all of its generation where it says nothing."""
+    """Return the distros of generation `ros` that an entry is for; all of them if it does not say."""
     return spanned(entry.get("distros", ".."), ros)
 
 
 def in_distro(entry: Plain, distro: str) -> Plain | None:
-    """An entry as one distro has it, its overrides applied; None where the distro has it not."""
+    """Return an entry with the overrides for one distro applied; None if the entry is not for the distro."""
     ros = generation(distro)
     if "distros" in entry and distro not in distros_of(entry, ros):
         return None
@@ -52,7 +52,11 @@ def in_distro(entry: Plain, distro: str) -> Plain | None:
 
 
 def extension(base: Plain, entry: Plain) -> dict[str, Any]:
-    """An entry that extends another: its parameters go over the other's, its claims, exports and rules come on top."""
+    """Return an entry merged with the entry `base` that it extends.
+
+    Its parameters replace those of the base with the same name. Its claims, exports and rules are added to those of the
+    base.
+    """
     own = {**base, **entry}
     own.pop("base", None)
     own.pop("same_as", None)
@@ -67,7 +71,7 @@ def extension(base: Plain, entry: Plain) -> dict[str, Any]:
 
 
 def controller_type(entry: Plain, distro: str) -> ControllerType | None:
-    """A type of controller as one distro has it, None where it has it not."""
+    """Return the controller type of an entry for one distro; None if the entry is not for the distro."""
     own = in_distro(entry, distro)
     if own is None:
         return None
@@ -75,65 +79,66 @@ def controller_type(entry: Plain, distro: str) -> ControllerType | None:
     parameters = read_parameters(own.get("parameters", NOTHING), distro)
     claims, exports = own.get("claims"), own.get("exports", NOTHING)
     return ControllerType(
-        own["type"],
-        distro,
-        own.get("package", own["type"].partition("/")[0]),
-        parameters,
-        _former(own, distro, parameters),
-        ClaimRules(*_claim_rules(claims, ("command", "state"), distro)) if claims is not None else None,
-        ExportRules(*_claim_rules(exports, ("reference", "state"), distro)),
-        tuple(_parameter_rule(rule) for rule in own.get("rules", ()) if distro in distros_of(rule, ros)),
-        _flag(own.get("chainable", False), distro),
-        own.get("kind") == "broadcaster",
-        _flag(own.get("deprecated", False), distro),
-        replacement_of(own),
-        "origin" in own,
-        own.get("since", NOTHING).get(distro),
-        tuple(own.get("hardware_interfaces", ())),
-        tuple(own.get("joint_parameters", ())),
-        tuple(own.get("ignored_parameters", ())),
-        own.get("needs_robot_description", False),
-        own.get("joints_must_be_in_urdf", False),
-        own.get("publishes_joint_states", False),
+        type=own["type"],
+        distro=distro,
+        package=own.get("package", own["type"].partition("/")[0]),
+        parameters=parameters,
+        former=_former(own, distro, parameters),
+        claims=ClaimRules(*_claim_rules(claims, ("command", "state"), distro)) if claims is not None else None,
+        exports=ExportRules(*_claim_rules(exports, ("reference", "state"), distro)),
+        rules=tuple(_parameter_rule(rule) for rule in own.get("rules", ()) if distro in distros_of(rule, ros)),
+        chainable=_flag(own.get("chainable", False), distro),
+        broadcaster=own.get("kind") == "broadcaster",
+        deprecated=_flag(own.get("deprecated", False), distro),
+        replacement=replacement_of(own),
+        external="origin" in own,
+        since=own.get("since", NOTHING).get(distro),
+        hardware_interfaces=tuple(own.get("hardware_interfaces", ())),
+        joint_parameters=tuple(own.get("joint_parameters", ())),
+        ignored=tuple(own.get("ignored_parameters", ())),
+        needs_robot_description=own.get("needs_robot_description", False),
+        joints_must_be_in_urdf=own.get("joints_must_be_in_urdf", False),
+        publishes_joint_states=own.get("publishes_joint_states", False),
+        open=own.get("open", False),
     )
 
 
 def read_parameters(plain: Mapping[str, Plain], distro: str) -> dict[str, Parameter]:
-    """The parameters that a distro reads, by name."""
+    """Return the parameters that a distro reads, by name."""
     return _by_name(plain, distro, _parameter)
 
 
 def replacement_of(entry: Plain) -> Replacement | None:
-    """What an entry says takes its place."""
+    """Return the replacement that an entry names, if any."""
     plain = entry.get("replacement")
     return Replacement(plain["type"], plain.get("parameters", NOTHING), plain.get("note")) if plain else None
 
 
-def _by_name(plain: Mapping[str, Plain], distro: str, made: Callable[[str, Plain, str], Made]) -> dict[str, Made]:
-    found = ((name, in_distro(entry, distro)) for name, entry in plain.items())
-    return {name: made(name, own, distro) for name, own in found if own is not None}
+def _by_name(plain: Mapping[str, Plain], distro: str, convert: Callable[[str, Plain, str], Typed]) -> dict[str, Typed]:
+    entries = ((name, in_distro(entry, distro)) for name, entry in plain.items())
+    return {name: convert(name, own, distro) for name, own in entries if own is not None}
 
 
 def _parameter(name: str, own: Plain, distro: str) -> Parameter:
     return Parameter(
-        name,
-        own["type"],
-        own.get("required", False),
-        own.get("default"),
-        own.get("validators", NOTHING),
-        own.get("useful", NOTHING),
-        own.get("floats_only", False),
-        own.get("if_absent"),
-        _flag(own.get("deprecated", False), distro),
-        own.get("replacement"),
-        own.get("note"),
-        own.get("since", NOTHING).get(distro),
-        _flag(own.get("ignored", False), distro),
+        name=name,
+        type=own["type"],
+        required=own.get("required", False),
+        default=own.get("default"),
+        validators=own.get("validators", NOTHING),
+        useful=own.get("useful", NOTHING),
+        floats_only=own.get("floats_only", False),
+        if_absent=own.get("if_absent"),
+        deprecated=_flag(own.get("deprecated", False), distro),
+        replacement=own.get("replacement"),
+        note=own.get("note"),
+        since=own.get("since", NOTHING).get(distro),
+        ignored=_flag(own.get("ignored", False), distro),
     )
 
 
 def _former(own: Plain, distro: str, parameters: Mapping[str, Parameter]) -> dict[str, FormerParameter]:
-    """Parameters that only other distros read, and those that only earlier releases of this one read."""
+    """Parameters that only other distros, or only earlier releases of this distro, read."""
     ros = generation(distro)
     former = {}
     for name, plain in own.get("parameters", NOTHING).items():
@@ -168,22 +173,22 @@ def _claim_rule(plain: Plain) -> ClaimRule:
 
 
 def _conditions(plain: Any) -> tuple[Condition, ...]:
-    return tuple(Condition(one["param"], one.get("is_set"), one.get("is")) for one in plain)
+    return tuple(Condition(condition["param"], condition.get("is_set"), condition.get("is")) for condition in plain)
 
 
 def _parameter_rule(plain: Plain) -> ParameterRule:
     params = tuple(plain["params"]) if "params" in plain else (plain["param"],) if "param" in plain else ()
     return ParameterRule(
-        plain["id"],
-        plain["kind"],
-        params,
-        plain.get("severity", "error"),
-        _conditions(plain.get("when", ())),
-        _conditions(plain.get("when_any", ())),
-        {key: value for key, value in plain.items() if key not in _RULE_KEYS},
+        id=plain["id"],
+        kind=plain["kind"],
+        params=params,
+        severity=plain.get("severity", "error"),
+        when=_conditions(plain.get("when", ())),
+        when_any=_conditions(plain.get("when_any", ())),
+        details={key: value for key, value in plain.items() if key not in _RULE_KEYS},
     )
 
 
-def _flag(flag: bool | str, distro: str) -> bool:  # noqa: FBT001 (as it stands in the entry)
-    """Whether something holds for a distro: it is said for all, or for the distros of a span."""
+def _flag(flag: bool | str, distro: str) -> bool:  # noqa: FBT001 (as written in the entry)
+    """The value of a flag for a distro: the flag is for all distros, or a span of distros for which it is true."""
     return flag if isinstance(flag, bool) else distro in spanned(flag, generation(distro))

@@ -1,4 +1,4 @@
-"""The catalogue's plain entries, read from its JSON files when they are first asked for."""
+"""The catalogue's plain entries, read from its JSON files on first use."""
 
 from __future__ import annotations
 
@@ -6,19 +6,22 @@ import json
 import os
 from functools import cache, lru_cache
 
-from urdfctl.hints import Any
+from urdfctl.startup.hints import Any
 
 _FOLDER = os.path.join(os.path.dirname(__file__), "data")
 
 
 @cache
 def plain(ros: int, kind: str) -> dict[str, Any]:
-    """The entries of a kind by their key: the type, the name or the id; of `manager` and `interfaces` the parts."""
+    """Return the entries of one kind for ROS generation `ros`, by type, name or id.
+
+    For the kinds `manager` and `interfaces` the keys are the parts of the one entry.
+    """
     return _read(f"ros{ros}/{kind}.json")
 
 
 def prepare() -> None:
-    """Read all that robots may need."""
+    """Read all files that linting a robot may need, before worker processes are forked."""
     for ros in (1, 2):
         for kind in ("controllers", "hardware", "interfaces", "manager", "simulators", "transmissions"):
             plain(ros, kind)
@@ -27,13 +30,13 @@ def prepare() -> None:
 
 @lru_cache(maxsize=1)
 def renamed() -> dict[str, Any]:
-    """The types of one generation of ROS, and what they are in the other."""
+    """Return the types of one ROS generation with their counterparts in the other."""
     return _read("renamed.json")
 
 
 @lru_cache(maxsize=1)
 def log_message_entries() -> dict[str, Any]:
-    """The messages of ROS and Gazebo, by their ids."""
+    """Return the messages of ROS and Gazebo by id."""
     return _read("log_messages.json")
 
 

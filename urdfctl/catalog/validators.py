@@ -1,4 +1,4 @@
-"""What a parameter's validators say of a value; their names are those of generate_parameter_library."""
+"""Validators of parameter values; their names are those of generate_parameter_library."""
 
 from __future__ import annotations
 
@@ -6,21 +6,21 @@ import math
 from collections.abc import Callable, Mapping
 
 from urdfctl.catalog.values import elements, is_known, is_list
-from urdfctl.hints import Any
+from urdfctl.startup.hints import Any
 
 Broken = Callable[[Any, Any], bool]
 
 
 def problem(value: object, validators: Mapping[str, object]) -> str | None:
-    """What the first validator that a value breaks says of it: `must be greater than 0.0`. None where all hold.
+    """Return the message of the first validator that a value breaks, e.g. `must be > 0.0`; None if all accept it.
 
-    A value of another type than a validator is for, and one that is not known, breaks none.
+    An unknown value breaks no validator, nor does a value of a type that the validator is not for.
     """
     if not is_known(value):
         return None
     for name, limit in validators.items():
         if _broken(name, value, limit):
-            return _said(name, limit)
+            return _message(name, limit)
     return None
 
 
@@ -48,14 +48,15 @@ def _has_twice(parts: tuple[object, ...]) -> bool:
     return any(part in parts[:index] for index, part in enumerate(parts))
 
 
-def _said(name: str, limit: Any) -> str:
+def _message(name: str, limit: Any) -> str:
     if name in ("one_of", "subset_of"):
         *most, last = [f"'{choice}'" if isinstance(choice, str) else str(choice) for choice in limit]
         choices = f"{', '.join(most)} or {last}" if most else last
-        return f"must be {choices}" if name == "one_of" else f"may only hold {choices}"
+        return f"must be {choices}" if name == "one_of" else f"can contain only {choices}"
     if name in ("bounds", "element_bounds"):
         return _WORDS[name].format(*limit)
-    return _WORDS[name].format(limit)
+    message = _WORDS[name].format(limit)
+    return message.removesuffix("s") if name in _OF_SIZE and limit == 1 else message
 
 
 _OF_NUMBER: Mapping[str, Broken] = {
@@ -80,21 +81,21 @@ _OF_ELEMENT: Mapping[str, Broken] = {
     "upper_element_bounds": lambda value, limit: not value <= limit,
 }
 _WORDS: Mapping[str, str] = {
-    "bounds": "must be from {} to {}",
-    "lt": "must be less than {}",
-    "gt": "must be greater than {}",
-    "lt_eq": "must be at most {}",
-    "gt_eq": "must be at least {}",
-    "gt_eq_or_nan": "must be at least {}, or .nan for none",
-    "lt_eq_or_nan": "must be at most {}, or .nan for none",
+    "bounds": "must be between {} and {}",
+    "lt": "must be < {}",
+    "gt": "must be > {}",
+    "lt_eq": "must be ≤ {}",
+    "gt_eq": "must be ≥ {}",
+    "gt_eq_or_nan": "must be ≥ {} (or .nan for no limit)",
+    "lt_eq_or_nan": "must be ≤ {} (or .nan for no limit)",
     "nonzero": "must not be 0",
     "fixed_size": "must have exactly {} elements",
     "size_gt": "must have more than {} elements",
     "size_lt": "must have fewer than {} elements",
     "not_empty": "must not be empty",
-    "unique": "must not name anything twice",
-    "element_bounds": "may only hold numbers from {} to {}",
-    "lower_element_bounds": "may only hold numbers of at least {}",
-    "upper_element_bounds": "may only hold numbers of at most {}",
+    "unique": "must not contain duplicates",
+    "element_bounds": "can contain only numbers between {} and {}",
+    "lower_element_bounds": "can contain only numbers ≥ {}",
+    "upper_element_bounds": "can contain only numbers ≤ {}",
 }
 NAMES = frozenset({*_WORDS, "one_of", "subset_of"})

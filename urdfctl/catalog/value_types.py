@@ -1,21 +1,22 @@
-"""Whether a value has the type of its parameter, as the readers of ROS 1 and ROS 2 see it."""
+"""Check that a value has the type of its parameter, by the rules of ROS 1 and ROS 2."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from urdfctl.catalog.distros import generation
+from urdfctl.catalog.distros import generation, since
 from urdfctl.catalog.entries import Parameter
 from urdfctl.catalog.values import elements, is_known, is_list
 
-_STRICT_WITH_DOUBLES = ("galactic", "humble", "iron", "jazzy", "kilted", "lyrical", "rolling")
-"""A double takes no integer: rclcpp types parameters statically from galactic on."""
+_STRICT_WITH_DOUBLES = since("galactic")
+"""Distros in which a double parameter does not accept an integer: from galactic on, rclcpp types are static."""
 
 
 def type_problem(value: object, parameter: Parameter, distro: str) -> str | None:
-    """What is wrong with a value's type: `must be a list of texts, not a text`. None where it fits or is not known.
+    """Return the message on a value of the wrong type: `must be a list of strings, not the string 'a'`, or None.
 
-    ROS 1 takes integers as doubles and, rounded, doubles as integers; ROS 2 takes neither.
+    The type of an unknown value is not checked. ROS 1 accepts integers as doubles and, rounded, doubles as integers;
+    ROS 2 accepts neither.
     """
     kinds = parameter.types
     for kind in kinds:
@@ -24,11 +25,16 @@ def type_problem(value: object, parameter: Parameter, distro: str) -> str | None
     if not is_known(value):
         return None
     wanted = " or ".join(_wanted(kind, parameter, distro) for kind in kinds)
-    return f"must be {wanted}, not {said(value)}"
+    return f"must be {wanted}, not {_with_type(value)}"
 
 
-def said(value: object) -> str:
-    """A value in words: `the integer 1`, `a list of texts`."""
+def shown(value: object) -> str:
+    """Return a single value as messages show it: `2.7`, `'position'`, `true`."""
+    return f"'{value}'" if isinstance(value, str) else str(value).lower() if isinstance(value, bool) else str(value)
+
+
+def _with_type(value: object) -> str:
+    """A value with its type: `the integer 1`, `a list of strings`."""
     if is_list(value):
         words = dict.fromkeys(_element_word(part) for part in elements(value))
         return f"a list of {' and '.join(words)}" if words else "an empty list"
@@ -37,15 +43,15 @@ def said(value: object) -> str:
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, str):
-        return f"the text '{value}'"
-    return f"the {'integer' if isinstance(value, int) else 'number'} {value}" if value is not None else "nothing"
+        return f"the string '{value}'"
+    return f"the {'integer' if isinstance(value, int) else 'number'} {value}" if value is not None else "empty"
 
 
 def _element_word(part: object) -> str:
-    for kind, word in (("string", "texts"), ("bool", "booleans"), ("int", "integers"), ("double", "numbers")):
+    for kind, word in (("string", "strings"), ("bool", "booleans"), ("int", "integers"), ("double", "numbers")):
         if _PLAIN[kind](part):
             return word
-    return "lists" if is_list(part) else "maps" if isinstance(part, Mapping) else "nothings"
+    return "lists" if is_list(part) else "maps" if isinstance(part, Mapping) else "empty elements"
 
 
 def _fits(value: object, kind: str, parameter: Parameter, distro: str) -> bool:
@@ -80,10 +86,10 @@ _WORDS = {
     "bool": "true or false",
     "int": "an integer",
     "double": "a number",
-    "string": "a text",
+    "string": "a string",
     "bool_array": "a list of booleans",
     "int_array": "a list of integers",
     "double_array": "a list of numbers",
-    "string_array": "a list of texts",
+    "string_array": "a list of strings",
     "struct_array": "a list of maps",
 }

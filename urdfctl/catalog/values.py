@@ -1,4 +1,4 @@
-"""Values of parameters as a catalogue's entry and a user's file give them, and whether they can be known."""
+"""Parameter values from a catalogue entry or a user's file, and whether they are known."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _NUMBERS = (bool, int, float)
 
 
 def is_known(value: object) -> bool:
-    """Whether a value could be worked out: it holds neither a substitution that only a launch makes nor the unknown."""
+    """Return whether a value is known: it contains neither a launch substitution nor UNKNOWN."""
     if isinstance(value, str):
         return UNKNOWN not in value and _SUBSTITUTION not in value
     if type(value) in _NUMBERS:
@@ -22,19 +22,19 @@ def is_known(value: object) -> bool:
 
 
 def is_list(value: object) -> bool:
-    """Whether a value is a sequence, and no text."""
+    """Return whether a value is a sequence other than a string."""
     if type(value) is list or type(value) in _NUMBERS:
         return type(value) is list
     return isinstance(value, Sequence) and not isinstance(value, str | bytes)
 
 
 def elements(value: object) -> tuple[object, ...]:
-    """The elements of a list; one of another value; none where it is absent or an empty text."""
+    """Return the elements of a list, or another value as the only element; empty for None and the empty string."""
     if is_list(value):
         return tuple(value)  # type: ignore[arg-type]
     return () if value is None or value == "" else (value,)
 
 
 def is_set(value: object) -> bool:
-    """Whether a value says something: it is there, and no empty text or list."""
+    """Return whether a value is given and neither an empty string nor an empty list."""
     return bool(elements(value))

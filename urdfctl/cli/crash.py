@@ -1,4 +1,4 @@
-"""What is told when urdfctl itself is at fault: a report ready to paste."""
+"""The report of a crash of urdfctl, ready to paste into an issue."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from urdfctl import __version__
 
 
 def report_crash() -> str:
-    """The exception being handled, with what is needed to understand it."""
+    """Return the exception that is being handled, with the versions and the command."""
     return (
-        "urdfctl: this is a fault of urdfctl, not of your robot. Please report it with these lines:\n\n"
+        "urdfctl: this is a bug in urdfctl, not an error in your robot. Please report it with these lines:\n\n"
         f"urdfctl {__version__}, Python {platform.python_version()}, {platform.platform()}\n"
         f"command: {' '.join(sys.argv)}\n"
         f"{traceback.format_exc()}"

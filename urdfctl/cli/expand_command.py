@@ -5,29 +5,37 @@ from __future__ import annotations
 import os
 import sys
 
-from urdfctl.cli.words import split_arguments
-from urdfctl.cli.writing import is_in_the_way, print_text, write_file
+from urdfctl.cli.words import configured, settings_from, split_arguments
+from urdfctl.cli.writing import print_text, would_overwrite, write_file
 from urdfctl.errors import UserError
-from urdfctl.expand import expand_one
+from urdfctl.expand.job import expand_file
+from urdfctl.names import nearest_path
 from urdfctl.report.common import Report
 from urdfctl.report.text import render
-from urdfctl.settings import Settings
-from urdfctl.suggest import nearest_path
+from urdfctl.startup.hints import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfctl.cli.options import ExpandOptions
 
 
-def run_expand(file: str, words: list[str], settings: Settings, output: str | None, *, force: bool) -> int:
-    """Print or write what xacro would; the first problem, with its place, on standard error and exit status 1."""
-    paths, arguments = split_arguments(words)
+def run_expand(options: ExpandOptions) -> int:
+    """Print or write the expanded file, and return the exit status.
+
+    On an error, print the first problem to standard error; the status is 1.
+    """
+    file, output, force = options.file, options.output, options.force
+    settings = settings_from(configured([file], options), options)
+    paths, arguments = split_arguments(options.arguments or [])
     if paths:
-        raise UserError(f"one file at a time: what is '{paths[0]}'? Arguments are written name:=value")
+        raise UserError(f"unexpected argument '{paths[0]}': expand reads one file; arguments are name:=value")
     if not os.path.lexists(file):
-        raise UserError(f"no such file: '{file}'{nearest_path(file)}")
-    if output is not None and is_in_the_way(output) and not force:
+        raise UserError(f"file '{file}' does not exist{nearest_path(file)}")
+    if output is not None and would_overwrite(output) and not force:
         raise UserError(f"'{output}' exists; --force overwrites it")
-    expanded = expand_one(file, arguments, settings)
+    expanded = expand_file(file, arguments, settings)
     if expanded.text is None:
-        told = render(Report((), expanded.problems)).splitlines()
-        sys.stderr.write("\n".join(told[:-1]) + "\n")
+        lines = render(Report((), expanded.problems)).splitlines()
+        sys.stderr.write("\n".join(lines[:-1]) + "\n")
         return 3 if expanded.crashed else 1
     for warning in render(Report((), expanded.problems)).splitlines()[:-1]:
         sys.stderr.write(warning + "\n")

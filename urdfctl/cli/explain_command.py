@@ -1,4 +1,4 @@
-"""`urdfctl explain`: a rule, a pasted line of a log, or a whole log."""
+"""`urdfctl explain`: explain a rule, a pasted line of a log, or a whole log."""
 
 from __future__ import annotations
 
@@ -11,20 +11,20 @@ from typing import BinaryIO
 
 from urdfctl.cli.writing import print_text
 from urdfctl.errors import UserError
+from urdfctl.names import did_you_mean
 from urdfctl.rule import Rule
-from urdfctl.suggest import did_you_mean
 
 _FORMATS = ("text", "json")
 _NOTHING = (
-    "nothing to explain: give a rule's code, a line of a log in quotes, or a log: urdfctl explain gazebo.log, "
-    "or | urdfctl explain"
+    "nothing to explain; pass a rule code, a line of a log in quotes, or a log: urdfctl explain gazebo.log, "
+    "or pipe it: ... | urdfctl explain"
 )
 
 
 def run_explain(words: Sequence[str], output_format: str) -> int:
-    """Explain a rule, a message or a log, whichever the words are; without words, or for `-`, the standard input.
+    """Explain the rule, message or log that the words name. Without words, or for `-`, read standard input.
 
-    UserError where there is nothing, or a single word that is neither a rule nor a file.
+    Raises UserError if there is nothing to explain, or for a single word that is neither a rule nor a file.
     """
     if output_format not in _FORMATS:
         raise UserError(f"unknown format '{output_format}'; known are {', '.join(_FORMATS)}")
@@ -52,15 +52,15 @@ def _rule(text: str) -> Rule | None:
 
 
 def _unknown(word: str) -> str:
-    """What is said of a word that is nothing: it looks like a file, or like a rule."""
+    """The error for a word that is neither a rule nor a file."""
     from urdfctl.rules import all_rules
 
     if os.sep in word or word.endswith((".log", ".txt")):
-        return f"'{word}' is no regular file" if os.path.exists(word) else f"no file '{word}'"
-    if any(one.code.startswith(word.upper()) for one in all_rules()):
-        return f"no rule '{word}'; those whose code begins so: urdfctl rules --select {word.upper()}"
-    known = [name for one in all_rules() for name in (one.code, one.name)]
-    return f"no rule '{word}'{did_you_mean(word, known)}; see urdfctl rules"
+        return f"'{word}' is not a regular file" if os.path.exists(word) else f"file '{word}' does not exist"
+    if any(rule.code.startswith(word.upper()) for rule in all_rules()):
+        return f"unknown rule '{word}'. To list the rules with this prefix, run urdfctl rules --select {word.upper()}"
+    known = [name for rule in all_rules() for name in (rule.code, rule.name)]
+    return f"unknown rule '{word}'{did_you_mean(word, known) or '.'} To list all rules, run urdfctl rules"
 
 
 def _explain_rule(rule: Rule, output_format: str) -> int:
@@ -94,15 +94,15 @@ def _explain_log(stream: BinaryIO, output_format: str, *, pasted: bool = False) 
     from urdfctl.logs.reading import Lines
 
     lines = Lines(stream)
-    found = digest(lines, pasted=pasted)
-    if not found.lines:
+    messages = digest(lines, pasted=pasted)
+    if not messages.lines:
         raise UserError(_NOTHING)
     if output_format == "json":
         from urdfctl.report.log_json import render_log_json
 
-        print_text(render_log_json(found, complete=lines.complete))
+        print_text(render_log_json(messages, complete=lines.complete))
         return 0
     from urdfctl.report.log_text import render_log
 
-    print_text(render_log(found, pasted=pasted, complete=lines.complete))
+    print_text(render_log(messages, pasted=pasted, complete=lines.complete))
     return 0

@@ -4,32 +4,38 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from urdfctl.cli.lint_request import Fixing, LintRequest
 from urdfctl.cli.patch import patch
-from urdfctl.cli.wanted import Fixing, Wanted, found_in
-from urdfctl.cli.writing import print_bytes, replace_file, tell
+from urdfctl.cli.writing import print_bytes, print_message, replace_file
+from urdfctl.config.settings import Settings
 from urdfctl.errors import UserError
 from urdfctl.fix.rounds import Change, Wishes, fixed
-from urdfctl.lint import Linted
-from urdfctl.load import Target
-from urdfctl.record import NamedTuple
-from urdfctl.report.common import said
-from urdfctl.settings import Settings
+from urdfctl.lint.results import TargetResult
+from urdfctl.load.target import Target
+from urdfctl.report.common import relative_message
+from urdfctl.startup.records import NamedTuple
 
 
 class Done(NamedTuple):
-    """How many files were changed, or would be, and what would be left to find; `failed` where they could not all be
-    written, so that none is."""
+    """The result of applying fixes.
+
+    files: how many files were changed, or would be.
+    left: the results after the fixes.
+    failed: True if a file could not be written; then none is changed.
+    """
 
     files: int
-    left: tuple[Linted, ...]
+    left: tuple[TargetResult, ...]
     failed: bool = False
 
 
-def fix(looked_at: Iterable[tuple[Target, Linted]], settings: Settings, wanted: Wanted, fixing: Fixing) -> Done:
-    """Mend the files of what was looked at, or show how; tell what is not mended, and why."""
-    wishes = Wishes(wanted.selection, wanted.config.ignores, fixing.unsafe)
-    result = fixed(tuple(looked_at), settings, wishes, wanted.jobs or None)
-    _tell(result.refused)
+def fix(
+    targets: Iterable[tuple[Target, TargetResult]], settings: Settings, request: LintRequest, fixing: Fixing
+) -> Done:
+    """Fix the files of some targets, or show how; report what is not fixed, and why."""
+    wishes = Wishes(request.selection, request.config.ignores, fixing.unsafe)
+    result = fixed(tuple(targets), settings, wishes, request.jobs or None)
+    _print_lines(result.refused)
     if not fixing.as_diff:
         written = _write_all(result.changes)
         return Done(len(result.changes) if written else 0, result.linted, failed=not written)
@@ -37,13 +43,15 @@ def fix(looked_at: Iterable[tuple[Target, Linted]], settings: Settings, wanted: 
     return Done(len(result.changes), result.linted)
 
 
-def tell_of(files: int, before: Iterable[Linted], after: Iterable[Linted], wanted: Wanted, fixing: Fixing) -> None:
-    """Tell how many of the findings are fixed, or would be, and for how many more there is an unsafe fix to try."""
-    known, left = len(found_in(before, wanted)), found_in(after, wanted)
+def report_fixes(
+    files: int, before: Iterable[TargetResult], after: Iterable[TargetResult], request: LintRequest, fixing: Fixing
+) -> None:
+    """Report how many findings are fixed, or would be, and how many more have an unsafe fix."""
+    known, left = len(request.findings(before)), request.findings(after)
     done = f"{'would fix' if fixing.as_diff else 'fixed'} {max(known - len(left), 0)}"
-    unsafe = sum(one.fix is not None and bool(one.fix.edits) and not one.fix.safe for one in left)
-    more = f"; --unsafe-fixes tries {unsafe} more" if unsafe and not fixing.unsafe else ""
-    _tell([f"{done} of {_counted(known, 'finding')} in {_counted(files, 'file')}{more}"])
+    unsafe = sum(finding.fix is not None and bool(finding.fix.edits) and not finding.fix.safe for finding in left)
+    more = f"; use --unsafe-fixes to try {unsafe} more" if unsafe and not fixing.unsafe else ""
+    _print_lines([f"{done} of {_counted(known, 'finding')} in {_counted(files, 'file')}{more}"])
 
 
 def _counted(number: int, what: str) -> str:
@@ -51,27 +59,27 @@ def _counted(number: int, what: str) -> str:
 
 
 def _write_all(changes: Sequence[Change]) -> bool:
-    """Write all files, or none: only together they were tried."""
+    """Write all files or none: they were only tested together."""
     written: list[Change] = []
     for change in changes:
         try:
             replace_file(change.file, change.before, change.after)
         except UserError as error:
-            _tell([str(error), *_taken_back(written)])
+            _print_lines([str(error), *_restored(written)])
             return False
         written.append(change)
     return True
 
 
-def _taken_back(written: Iterable[Change]) -> Iterator[str]:
-    """Undo what was written; tell of each file where that fails."""
+def _restored(written: Iterable[Change]) -> Iterator[str]:
+    """Restore what was written; yield an error for each file where that fails."""
     for change in written:
         try:
             replace_file(change.file, change.after, change.before)
         except UserError as error:
-            yield f"{error}, though another fix could not be written"
+            yield f"{error}, so its fix stays although another file could not be written"
 
 
-def _tell(lines: Iterable[str]) -> None:
+def _print_lines(lines: Iterable[str]) -> None:
     for line in lines:
-        tell(said(line))
+        print_message(relative_message(line))

@@ -1,31 +1,35 @@
-"""`urdfctl gen-check`: makes generated files again, each by the command that it names, and tells which are stale."""
+"""`urdfctl gen-check`: run the command in each generated file again, and report the files that are out of date."""
 
 from __future__ import annotations
 
 import os
 import re
 import shlex
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from itertools import takewhile
 
-from urdfctl.cli.writing import tell
-from urdfctl.discover import check_readable
+from urdfctl.cli.writing import print_message
+from urdfctl.discover.robots import check_readable
 from urdfctl.errors import UserError
-from urdfctl.record import NamedTuple
 from urdfctl.source.files import first_bytes
+from urdfctl.source.packages import folders_upwards
+from urdfctl.startup.records import NamedTuple
 
-_SAID = re.compile(r"made by urdfctl (gen-[a-z0-9-]+)(.*?)(?: -->)?$")
+_COMMAND = re.compile(r"made by urdfctl (gen-[a-z0-9-]+)(.*?)(?: -->)?$")
 _PARTS = ("config", "urdf", "launch")
 _FIRST = 1 << 16
-_NOT_BY_A_FILE = re.compile(
-    r"-o.*|--?(output|into|force|diff|check|trust|templates|package-path|workspace|config)(=.*)?"
-)
-"""What a file may not ask for: where to write, what to read besides, whom to trust."""
+_FORBIDDEN = re.compile(r"-o.*|--?(output|into|force|diff|check|trust|templates|package-path|workspace|config)(=.*)?")
+"""Options that the command in a file cannot set: output files, further inputs, trust."""
 
 
 class Origin(NamedTuple):
-    """A generated file, or a folder of a package, and the words that made it; the paths in them are from `home`."""
+    """A generated file or package.
+
+    path: the file, or the folder of the package.
+    words: the command that generated it.
+    home: the folder that paths in the command are relative to.
+    """
 
     path: str
     words: tuple[str, ...]
@@ -33,25 +37,22 @@ class Origin(NamedTuple):
 
     @property
     def command(self) -> tuple[str, ...]:
-        """The words of the command that says where it goes."""
+        """Return the words of the command with its output."""
         return (*self.words, "-o", os.path.relpath(self.path, self.home))
 
 
-def run_again(paths: Sequence[str], *, update: bool) -> int:
-    """Check the generated files among some files and folders, or update them, and give the exit status."""
-    from typer.main import get_command
+def run_again(paths: Sequence[str], run_words: Callable[[Sequence[str]], int], *, update: bool) -> int:
+    """Check or update the generated files among some files and folders, and return the exit status.
 
-    from urdfctl.cli.app import app
-
+    run_words: runs a command line and returns its exit status.
+    """
     stale = False
     for origin in dict.fromkeys(_origins(paths or ["."])):
-        with _standing_in(origin.home):
+        with _working_in(origin.home):
             try:
-                status = get_command(app).main(
-                    [*origin.command, "--force" if update else "--check"], prog_name="urdfctl", standalone_mode=False
-                )
+                status = run_words([*origin.command, "--force" if update else "--check"])
             except UserError as error:
-                raise UserError(f"'{os.path.relpath(origin.path)}' cannot be made again: {error}") from None
+                raise UserError(f"'{os.path.relpath(origin.path)}' cannot be generated again: {error}") from None
         stale = stale or bool(status)
     return int(stale)
 
@@ -59,9 +60,9 @@ def run_again(paths: Sequence[str], *, update: bool) -> int:
 def _origins(paths: Sequence[str]) -> Iterator[Origin]:
     for path in paths:
         if not os.path.exists(path):
-            raise UserError(f"no such file or folder: '{path}'")
+            raise UserError(f"file or folder '{path}' does not exist")
         for file in _files(path):
-            words = words_that_made(file)
+            words = words_of_generated_file(file)
             origin = _origin(file, words) if words else None
             if origin:
                 yield origin
@@ -77,36 +78,36 @@ def _files(path: str) -> Iterator[str]:
         yield from (os.path.normpath(os.path.join(folder, name)) for name in sorted(names))
 
 
-def words_that_made(file: str) -> tuple[str, ...] | None:
-    """The words that made a file, as its first two lines say; None where they do not."""
+def words_of_generated_file(file: str) -> tuple[str, ...] | None:
+    """Return the command in the first two lines of a generated file; None if there is none."""
     try:
         lines = first_bytes(file, _FIRST).decode("utf-8", "replace").splitlines()[:2]
     except OSError:
         return None
     for line in lines:
-        said = _SAID.search(line)
-        if said:
+        command = _COMMAND.search(line)
+        if command:
             try:
-                return (said[1], *shlex.split(said[2]))
+                return (command[1], *shlex.split(command[2]))
             except ValueError:
                 return None
     return None
 
 
 def _origin(file: str, words: tuple[str, ...]) -> Origin | None:
-    """How to make a file again; None, and a line that says why, where that cannot be."""
+    """Return how to generate a file again. None if that is not possible; the reason is printed."""
     first = takewhile(lambda word: word == "-" or not word.startswith("-"), words[1:])
-    read = [word for word in first if ":=" not in word]
-    asked = next((word for word in words if _NOT_BY_A_FILE.fullmatch(word)), None)
-    above = list(_above(file))
-    if not read:
+    inputs = [word for word in first if ":=" not in word]
+    forbidden = next((word for word in words if _FORBIDDEN.fullmatch(word)), None)
+    above = list(folders_upwards(os.path.dirname(os.path.abspath(file))))
+    if not inputs:
         above = [folder for folder in above if os.path.exists(os.path.join(folder, "package.xml"))]
-    homes = [os.curdir, *above] if read or not above else above
-    home = next((home for home in homes if all(os.path.exists(os.path.join(home, path)) for path in read)), None)
-    if asked or home is None or "-" in read:
-        why = f"its command has {asked}" if asked else f"there is no {' '.join(read)}"
-        why = "it was made from standard input" if "-" in read else why
-        tell(f"'{file}' is passed over: {why}")
+    homes = [os.curdir, *above] if inputs or not above else above
+    home = next((home for home in homes if all(os.path.exists(os.path.join(home, path)) for path in inputs)), None)
+    if forbidden or home is None or "-" in inputs:
+        why = f"its command sets {forbidden}" if forbidden else f"its input '{' '.join(inputs)}' does not exist"
+        why = "it was generated from standard input" if "-" in inputs else why
+        print_message(f"'{file}' is skipped: {why}")
         return None
     if words[0] != "gen-all":
         return Origin(os.path.abspath(file), words, os.path.abspath(home))
@@ -115,18 +116,8 @@ def _origin(file: str, words: tuple[str, ...]) -> Origin | None:
     return Origin(package, words, os.path.abspath(home))
 
 
-def _above(file: str) -> Iterator[str]:
-    """The folders that hold a file, the nearest first."""
-    folder = os.path.dirname(os.path.abspath(file))
-    while True:
-        yield folder
-        if os.path.dirname(folder) == folder:
-            return
-        folder = os.path.dirname(folder)
-
-
 @contextmanager
-def _standing_in(folder: str) -> Iterator[None]:
+def _working_in(folder: str) -> Iterator[None]:
     before = os.getcwd()
     os.chdir(folder)
     try:

@@ -4,152 +4,189 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Sequence
 
-from urdfctl.cli.looking import LookedAt, found_by, look_at
-from urdfctl.cli.wanted import Fixing, Wanted, found_in
-from urdfctl.cli.words import codes, configured, output_of, settings_from, split_arguments
-from urdfctl.cli.writing import print_text, tell, write_file
-from urdfctl.config import Config
+from urdfctl.cli.lint_request import Fixing, LintRequest
+from urdfctl.cli.lint_run import LintRun, lint_files
+from urdfctl.cli.targets import discovered
+from urdfctl.cli.words import check_jobs, codes, configured, output_of, settings_to_check, split_arguments
+from urdfctl.cli.writing import print_message, print_text, write_file
+from urdfctl.config.file import Config
+from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Severity
 from urdfctl.errors import UserError
-from urdfctl.hints import TYPE_CHECKING
-from urdfctl.lint import Selection, worst
-from urdfctl.lint import checked as checked_selection
+from urdfctl.lint.merging import worst
+from urdfctl.lint.selection import Selection, validate_selection
 from urdfctl.report import FORMATS, render
-from urdfctl.report.common import Report
-from urdfctl.settings import Settings
+from urdfctl.report.common import Report, about_missing_packages
+from urdfctl.startup.hints import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from urdfctl.cli.cache import RunCache
     from urdfctl.cli.known_findings import Baseline
-    from urdfctl.shards import Shard
+    from urdfctl.cli.options import LintOptions
+    from urdfctl.discover.shards import Shard
 
 
-def lint_words(  # noqa: PLR0913, PLR0917 (one for each option)
-    paths: list[str] | None = None,
-    distro: str | None = None,
-    simulator: str | None = None,
-    start: str | None = None,
-    workspace: str | None = None,
-    package_path: list[str] | None = None,
-    env: list[str] | None = None,
-    trust: bool = False,  # noqa: FBT001, FBT002
-    timeout: float = 20.0,
-    memory: int = 2048,
-    select: list[str] | None = None,
-    ignore: list[str] | None = None,
-    extend_select: list[str] | None = None,
-    formats: list[str] | None = None,
-    fail_on: str | None = None,
-    baseline: str | None = None,
-    write_baseline: str | None = None,
-    statistics: bool = False,  # noqa: FBT001, FBT002
-    exit_zero: bool = False,  # noqa: FBT001, FBT002
-    shard: str | None = None,
-    jobs: int = 0,
-    config: str | None = None,
-    show_settings: bool = False,  # noqa: FBT001, FBT002
-    fix: bool = False,  # noqa: FBT001, FBT002
-    unsafe_fixes: bool = False,  # noqa: FBT001, FBT002
-    diff: bool = False,  # noqa: FBT001, FBT002
-) -> int:
-    """Lint with the options of the command line, report it, and give the exit status."""
-    given = dict(locals())
-    if jobs < 0:
-        raise UserError(f"--jobs is a number of robots, or 0 for as many as there are processors; not {jobs}")
-    chosen = configured(paths, config, workspace)
-    settings = settings_from(chosen, distro, simulator, start, workspace, package_path, env, trust, timeout, memory)
-    wanted = Wanted(
-        tuple(paths or ()),
-        _selection(chosen, codes(select), codes(ignore), codes(extend_select)),
-        tuple(output_of(text, FORMATS) for text in formats or ("text",)),
-        _severity(fail_on or chosen.fail_on or "error"),
-        exit_zero,
-        jobs,
-        chosen,
-        _baseline(baseline, write_baseline),
-        statistics,
-        Fixing(unsafe_fixes, diff) if fix or unsafe_fixes or diff else None,
-        _shard(shard, write_baseline),
-    )
-    if show_settings:
-        from urdfctl.cli.shown_settings import shown
+def run_lint(options: LintOptions) -> int:
+    """Lint the files that the options name, report the findings, and return the exit status."""
+    check_jobs(options.jobs)
+    words = options.paths or []
+    config = configured(words, options)
+    settings = settings_to_check(config, options, split_arguments(words)[0])
+    if options.node:
+        from urdfctl.cli.node_definitions import node_definitions
 
-        print_text(shown(wanted, settings, given))
+        settings = settings._replace(nodes=node_definitions(options.node))
+    request = _request(words, config, options)
+    if options.show_settings:
+        from urdfctl.cli.shown_settings import settings_text
+
+        print_text(settings_text(request, settings, vars(options)))
         return 0
-    return run_lint(wanted, settings)
+    return lint(request, settings)
 
 
-def run_lint(wanted: Wanted, settings: Settings) -> int:
-    """Lint what the words mean, report it, and give the exit status."""
-    paths, arguments = split_arguments(wanted.words)
-    found = found_by(paths, wanted.config)
-    if not (found.descriptions() or found.controllers or found.launches or found.controllers_candidates):
-        tell(f"no robot found in {', '.join(paths) or 'this folder'}")
-    looked_at = look_at(found, tuple(arguments.items()), settings, wanted)
-    if wanted.fixing is None:
-        return _status(_report(looked_at, wanted), looked_at, wanted)
-    from urdfctl.cli.fix_command import fix, tell_of
-
-    done, before = fix(looked_at.all, settings, wanted, wanted.fixing), looked_at
-    if wanted.fixing.as_diff:
-        _report(looked_at, wanted)
-        tell_of(done.files, before.linted, done.left, wanted, wanted.fixing)
-        return 3 if looked_at.crashed else int(done.files > 0 and not wanted.exit_zero)
-    looked_at = look_at(found, tuple(arguments.items()), settings, wanted) if done.files else before
-    report = _report(looked_at, wanted)
-    tell_of(done.files, before.linted, looked_at.linted, wanted, wanted.fixing)
-    return 2 if done.failed else _status(report, looked_at, wanted)
+def _request(words: Sequence[str], config: Config, options: LintOptions) -> LintRequest:
+    fixes = options.fix or options.unsafe_fixes or options.diff
+    return LintRequest(
+        words=tuple(words),
+        selection=_selection(config, options),
+        outputs=tuple(output_of(text, FORMATS) for text in options.formats or ("text",)),
+        fail_on=_severity(options.fail_on or config.fail_on or "error"),
+        exit_zero=options.exit_zero,
+        jobs=options.jobs,
+        config=config,
+        baseline=_baseline(options.baseline, options.write_baseline),
+        statistics=options.statistics,
+        fixing=Fixing(options.unsafe_fixes, options.diff) if fixes else None,
+        shard=_shard(options.shard, options.write_baseline),
+        cached=not options.no_cache,
+    )
 
 
-def _status(report: Report, looked_at: LookedAt, wanted: Wanted) -> int:
-    if looked_at.crashed:
+def lint(request: LintRequest, settings: Settings) -> int:
+    """Lint, fix and report the files of a request, and return the exit status."""
+    paths, named_arguments = split_arguments(request.words)
+    arguments = tuple(named_arguments.items())
+    cache = _cache(paths, settings, request)
+    known = cache.load() if cache else None
+    if known is not None:
+        results, positions = known
+        run = LintRun([result for index, (_, result) in enumerate(results) if index in positions], results)
+        return _status(_report(run, request), run, request)
+    files = discovered(paths, request.config)
+    if not files.paths():
+        raise UserError(
+            f"nothing to lint in {', '.join(paths) or 'this folder'}: name a robot (.urdf, .xacro), a controller file "
+            "(.yaml) or a launch file, or a folder that contains one"
+        )
+    if files.despite:
+        print_message(
+            f"checked although COLCON_IGNORE or CATKIN_IGNORE leaves nothing else: {', '.join(files.despite[:3])}"
+        )
+    run = lint_files(files, arguments, settings, request)
+    if not run.results and request.shard is None:
+        raise UserError(
+            f"nothing to lint in {', '.join(paths) or 'this folder'}: it contains launch files, but they start no "
+            "robot or controllers of this workspace"
+        )
+    if cache:
+        robots = {id(result) for result in run.robots}
+        cache.store(run.targets, (index for index, (_, result) in enumerate(run.targets) if id(result) in robots))
+    if settings.nodes:
+        from urdfctl.cli.node_definitions import check_nodes
+
+        check_nodes(settings.nodes, run.results)
+    if request.fixing is None:
+        return _status(_report(run, request), run, request)
+    from urdfctl.cli.fix_command import fix, report_fixes
+
+    done, before = fix(run.targets, settings, request, request.fixing), run
+    if request.fixing.as_diff:
+        _report(run, request)
+        report_fixes(done.files, before.results, done.left, request, request.fixing)
+        return 3 if run.crashed else int(done.files > 0 and not request.exit_zero)
+    run = lint_files(files, arguments, settings, request) if done.files else before
+    report = _report(run, request)
+    report_fixes(done.files, before.results, run.results, request, request.fixing)
+    return 2 if done.failed else _status(report, run, request)
+
+
+def _cache(paths: Sequence[str], settings: Settings, request: LintRequest) -> RunCache | None:
+    """The cache of a run that fixes nothing."""
+    if request.fixing is not None or not request.cached:
+        return None
+    from urdfctl.cli.cache import RunCache
+
+    asked = (request.words, request.selection, request.config, request.shard)
+    return RunCache(paths, settings, asked, extra=[request.config.file] if request.config.file else ())
+
+
+def _status(report: Report, run: LintRun, request: LintRequest) -> int:
+    if run.crashed:
         return 3
-    gravest = worst(report.findings)
-    return int(gravest is not None and gravest.weight >= wanted.fail_on.weight and not wanted.exit_zero)
+    severity = worst(report.findings)
+    return int(severity is not None and severity.weight >= request.fail_on.weight and not request.exit_zero)
 
 
-def _report(looked_at: LookedAt, wanted: Wanted) -> Report:
-    """The report, told as is wanted; on standard output stands the diff, where one is shown."""
-    findings = found_in(looked_at.linted, wanted)
-    told = findings
-    if wanted.baseline is not None:
-        read = {file for linted in looked_at.linted for file in linted.files}
-        told = wanted.baseline.unknown(findings, read, wanted.selection)
-    others, known = len(looked_at.all) - len(looked_at.robots), len(findings) - len(told)
-    report = Report(tuple(looked_at.robots), tuple(told), others, wanted.fail_on, known, wanted.statistics)
-    for name, file in wanted.outputs:
-        if file is not None or not (wanted.fixing and wanted.fixing.as_diff):
-            _tell(report, name, file)
+def _report(run: LintRun, request: LintRequest) -> Report:
+    """Write the reports. With --diff, standard output is only for the diff."""
+    findings = request.findings(run.results)
+    shown = findings
+    if request.baseline is not None:
+        read = {file for result in run.results for file in result.files}
+        shown = request.baseline.unknown(findings, read, request.selection)
+    unused, known = tuple(result.path for result in run.unused), len(findings) - len(shown)
+    report = Report(
+        targets=tuple(run.robots),
+        findings=tuple(shown),
+        unused=unused,
+        fail_on=request.fail_on,
+        known=known,
+        statistics=request.statistics,
+        missing_packages=tuple(sorted({name for result in run.results for name in result.missing_packages})),
+    )
+    if report.missing_packages and all(name == "concise" for name, _ in request.outputs):
+        print_message(about_missing_packages(report.missing_packages))
+    for name, file in request.outputs:
+        if file is not None or not (request.fixing and request.fixing.as_diff):
+            _write(report, name, file)
     return report
 
 
-def _selection(config: Config, select: tuple[str, ...], ignore: tuple[str, ...], extend: tuple[str, ...]) -> Selection:
-    """The rules that the options ask for, and where they say nothing the configuration."""
-    ignored = (*config.ignore, *(code for _, codes in config.per_file_ignores for code in codes))
+def _selection(config: Config, options: LintOptions) -> Selection:
+    """Return the rules that the options select, by default those that the configuration selects."""
+    ignored = (*config.ignore, *(code for _, file_codes in config.per_file_ignores for code in file_codes))
     of_config = Selection(config.select, ignored, config.extend_select, config.severities)
     try:
-        checked_selection(of_config)
+        validate_selection(of_config)
     except UserError as error:
         raise UserError(f"{config.file}: {error}" if config.file else str(error)) from None
-    return checked_selection(
-        Selection(select or config.select, ignore or config.ignore, extend or config.extend_select, config.severities)
+    return validate_selection(
+        Selection(
+            select=codes(options.select) or config.select,
+            ignore=codes(options.ignore) or config.ignore,
+            extend=codes(options.extend_select) or config.extend_select,
+            severities=config.severities,
+        )
     )
 
 
 def _baseline(path: str | None, to_write: str | None) -> Baseline | None:
     if path is None and to_write is None:
         return None
-    from urdfctl.cli.known_findings import opened
+    from urdfctl.cli.known_findings import open_baseline
 
-    return opened(path, to_write)
+    return open_baseline(path, to_write)
 
 
 def _shard(text: str | None, to_write: str | None) -> Shard | None:
     if text is None:
         return None
     if to_write is not None:
-        raise UserError("--write-baseline needs the whole run; --shard is a part of one")
-    from urdfctl.shards import shard
+        raise UserError("--write-baseline requires the whole run and cannot be used with --shard")
+    from urdfctl.discover.shards import shard
 
     return shard(text)
 
@@ -158,10 +195,10 @@ def _severity(name: str) -> Severity:
     try:
         return Severity(name)
     except ValueError:
-        raise UserError(f"--fail-on is one of error, warning, info; not '{name}'") from None
+        raise UserError(f"--fail-on must be error, warning or info, not '{name}'") from None
 
 
-def _tell(report: Report, name: str, file: str | None) -> None:
+def _write(report: Report, name: str, file: str | None) -> None:
     if file is not None:
         write_file(file, render(report, name), force=True)
     elif name == "text" and sys.stdout.isatty() and not os.environ.get("NO_COLOR"):

@@ -1,4 +1,4 @@
-"""Shows changes as a unified diff that `git apply` and `patch -p1` take."""
+"""Show changes as a unified diff for `git apply` and `patch -p1`."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _ESCAPES = {"\\": "\\\\", '"': '\\"', "\n": "\\n", "\t": "\\t", "\r": "\\r"}
 
 
 def patch(changes: Iterable[Change]) -> bytes:
-    """The changes, with paths from the current folder on."""
+    """Return the changes as a diff, with paths relative to the current folder."""
     return b"".join(line for change in changes for line in _lines(change))
 
 
@@ -25,14 +25,14 @@ def _lines(change: Change) -> Iterator[bytes]:
 
 
 def _split(data: bytes) -> list[bytes]:
-    """Lines as git sees them: only LF ends one."""
+    """Return the lines as git splits them: only at LF."""
     lines = [line + b"\n" for line in data.split(b"\n")]
     lines[-1] = lines[-1][:-1]
     return lines if lines[-1] else lines[:-1]
 
 
 def _header(side: str, name: str) -> bytes:
-    """A path as git writes it: quoted where it would be misread, with a tab behind it where it has blanks."""
+    """Return a path as git writes it: quoted if it has special characters, with a tab after it if it has spaces."""
     path = f"{side}/{name}"
     if any(character in path for character in _ESCAPES):
         path = '"' + "".join(_ESCAPES.get(character, character) for character in path) + '"'

@@ -1,4 +1,4 @@
-"""A bar that shows how far a long run is, on terminals only."""
+"""A progress bar for long runs, on terminals only."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import os
 import sys
 from collections.abc import Iterator
 
-from urdfctl.hints import TYPE_CHECKING
+from urdfctl.startup.hints import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from typing import TypeVar
@@ -15,11 +15,11 @@ if TYPE_CHECKING:
 
 
 SHOWN_FROM = 20
-"""Fewer robots are linted before the bar could be read."""
+"""Fewer robots are done before anyone could read the bar."""
 
 
-def watched(results: Iterator[Result], total: int, doing: str = "linting") -> Iterator[Result]:
-    """The results as they come, with a bar on standard error where that is a terminal and there are many."""
+def with_progress(results: Iterator[Result], total: int, doing: str = "linting") -> Iterator[Result]:
+    """Yield the results; show a bar on standard error if that is a terminal and there are many."""
     if total < SHOWN_FROM or not sys.stderr.isatty() or os.environ.get("TERM") == "dumb":
         yield from results
         return
@@ -28,7 +28,7 @@ def watched(results: Iterator[Result], total: int, doing: str = "linting") -> It
 
     columns = TextColumn(doing), BarColumn(), MofNCompleteColumn()
     console = Console(stderr=True)
-    # without a thread of its own, for workers are forks; and without a hand on what others print
+    # no refresh thread, because workers are forks; no redirection of what others print
     with Progress(
         *columns, console=console, transient=True, auto_refresh=False, redirect_stdout=False, redirect_stderr=False
     ) as bar:

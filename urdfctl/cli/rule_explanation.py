@@ -1,4 +1,4 @@
-"""All that is known of one rule, with its example and what linting it really says."""
+"""The explanation of a rule, with its examples and the real output of lint."""
 
 from __future__ import annotations
 
@@ -7,17 +7,20 @@ import tempfile
 import textwrap
 
 from urdfctl.catalog.distros import in_words
-from urdfctl.lint import Selection, joined
-from urdfctl.load import Loader, Target
+from urdfctl.config.settings import Settings
+from urdfctl.lint.merging import merge
+from urdfctl.lint.selection import Selection
+from urdfctl.lint.target import lint_target
+from urdfctl.load.loader import Loader
+from urdfctl.load.target import Target
 from urdfctl.report.common import Report
 from urdfctl.report.text import render
 from urdfctl.rule import Rule
 from urdfctl.rules.examples import companions, options_of, unmarked
-from urdfctl.settings import Settings
 
 
 def rule_explanation(rule: Rule) -> str:
-    """What a rule finds, why it matters, by whose authority, and its examples."""
+    """Return the rule's summary, reason, authority and examples as text."""
     parts = [
         f"{rule.code} {rule.name} ({rule.severity.value}; {in_words(rule.distros)})",
         rule.summary,
@@ -26,9 +29,9 @@ def rule_explanation(rule: Rule) -> str:
     ]
     if rule.bad:
         parts += ["Wrong:", *_files(rule.bad)]
-        parts += [] if rule.of_smoke else ["What urdfctl says of it:", _output(rule)]
+        parts += [] if rule.of_smoke else ["Output of urdfctl lint:", _output(rule)]
         parts += ["Right:", *_files(rule.good)]
-    parts.append(f"To silence it at one place: <!-- urdfctl: ignore[{rule.code}] the reason -->")
+    parts.append(f"To ignore it in one place: <!-- urdfctl: ignore[{rule.code}] the reason -->")
     return "\n\n".join(part for part in parts if part) + "\n"
 
 
@@ -41,7 +44,7 @@ def _files(files: dict[str, str]) -> list[str]:
 
 
 def _output(rule: Rule) -> str:
-    """What linting the wrong example really says."""
+    """Return the real output of lint for the bad example."""
     files, _ = unmarked(rule.bad)
     before = os.getcwd()
     with tempfile.TemporaryDirectory() as folder:
@@ -57,9 +60,9 @@ def _output(rule: Rule) -> str:
             settings = Settings(workspace=os.getcwd(), **options)
             controllers, launch = companions(files)
             target = Target(next(iter(files)), arguments, controllers=controllers, launch=launch)
-            linted = Loader(settings, selection).lint(target)
-            found = [one for one in joined([linted.outcome], selection) if one.code == rule.code]
-            report = Report((), tuple(found))
+            linted = lint_target(Loader(settings), target, selection).result
+            findings = [finding for finding in merge([linted.outcome], selection) if finding.code == rule.code]
+            report = Report((), tuple(findings))
             return textwrap.indent("\n".join(render(report).splitlines()[:-1]), "  ")
         finally:
             os.chdir(before)

@@ -6,14 +6,14 @@ import json
 
 from urdfctl.cli.writing import print_text
 from urdfctl.errors import UserError
-from urdfctl.lint import Selection, checked
+from urdfctl.lint.selection import Selection, validate_selection
 from urdfctl.rule import Rule
 from urdfctl.rules import all_rules
 
 
 def run_rules(output_format: str, prefixes: tuple[str, ...]) -> int:
     """List the rules as a table or as JSON."""
-    selection = checked(Selection(prefixes))
+    selection = validate_selection(Selection(prefixes))
     wanted = [rule for rule in all_rules() if selection.admits(rule.code)]
     if output_format == "json":
         print_text(json.dumps([plain_rule(rule) for rule in wanted], indent=1) + "\n")
@@ -27,7 +27,7 @@ def run_rules(output_format: str, prefixes: tuple[str, ...]) -> int:
 
 
 def plain_rule(rule: Rule) -> dict[str, object]:
-    """A rule as JSON tells it."""
+    """Return a rule as plain data, for JSON."""
     return {
         "code": rule.code,
         "name": rule.name,

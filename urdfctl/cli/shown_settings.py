@@ -1,4 +1,4 @@
-"""`urdfctl lint --show-settings`: what holds for a run, and what set it, in the form of urdfctl.toml."""
+"""`urdfctl lint --show-settings`: the effective settings and where each comes from, as urdfctl.toml."""
 
 from __future__ import annotations
 
@@ -6,19 +6,24 @@ import json
 import os
 from collections.abc import Iterator, Mapping, Sequence
 
-from urdfctl.cli.wanted import Wanted
-from urdfctl.config import Config, config_of
-from urdfctl.record import NamedTuple
-from urdfctl.settings import Settings
-from urdfctl.variants import ConfiguredRobot
-from urdfctl.workspace import workspace_of
+from urdfctl.cli.lint_request import LintRequest
+from urdfctl.config.file import Config, config_of
+from urdfctl.config.robots import ConfiguredRobot
+from urdfctl.config.settings import Settings
+from urdfctl.source.workspace import workspace_of
+from urdfctl.startup.records import NamedTuple
 
 _WIDTH = 40
 
 
 class Setting(NamedTuple):
-    """A key of the configuration, what holds for it (None where nothing was said), and the options and variables that
-    may set it."""
+    """A setting.
+
+    key: its name in the configuration.
+    value: its effective value; None if it is not set.
+    option: the name of the option that sets it.
+    variable: the environment variable that sets it.
+    """
 
     key: str
     value: str | Sequence[str] | None
@@ -26,23 +31,26 @@ class Setting(NamedTuple):
     variable: str | None = None
 
 
-def shown(wanted: Wanted, settings: Settings, given: Mapping[str, object]) -> str:
-    """All settings of a run, of which some were `given` on the command line, by the names of the options."""
-    return "".join(f"{line}\n" for line in _lines(wanted, settings, given))
+def settings_text(request: LintRequest, settings: Settings, given: Mapping[str, object]) -> str:
+    """Return all settings of a run as text.
+
+    given: the options on the command line, by name.
+    """
+    return "".join(f"{line}\n" for line in _lines(request, settings, given))
 
 
-def _lines(wanted: Wanted, settings: Settings, given: Mapping[str, object]) -> Iterator[str]:
-    config, first = wanted.config, next((word for word in wanted.words if ":=" not in word), os.curdir)
+def _lines(request: LintRequest, settings: Settings, given: Mapping[str, object]) -> Iterator[str]:
+    config, first = request.config, next((word for word in request.words if ":=" not in word), os.curdir)
     inside = os.path.join(first, "robot") if os.path.isdir(first) else first
     yield f"# configuration: {config.file or 'none'}"
     yield f"# workspace: {workspace_of(os.path.abspath(inside), settings.workspace)}"
     yield f"# at most {settings.timeout:g} s and {settings.memory >> 20} MiB for a robot"
-    of_file = (config.file and config_of(config.file)) or Config()
-    for setting in _settings(wanted, settings):
+    file_config = (config.file and config_of(config.file)) or Config()
+    for setting in _settings(request, settings):
         if setting.value is None:
-            yield f"# {setting.key}: not set; the files of each robot tell"
+            yield f"# {setting.key}: not set; detected from the files of each robot"
         else:
-            yield f"{f'{setting.key} = {_toml(setting.value)}':{_WIDTH}}  # {_origin(setting, given, of_file)}"
+            yield f"{f'{setting.key} = {_toml(setting.value)}':{_WIDTH}}  # {_origin(setting, given, file_config)}"
     yield from _table("severity", config.severities)
     yield from _table("per-file-ignores", config.per_file_ignores)
     for robot in config.robots:
@@ -51,25 +59,25 @@ def _lines(wanted: Wanted, settings: Settings, given: Mapping[str, object]) -> I
         yield from (f"# [[{kind}]] {entry['type']}" for entry in entries)
 
 
-def _settings(wanted: Wanted, settings: Settings) -> Iterator[Setting]:
-    selection = wanted.selection
+def _settings(request: LintRequest, settings: Settings) -> Iterator[Setting]:
+    selection = request.selection
     yield Setting("distro", settings.distro, "distro", "URDFCTL_DISTRO")
     yield Setting("simulator", settings.simulator, "simulator", "URDFCTL_SIMULATOR")
     yield Setting("package-paths", settings.package_paths, "package_path", "URDFCTL_PACKAGE_PATHS")
     yield Setting("select", selection.select, "select", "URDFCTL_SELECT")
     yield Setting("ignore", selection.ignore, "ignore", "URDFCTL_IGNORE")
     yield Setting("extend-select", selection.extend, "extend_select", "URDFCTL_EXTEND_SELECT")
-    yield Setting("exclude", wanted.config.exclude)
-    yield Setting("fail-on", wanted.fail_on.value, "fail_on", "URDFCTL_FAIL_ON")
+    yield Setting("exclude", request.config.exclude)
+    yield Setting("fail-on", request.fail_on.value, "fail_on", "URDFCTL_FAIL_ON")
 
 
-def _origin(setting: Setting, given: Mapping[str, object], of_file: Config) -> str:
+def _origin(setting: Setting, given: Mapping[str, object], file_config: Config) -> str:
     field = setting.key.replace("-", "_")
     if setting.option and given.get(setting.option):
         return f"--{setting.option.replace('_', '-')}"
     if setting.variable and os.environ.get(setting.variable):
         return f"${setting.variable}"
-    return of_file.file or "" if getattr(of_file, field) != getattr(Config(), field) else "default"
+    return file_config.file or "" if getattr(file_config, field) != getattr(Config(), field) else "default"
 
 
 def _table(name: str, rows: Sequence[tuple[str, str | tuple[str, ...]]]) -> Iterator[str]:

@@ -6,100 +6,141 @@ import os
 import sys
 from collections.abc import Iterator, Sequence
 
-from urdfctl.cli.looking import found_by, targets_of
-from urdfctl.cli.progress import watched
-from urdfctl.cli.words import split_arguments
-from urdfctl.cli.writing import print_text, tell, write_file
-from urdfctl.config import Config
+from urdfctl.cli.progress import with_progress
+from urdfctl.cli.targets import PlannedTarget, discovered, of_shard, planned
+from urdfctl.cli.words import check_jobs, configured, output_of, settings_to_check, split_arguments
+from urdfctl.cli.writing import print_text, write_file
+from urdfctl.config.file import Config
+from urdfctl.config.settings import Settings
 from urdfctl.errors import UserError
-from urdfctl.lint import Selection, joined, worst
-from urdfctl.load import Target
-from urdfctl.record import NamedTuple
-from urdfctl.settings import Settings
-from urdfctl.shards import Shard, share
+from urdfctl.lint.merging import merge, worst
+from urdfctl.lint.selection import Selection
+from urdfctl.load.target import Target
+from urdfctl.names import did_you_mean, enumerated, nearest_path
 from urdfctl.smoke.engines import NAMES, installed
 from urdfctl.smoke.job import Wanted, smoke_all
-from urdfctl.smoke.reports import SmokeReport, report_of, text_pieces, written
+from urdfctl.smoke.reports import SMOKE_FORMATS, SmokeReport, render_smoke, report_of, text_pieces
 from urdfctl.smoke.results import Smoked
-from urdfctl.suggest import did_you_mean
+from urdfctl.startup.hints import TYPE_CHECKING
 
+if TYPE_CHECKING:
+    from urdfctl.cli.options import SmokeOptions
+
+NOTHING_TESTED = 5
+"""Exit status if no controller was taken through its life."""
+MAX_DURATION = 60.0
+"""Seconds of simulation for one controller."""
 ENGINES = ("auto", *NAMES, "both", "none")
 
 
-class Asked(NamedTuple):
-    """What a smoke command was asked for; `outputs` are formats with the file they go to, None for standard output;
-    of the robots it is all, or one share; `page` is the file that the page of HTML goes to."""
-
-    words: tuple[str, ...]
-    wanted: Wanted
-    controllers: tuple[str, ...] = ()
-    outputs: tuple[tuple[str, str | None], ...] = (("text", None),)
-    jobs: int = 0
-    shard: Shard | None = None
-    page: str | None = None
-    config: Config = Config()
-
-
-def run_smoke(asked: Asked, settings: Settings) -> int:
-    """Test what the words mean, report it, and give the exit status."""
-    paths, arguments = split_arguments(asked.words)
-    found = found_by(paths, asked.config)
-    targets, kept = targets_of(found, tuple(arguments.items()), asked.config.robots)
-    targets = [_with_controllers(target, asked.controllers) for target in targets]
-    if asked.shard is not None:
-        mine = share(found, asked.shard, [robot.files for robot in asked.config.robots])
-        pairs = [pair for pair in zip(targets, kept, strict=True) if os.path.abspath(pair[0].path) in mine]
-        targets, kept = [target for target, _ in pairs], [keep for _, keep in pairs]
-
-    def chosen(judged: list[Smoked]) -> Iterator[int]:
-        return _told([one if keep(one.linted) else None for one, keep in zip(judged, kept, strict=True)])
-
-    results = smoke_all(targets, settings, asked.wanted, asked.jobs or None, chosen)
-    smoked = list(watched(results, len(targets), "testing"))
-    if not smoked:
-        tell(f"no robot found in {', '.join(paths) or 'this folder'}")
-    outcomes = [one.linted.outcome for one in smoked]
-    findings = [one for one in joined(outcomes, Selection()) if not asked.config.ignores(one.at.file, one.code)]
-    report = report_of(smoked, findings)
-    for name, file in asked.outputs:
-        _tell(report, name, file)
-    if asked.page:
+def run_smoke(options: SmokeOptions) -> int:
+    """Test the robots that the options name, report the results, and return the exit status."""
+    _validate(options)
+    words = options.paths or []
+    config = configured(words, options)
+    settings = settings_to_check(config, options, [*split_arguments(words)[0], *(options.controllers or ())])
+    outputs = tuple(output_of(text, SMOKE_FORMATS) for text in options.formats or ("text",))
+    wanted = Wanted(
+        only=tuple(name.strip() for text in options.only or () for name in text.split(",") if name.strip()),
+        engines=engines_of(options.engine),
+        instead=installed()[1:] if options.engine == "auto" else (),
+        duration=options.duration,
+        gui=options.gui,
+        picture=options.report is not None,
+    )
+    plan = _plan(words, config, options)
+    if not plan and options.shard is None:
+        where = ", ".join(split_arguments(words)[0]) or "this folder"
+        raise UserError(f"nothing to test in {where}: name a robot or a launch file")
+    smoked = list(with_progress(_results(plan, settings, wanted, options.jobs), len(plan), "testing"))
+    _check_only(wanted.only, smoked)
+    outcomes = [robot.linted.outcome for robot in smoked]
+    findings = [
+        finding for finding in merge(outcomes, Selection()) if not config.ignores(finding.at.file, finding.code)
+    ]
+    report = report_of(smoked, findings)._replace(allow_empty=options.allow_empty or options.shard is not None)
+    for name, file in outputs:
+        _write(report, name, file)
+    if options.report:
         from urdfctl.smoke.page import page
 
-        write_file(asked.page, page(report), force=True)
+        write_file(options.report, page(report), force=True)
     if any(outcome.crashed for outcome in outcomes):
         return 3
-    gravest = worst(findings)
-    return int(gravest is not None and gravest.weight >= report.found.fail_on.weight)
+    severity = worst(findings)
+    if severity is not None and severity.weight >= report.found.fail_on.weight:
+        return 1
+    return NOTHING_TESTED if report.is_empty else 0
+
+
+def _check_only(only: Sequence[str], smoked: Sequence[Smoked]) -> None:
+    names = {controller.name for robot in smoked for controller in robot.controllers}
+    unknown = [name for name in only if name not in names]
+    if unknown:
+        quoted = enumerated([f"'{name}'" for name in unknown], "or")
+        raise UserError(f"--only: no robot has a controller {quoted}")
+
+
+def _validate(options: SmokeOptions) -> None:
+    check_jobs(options.jobs)
+    if not 0 < options.duration <= MAX_DURATION:
+        raise UserError(f"--duration must be a number of seconds up to {MAX_DURATION:g}, not {options.duration:g}")
+    if options.report == "":
+        raise UserError("--report requires the name of a file")
+    if "" in (options.controllers or ()):
+        raise UserError("--controllers requires the name of a file")
+    for path in options.controllers or ():
+        if not os.path.lexists(path):
+            raise UserError(f"file does not exist: '{path}'{nearest_path(path)}")
+
+
+def _plan(words: Sequence[str], config: Config, options: SmokeOptions) -> list[PlannedTarget]:
+    paths, arguments = split_arguments(words)
+    files = discovered(paths, config)
+    plan = planned(files, tuple(arguments.items()), config.robots)
+    if options.shard is not None:
+        from urdfctl.discover.shards import shard
+
+        _, plan = of_shard(files, plan, shard(options.shard), config.robots)
+    return [entry._replace(target=_with_controllers(entry.target, options.controllers or ())) for entry in plan]
+
+
+def _results(plan: Sequence[PlannedTarget], settings: Settings, wanted: Wanted, jobs: int) -> Iterator[Smoked]:
+    def chosen(judged: list[Smoked]) -> Iterator[int]:
+        return _reported(
+            [robot if entry.is_reported(robot.linted) else None for robot, entry in zip(judged, plan, strict=True)]
+        )
+
+    return smoke_all([entry.target for entry in plan], settings, wanted, jobs or None, chosen)
 
 
 def _with_controllers(target: Target, controllers: Sequence[str]) -> Target:
     return target._replace(controllers=(*target.controllers, *controllers))
 
 
-def _told(smoked: list[Smoked | None]) -> Iterator[int]:
-    """The indices of those that are to be told of: each robot with its controllers once, and without controllers only
-    where no launch file gives it any."""
-    driven = {one.linted.path for one in smoked if one and one.controllers}
+def _reported(smoked: list[Smoked | None]) -> Iterator[int]:
+    """Yield the indices of the results to report. Each robot with its controllers is reported once. A robot without
+    controllers is reported only if no launch file gives it any."""
+    driven = {robot.linted.path for robot in smoked if robot and robot.controllers}
     seen = set()
-    for index, one in enumerate(smoked):
-        if one is None:
+    for index, robot in enumerate(smoked):
+        if robot is None:
             continue
-        key = one.linted.path, one.linted.controllers, tuple(result.name for result in one.controllers)
-        if key not in seen and (one.controllers or one.linted.path not in driven):
+        key = robot.linted.path, robot.linted.controllers, tuple(result.name for result in robot.controllers)
+        if key not in seen and (robot.controllers or robot.linted.path not in driven):
             seen.add(key)
             yield index
 
 
 def engines_of(name: str) -> tuple[str, ...]:
-    """The engines that a name means. UserError where there is no such engine, or it is not installed."""
+    """Return the engines that a name means. UserError if there is no such engine, or it is not installed."""
     if name not in ENGINES:
         raise UserError(f"unknown engine '{name}'{did_you_mean(name, ENGINES)}; known are {', '.join(ENGINES)}")
     if name == "none":
         return ()
-    there = installed()
-    wanted = NAMES if name == "both" else there[:1] if name == "auto" else (name,)
-    if not wanted or not set(wanted) <= set(there):
+    available = installed()
+    wanted = NAMES if name == "both" else available[:1] if name == "auto" else (name,)
+    if not wanted or not set(wanted) <= set(available):
         missing = "no physics engine" if name == "auto" else "not every engine" if name == "both" else f"'{name}'"
         is_there = "is installed" if name in ("auto", "both") else "is not installed"
         raise UserError(
@@ -108,12 +149,12 @@ def engines_of(name: str) -> tuple[str, ...]:
     return wanted
 
 
-def _tell(report: SmokeReport, name: str, file: str | None) -> None:
+def _write(report: SmokeReport, name: str, file: str | None) -> None:
     if file is not None:
-        write_file(file, written(report, name), force=True)
+        write_file(file, render_smoke(report, name), force=True)
     elif name == "text" and sys.stdout.isatty() and not os.environ.get("NO_COLOR"):
         from urdfctl.report.text import print_pieces
 
         print_pieces(text_pieces(report))
     else:
-        print_text(written(report, name))
+        print_text(render_smoke(report, name))

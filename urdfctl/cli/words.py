@@ -1,75 +1,92 @@
-"""What the words of a command line mean, once they are told apart."""
+"""Parse words and options that several commands share."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 
-from urdfctl.config import Config, config_for, config_of, with_environ
+from urdfctl.config.file import Config, config_for, config_of, with_environ
+from urdfctl.config.settings import Settings, passed_on, validate_settings
 from urdfctl.errors import UserError
-from urdfctl.settings import Settings, checked, passed_on
-from urdfctl.suggest import did_you_mean
+from urdfctl.names import did_you_mean
+from urdfctl.startup.hints import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfctl.cli.options import CheckOptions, ReadingOptions
 
 
 def codes(given: list[str] | None) -> tuple[str, ...]:
-    """The codes, or beginnings of codes, that a repeatable option lists."""
+    """Return the codes, or prefixes of codes, that a repeatable option lists."""
     return tuple(code.strip().upper() for item in given or () for code in item.split(",") if code.strip())
 
 
 def output_of(text: str, formats: Collection[str]) -> tuple[str, str | None]:
-    """A format and the file it goes to, None for standard output. UserError where there is no such format."""
+    """Return a format and its file, None for standard output. UserError if there is no such format."""
     name, mark, file = text.partition("=")
     if name not in formats:
         raise UserError(f"unknown format '{name}'{did_you_mean(name, formats)}; known are {', '.join(formats)}")
     if mark and not file:
-        raise UserError(f"--format {name}= names no file")
+        raise UserError(f"--format {name}= requires the name of a file")
     return name, file or None
 
 
-def configured(words: list[str] | None, config: str | None, workspace: str | None) -> Config:
-    """What the project's configuration and the environment set: of the file named, else of the nearest."""
-    if config is None:
-        paths, _ = split_arguments(words or [])
-        return with_environ(config_for(tuple(paths), workspace), os.environ)
-    if not os.path.exists(config):
-        raise UserError(f"no such file: '{config}'")
-    return with_environ(config_of(config) or Config(config), os.environ)
+def configured(words: Sequence[str], options: ReadingOptions) -> Config:
+    """Return what the configuration file and the environment set: the file that is named, or the nearest one."""
+    if options.config is None:
+        paths, _ = split_arguments(words)
+        return with_environ(config_for(tuple(paths), options.workspace), os.environ)
+    if not os.path.exists(options.config):
+        raise UserError(f"file '{options.config}' does not exist")
+    return with_environ(config_of(options.config) or Config(options.config), os.environ)
 
 
-def settings_from(  # noqa: PLR0913, PLR0917 (one for each option)
+def settings_from(
     config: Config,
-    distro: str | None,
-    simulator: str | None,
-    start: str | None,
-    workspace: str | None,
-    package_path: list[str] | None,
-    env: list[str] | None,
-    trust: bool,  # noqa: FBT001
-    timeout: float,
-    memory: int,
+    options: ReadingOptions,
+    *,
+    distro: str | None = None,
+    simulator: str | None = None,
+    start: str | None = None,
+    named: Sequence[str] = (),
 ) -> Settings:
-    """The settings of a run, from its options, else from the configuration, and the environment."""
-    started = None if start is None else tuple(name.strip() for name in start.split(",") if name.strip())
-    return checked(
+    """Return the settings of a run: its options first, then the configuration, then the environment.
+
+    named: the paths on the command line; files among them are read wherever they are.
+    """
+    return validate_settings(
         Settings(
-            distro or config.distro,
-            simulator or config.simulator,
-            started,
-            workspace,
-            tuple(package_path or config.package_paths),
-            passed_on(os.environ, tuple(env or ())),
-            trust,
-            timeout,
-            memory << 20,
-            config.additions,
-            None if distro else config.distro_from,
-            None if simulator else config.simulator_from,
+            distro=distro or config.distro,
+            simulator=simulator or config.simulator,
+            started=None if start is None else tuple(name.strip() for name in start.split(",") if name.strip()),
+            workspace=options.workspace,
+            package_paths=tuple(options.package_path or config.package_paths),
+            environ=passed_on(os.environ, tuple(options.env or ())),
+            trust=options.trust,
+            timeout=options.timeout,
+            memory=options.memory << 20,
+            additions=config.additions,
+            distro_from=None if distro else config.distro_from,
+            simulator_from=None if simulator else config.simulator_from,
+            named_files=tuple(os.path.abspath(path) for path in named if os.path.isfile(path)),
         )
     )
 
 
-def split_arguments(words: list[str] | tuple[str, ...]) -> tuple[list[str], dict[str, str]]:
-    """Paths and `name:=value` arguments, told apart as xacro does; one without a value is left out, as xacro does."""
+def settings_to_check(config: Config, options: CheckOptions, named: Sequence[str]) -> Settings:
+    """Return the settings of a run that checks robots. named: as in `settings_from`."""
+    return settings_from(
+        config, options, distro=options.distro, simulator=options.simulator, start=options.start, named=named
+    )
+
+
+def check_jobs(jobs: int) -> None:
+    """Raise UserError if --jobs is negative."""
+    if jobs < 0:
+        raise UserError(f"--jobs must be a number of robots, or 0 for one for each processor; not {jobs}")
+
+
+def split_arguments(words: Sequence[str]) -> tuple[list[str], dict[str, str]]:
+    """Separate paths from `name:=value` arguments as xacro does, which drops arguments without a value."""
     paths, arguments = [], {}
     for word in words:
         name, mark, value = word.partition(":=")

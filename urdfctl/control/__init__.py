@@ -1,1 +1,1 @@
-"""What a controller manager works out of controllers, their parameters and the robot."""
+"""Model of what a controller manager does with controllers, their parameters and the robot."""

@@ -1,8 +1,8 @@
-"""Controllers that claim the interfaces of other controllers: who needs whom, in which order, and in circles.
+"""Controllers that claim the interfaces of other controllers: dependencies, start order and loops.
 
-controller_manager.cpp: what stands before the first slash of an interface's name is looked up among the controllers
-before the hardware is asked; so a controller named like a joint hides the joint. From humble on for command interfaces,
-from jazzy on for state interfaces too.
+controller_manager.cpp: the part of an interface's name before the first slash is looked up among the controllers first,
+then in the hardware; so a controller with a joint's name hides the joint. From humble on for command interfaces, from
+jazzy on for state interfaces too.
 """
 
 from __future__ import annotations
@@ -12,29 +12,31 @@ from collections.abc import Iterator
 from urdfctl.control.claims import Claim
 from urdfctl.control.hardware import Kind
 from urdfctl.control.session import CHAINING, Configured, Session, before_slash
-from urdfctl.record import NamedTuple
+from urdfctl.startup.records import NamedTuple
 
 
 class Chained(NamedTuple):
-    """A claim of a controller (`preceding`) to an interface of another one (`following`)."""
+    """A claim of a controller to an interface of another controller."""
 
     preceding: Configured
+    """The controller that claims."""
     kind: Kind
     claim: Claim
     following: Configured
+    """The controller with the name before the first slash."""
 
     @property
     def is_offered(self) -> bool | None:
-        """Whether the other exports it; None where that is not known."""
+        """Whether the following controller exports the interface; None if unknown."""
         exports = self.following.exports
         offered = exports.reference if self.kind is Kind.COMMAND else exports.state
-        if any(one.name == self.claim.name for one in offered):
+        if any(export.name == self.claim.name for export in offered):
             return True
         return False if self.following.type is not None and exports.complete else None
 
 
 def chained_claims(session: Session, controller: Configured) -> Iterator[Chained]:
-    """The claims of a controller to what others of its manager export."""
+    """Yield the claims of a controller to interfaces of other controllers of its manager."""
     for kind in Kind:
         for claim in controller.claimed(kind) if session.distro in CHAINING[kind] else ():
             following = session.named(before_slash(claim), controller)
@@ -43,24 +45,29 @@ def chained_claims(session: Session, controller: Configured) -> Iterator[Chained
 
 
 def circle(session: Session, controller: Configured) -> tuple[Configured, ...]:
-    """The controllers, from this one on, each of which claims what the next one exports, and the last what this one
-    does; none where there is no such circle."""
+    """Return the loop of controllers that starts with this one; empty if there is none.
+
+    Each controller claims an interface of the next, and the last one an interface of the first.
+    """
     pending: list[tuple[Configured, ...]] = [(controller,)]
     seen: set[str] = set()
     while pending:
-        way = pending.pop()
-        for chained in chained_claims(session, way[-1]):
+        path = pending.pop()
+        for chained in chained_claims(session, path[-1]):
             following = chained.following
             if following is controller:
-                return way
+                return path
             if chained.kind is Kind.COMMAND and following.name not in seen:
                 seen.add(following.name)
-                pending.append((*way, following))
+                pending.append((*path, following))
     return ()
 
 
 def late(session: Session, controller: Configured) -> Iterator[Chained]:
-    """The claims of a started controller to what is started after it, where the order is known, or not at all."""
+    """Yield the command claims of a started controller to controllers started after it, or not at all.
+
+    If the start order is unknown, only controllers that are not started count.
+    """
     started = session.started or ()
     before = started[: started.index(controller)] if session.in_order and controller in started else started
     for chained in chained_claims(session, controller):

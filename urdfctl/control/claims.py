@@ -1,6 +1,6 @@
-"""Which interfaces a controller claims and exports, by the rules of its entry in the catalogue.
+"""The interfaces that a controller claims and exports, by the rules of its entry in the catalogue.
 
-A claim that hangs on a value that is not known is left out, and the whole is told not to be complete.
+A claim that depends on an unknown value is left out, and the result is marked as not complete.
 """
 
 from __future__ import annotations
@@ -11,63 +11,67 @@ from collections.abc import Iterable, Iterator, Mapping
 from urdfctl.catalog.entries import ClaimRule, Condition, ControllerType
 from urdfctl.catalog.values import elements, is_known, is_list, is_set
 from urdfctl.control.values import Values
-from urdfctl.record import NamedTuple
+from urdfctl.startup.records import NamedTuple
 
 _PLACEHOLDER = re.compile(r"\{(\w+)\}")
 
 
 class Claim(NamedTuple):
-    """An interface that a controller claims or exports: `component`/`interface`.
-
-    `parameter` and `element` tell what named the component, or the whole name: the parameter, and which of its
-    elements; None where the controller names it of itself. `interface_parameter` and `interface_element` tell the
-    same of the interface. A claim of `best_effort` that nothing offers is passed over in silence.
-    """
+    """An interface that a controller claims or exports: `component`/`interface`."""
 
     component: str
     interface: str
     parameter: str | None = None
+    """The parameter that names the component, or the full name; None if no parameter does."""
     element: int | None = None
+    """Index of the element in that parameter, if it is a list."""
     interface_parameter: str | None = None
+    """The parameter that names the interface; None if no parameter does."""
     interface_element: int | None = None
+    """Index of the element in that parameter, if it is a list."""
     best_effort: bool = False
+    """Whether the controller silently ignores that nothing offers the interface."""
 
     @property
     def name(self) -> str:
-        """The whole name."""
+        """The full name."""
         return f"{self.component}/{self.interface}" if self.interface else self.component
 
 
 class RobotFacts(NamedTuple):
-    """What claims may hang on: the movable joints, and the state interfaces offered, as (component, interface)."""
+    """Facts about the robot that claims may depend on."""
 
     movable_joints: tuple[str, ...] = ()
     state_interfaces: tuple[tuple[str, str], ...] = ()
+    """The offered state interfaces, as (component, interface)."""
 
 
 NO_FACTS = RobotFacts()
 
 
 class Claims(NamedTuple):
-    """What a controller claims. It may claim more where they are not `complete`."""
+    """The interfaces that a controller claims."""
 
     command: tuple[Claim, ...] = ()
     state: tuple[Claim, ...] = ()
     complete: bool = True
+    """False if the controller may claim more."""
 
 
 class Exports(NamedTuple):
-    """What a controller offers to those before it. It may offer more where they are not `complete`."""
+    """The interfaces that a controller exports for other controllers."""
 
     reference: tuple[Claim, ...] = ()
+    """Interfaces to be commanded."""
     state: tuple[Claim, ...] = ()
     complete: bool = True
+    """False if the controller may export more."""
 
 
 def claims(
     controller: ControllerType, name: str, values: Mapping[str, object], robot: RobotFacts = NO_FACTS
 ) -> Claims | None:
-    """What a controller of some name and parameters claims; None where the catalogue does not know."""
+    """Return the claims of a controller with this name and these values; None if the catalogue does not know them."""
     if controller.claims is None:
         return None
     evaluation = _Evaluation(controller, name, values, robot)
@@ -76,14 +80,14 @@ def claims(
 
 
 def exports(controller: ControllerType, name: str, values: Mapping[str, object]) -> Exports:
-    """What a controller of some name and parameters exports for others to claim."""
+    """Return the interfaces that a controller with this name and these parameter values exports."""
     evaluation = _Evaluation(controller, name, values, NO_FACTS)
     reference, state = evaluation.of(controller.exports.reference), evaluation.of(controller.exports.state)
     return Exports(reference, state, evaluation.complete)
 
 
 class _Named(NamedTuple):
-    """A text, and where it comes from."""
+    """A name, and the parameter and list element that gave it."""
 
     text: str
     parameter: str | None = None
@@ -91,7 +95,7 @@ class _Named(NamedTuple):
 
 
 class _Evaluation:
-    """The rules of one controller, asked about its values."""
+    """Evaluates the claim rules of one controller for its parameter values."""
 
     def __init__(self, controller: ControllerType, name: str, values: Mapping[str, object], robot: RobotFacts) -> None:
         self._name = name
@@ -100,7 +104,7 @@ class _Evaluation:
         self.complete = True
 
     def of(self, rules: Iterable[ClaimRule]) -> tuple[Claim, ...]:
-        """What some rules yield."""
+        """Return the claims that rules yield."""
         return tuple(claim for rule in rules for claim in self._of_rule(rule))
 
     def _of_rule(self, rule: ClaimRule) -> Iterator[Claim]:
@@ -128,12 +132,12 @@ class _Evaluation:
             if not _names_item(rule) or self._holds(rule, component.text):
                 for interface in self._interfaces(rule, component):
                     yield Claim(
-                        component.text,
-                        interface.text,
-                        component.parameter,
-                        component.element,
-                        interface.parameter,
-                        interface.element,
+                        component=component.text,
+                        interface=interface.text,
+                        parameter=component.parameter,
+                        element=component.element,
+                        interface_parameter=interface.parameter,
+                        interface_element=interface.element,
                     )
 
     def _components(self, rule: ClaimRule) -> Iterator[_Named]:
@@ -148,14 +152,14 @@ class _Evaluation:
             yield from (_Named(joint) for joint in self._robot.movable_joints)
 
     def _interfaces(self, rule: ClaimRule, component: _Named) -> tuple[_Named, ...]:
-        found = [_Named(interface) for interface in rule.interfaces]
+        interfaces = [_Named(interface) for interface in rule.interfaces]
         if rule.interfaces_from:
-            found += self._texts(self._filled(rule.interfaces_from, component.text))
+            interfaces += self._texts(self._filled(rule.interfaces_from, component.text))
         if rule.interfaces_in:
             prefix = rule.interfaces_in.rstrip("*")
             for name in (name for name in self._values if name.startswith(prefix)):
-                found += [named for named in self._texts(name) if named.text not in rule.interfaces]
-        return tuple(found)
+                interfaces += [named for named in self._texts(name) if named.text not in rule.interfaces]
+        return tuple(interfaces)
 
     def _offered_by(self, components: tuple[_Named, ...]) -> Iterator[Claim]:
         for component in components:
@@ -177,25 +181,25 @@ class _Evaluation:
         return value == condition.value
 
     def _texts(self, parameter: str) -> list[_Named]:
-        """The texts that a parameter holds: of a list its elements, of a text the text. Others are left out."""
+        """The strings in a parameter: the elements of a list, or the string itself. Other values are left out."""
         value = self._values.get(parameter)
         given = parameter if self._values.is_given(parameter) else None
-        found = [
+        strings = [
             _Named(part, given, index if given and is_list(value) else None)
             for index, part in enumerate(elements(value))
             if isinstance(part, str) and part
         ]
-        return [named for each in found for named in self._known(each)]
+        return [named for each in strings for named in self._known(each)]
 
     def _known(self, named: _Named) -> Iterator[_Named]:
-        """It, where it is known."""
+        """The name if it is known; else nothing, and the result is not complete."""
         if is_known(named.text):
             yield named
         else:
             self.complete = False
 
     def _filled(self, text: str, item: str | None) -> str:
-        """A text with its placeholders filled in: the controller's name, the element at hand, a parameter's value."""
+        """A string with placeholders replaced: the controller's name, the current element, or a parameter's value."""
         if "{" not in text:
             return text
 

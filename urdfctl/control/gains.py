@@ -1,4 +1,4 @@
-"""Gains that a controller cannot do without: which of them are not given, and what becomes of it then."""
+"""Required gains of a controller that are missing, and the consequence."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from urdfctl.catalog.map_parameters import expanded, matching
 from urdfctl.catalog.values import is_known
 from urdfctl.control.parameter_rules import applies
 from urdfctl.control.values import Values
-from urdfctl.record import NamedTuple
+from urdfctl.startup.records import NamedTuple
 
 NONZERO = "any_nonzero"
-"""The kind of the catalogue's rules that ask for a gain of each element."""
+"""The kind of catalogue rules that require a gain for each element."""
 
 
 class Fate(Enum):
-    """What becomes of a controller without gains."""
+    """The effect of missing gains on a controller."""
 
     REFUSED = "is not loaded"
     CRASH = "crashes when it is started"
@@ -26,18 +26,19 @@ class Fate(Enum):
 
 
 class MissingGain(NamedTuple):
-    """A gain that is not given, or is 0 with all that could stand for it. `element` is the joint that it is for; None
-    where the controller has but one."""
+    """A gain that is not given, or is 0 together with its alternatives."""
 
     name: str
+    """Full parameter name."""
     element: str | None
+    """The joint that the gain is for; None if the controller has only one."""
     fate: Fate
 
 
 def missing_gains(kind: ControllerType, given: Mapping[str, object]) -> Iterator[MissingGain]:
-    """The gains that a controller of some parameters needs and does not have.
+    """Yield the required gains that a controller with these parameter values does not have.
 
-    In ROS 1 it is `p` that the PID classes ask for; in ROS 2 all gains are 0 where none is given.
+    In ROS 1 the PID classes require `p`. In ROS 2 missing gains are 0.
     """
     values = Values(kind, given)
     if generation(kind.distro) == 1:
@@ -68,5 +69,5 @@ def _fate(parameter: Parameter) -> Fate | None:
 
 
 def _element(name: str, kind: ControllerType) -> str | None:
-    found = matching(name, kind.parameters)
-    return found[1] if found else None
+    matched = matching(name, kind.parameters)
+    return matched[1] if matched else None

@@ -1,4 +1,4 @@
-"""Which interfaces a robot's hardware offers to its controllers, as its description tells."""
+"""The interfaces that a robot's hardware offers to controllers, according to its description."""
 
 from __future__ import annotations
 
@@ -6,35 +6,36 @@ from collections.abc import Iterable, Mapping
 from enum import Enum
 from types import MappingProxyType
 
-from urdfctl.catalog.distros import generation
-from urdfctl.model.project import Project
 from urdfctl.model.robot import Robot
-from urdfctl.record import NamedTuple
 from urdfctl.source.span import Place
+from urdfctl.startup.records import NamedTuple
 
 
 class Kind(Enum):
-    """What a controller does with an interface. In ROS 1, commanding is what it claims for itself alone."""
+    """The use of an interface by a controller. In ROS 1, command claims are the exclusive ones."""
 
     COMMAND = "command"
     STATE = "state"
 
 
 class Absence(Enum):
-    """How surely an interface is not there: `LIKELY` where a driver of unknown ways might still offer it."""
+    """The certainty that an interface is missing."""
 
     SURE = "sure"
     LIKELY = "likely"
+    """An unknown driver might still offer it."""
 
 
 class Offer(NamedTuple):
-    """An interface of a joint, sensor or gpio (`component`), and where the description says so; `by` is the name of the
-    hardware that offers it."""
+    """An interface that hardware offers."""
 
     component: str
+    """Name of the joint, sensor or gpio."""
     interface: str
     at: Place
+    """Where the description defines it."""
     by: str | None = None
+    """Name of the hardware that offers it."""
 
 
 Offers = Mapping[str, tuple[Offer, ...]]
@@ -42,36 +43,36 @@ NO_OFFERS: Offers = MappingProxyType({})
 
 
 class Hardware(NamedTuple):
-    """All interfaces that hardware offers, by component, in the order of the description.
-
-    `joints` are those of the robot, `fixed` those of them that do not move; `exact` components are wholly told by the
-    description. Not `open`: no hardware offers anything that the description does not tell. Not `known`: nothing can be
-    said of it.
-    """
+    """All interfaces that hardware offers, by component, in the order of the description."""
 
     command: Offers = NO_OFFERS
     state: Offers = NO_OFFERS
     exact: frozenset[str] = frozenset()
+    """Components whose interfaces are completely described."""
     joints: frozenset[str] = frozenset()
+    """Joints of the robot."""
     open: bool = False
+    """Whether some hardware may offer more than the description lists."""
     known: bool = True
+    """False if nothing is known about the hardware."""
     fixed: frozenset[str] = frozenset()
+    """Joints of the robot that are fixed."""
 
     def offers(self, kind: Kind) -> Offers:
-        """Its command interfaces, or its state interfaces."""
+        """Return the command or the state interfaces."""
         return self.command if kind is Kind.COMMAND else self.state
 
     def of(self, kind: Kind, component: str) -> tuple[Offer, ...]:
-        """What it offers of one component."""
+        """Return the offered interfaces of one component."""
         return self.offers(kind).get(component, ())
 
     def has(self, component: str) -> bool:
-        """Whether it offers anything of a component."""
+        """Return whether the hardware has this component."""
         return component in self.exact or component in self.command or component in self.state
 
     def absence(self, kind: Kind, component: str, interface: str) -> Absence | None:
-        """How surely it does not offer an interface; None where it does, or may."""
-        offered = any(one.interface == interface for one in self.of(kind, component))
+        """Return how certain it is that an interface is missing; None if it is offered, or may be."""
+        offered = any(offer.interface == interface for offer in self.of(kind, component))
         if offered or not self.known:
             return None
         if not self.open or component in self.exact:
@@ -80,29 +81,16 @@ class Hardware(NamedTuple):
 
 
 def fixed_joints(robot: Robot) -> frozenset[str]:
-    """The joints of a robot that do not move."""
+    """Return the fixed joints of a robot."""
     return frozenset(joint.name for joint in robot.joints if joint.name and joint.type == "fixed")
 
 
 def by_component(offers: Iterable[Offer]) -> Offers:
-    """Some offers by their component."""
-    found: dict[str, tuple[Offer, ...]] = {}
+    """Return offers grouped by component."""
+    grouped: dict[str, tuple[Offer, ...]] = {}
     for offer in offers:
-        found[offer.component] = (*found.get(offer.component, ()), offer)
-    return found
+        grouped[offer.component] = (*grouped.get(offer.component, ()), offer)
+    return grouped
 
 
 UNKNOWN_HARDWARE = Hardware(known=False)
-
-
-def hardware_of(project: Project, distro: str) -> Hardware:
-    """The hardware of a robot, as one distro makes it of the description."""
-    if project.robot is None:
-        return UNKNOWN_HARDWARE
-    if generation(distro) == 1:
-        from urdfctl.control.hardware_ros1 import simulated_hardware
-
-        return simulated_hardware(project.robot)
-    from urdfctl.control.hardware_ros2 import described_hardware
-
-    return described_hardware(project.robot, project.catalog, distro)

@@ -1,8 +1,8 @@
-"""What the transmissions of ROS 1 make Gazebo's default hardware simulation offer.
+"""Interfaces that Gazebo's default hardware simulation of ROS 1 offers, according to the transmissions.
 
-gazebo_ros_control/src/default_robot_hw_sim.cpp: of each transmission that ros_control's parser keeps, the one joint is
-registered with the JointStateInterface, and with the first interface that it names. Real hardware registers what its
-driver likes.
+gazebo_ros_control/src/default_robot_hw_sim.cpp: for each transmission that ros_control's parser keeps, the only joint
+is registered with the JointStateInterface, and with the first interface that it names. Real hardware registers whatever
+its driver implements.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from urdfctl.control.hardware import UNKNOWN_HARDWARE, Hardware, Offer, by_compo
 from urdfctl.model.parts import Text
 from urdfctl.model.robot import Robot
 from urdfctl.model.transmission import Transmission
-from urdfctl.record import NamedTuple
 from urdfctl.source.opaque import UNKNOWN
+from urdfctl.startup.records import NamedTuple
 
 PREFIX = "hardware_interface/"
 JOINT_STATES = f"{PREFIX}JointStateInterface"
@@ -26,17 +26,19 @@ class _Registered(NamedTuple):
 
 
 def simulated_hardware(robot: Robot) -> Hardware:
-    """What the simulation offers of a robot's joints."""
+    """Return the interfaces that the simulation offers of a robot's joints."""
     if any(_is_unknown(transmission) for transmission in robot.transmissions):
         return UNKNOWN_HARDWARE
-    found = [one for transmission in robot.transmissions for one in _registered(transmission)]
-    command = by_component(Offer(one.joint, _qualified(one.interface.value), one.interface.at) for one in found)
-    state = by_component(Offer(one.joint, JOINT_STATES, one.interface.at) for one in found)
+    registered = [each for transmission in robot.transmissions for each in _registered(transmission)]
+    command = by_component(
+        Offer(each.joint, _qualified(each.interface.value), each.interface.at) for each in registered
+    )
+    state = by_component(Offer(each.joint, JOINT_STATES, each.interface.at) for each in registered)
     return Hardware(command, state, joints=frozenset(robot.joint_names), fixed=fixed_joints(robot))
 
 
 def _registered(transmission: Transmission) -> Iterator[_Registered]:
-    """The joint of a transmission that is read, and simulated: it has a type, an actuator and one joint."""
+    """The joint of a transmission, if the simulation uses it: it has a type, an actuator and exactly one joint."""
     kept = transmission.kept_joints
     actuators = any(actuator.name for actuator in transmission.actuators)
     if transmission.type is None or not transmission.type.value or not actuators or len(kept) != 1:

@@ -1,8 +1,8 @@
-"""What the components of `<ros2_control>` offer.
+"""Interfaces that the components of `<ros2_control>` offer.
 
-The parser hands all that stands in the tag to the hardware plugin, and the manager refuses a plugin that does not
-export it (resource_manager.cpp, validate_storage). A plugin may export more: the catalogue's simulated ones do not, but
-for the command interfaces that parameters of mock hardware add (mock_components/src/generic_system.cpp).
+The hardware plugin gets all interfaces listed in the tag, and the manager refuses a plugin that does not export them
+(resource_manager.cpp, validate_storage). A plugin may export more. The simulated ones in the catalogue do not, except
+for command interfaces that parameters of mock hardware add (mock_components/src/generic_system.cpp).
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from urdfctl.source.opaque import UNKNOWN
 
 
 def described_hardware(robot: Robot, catalog: Catalog, distro: str) -> Hardware:
-    """What all components of a robot offer together."""
+    """Return the interfaces that all hardware components of a robot offer."""
     controls = tuple(control for control in robot.ros2_controls if control.parent == robot.element)
     if not controls or _is_partly_unknown(controls):
         return UNKNOWN_HARDWARE
@@ -30,7 +30,7 @@ def described_hardware(robot: Robot, catalog: Catalog, distro: str) -> Hardware:
         plugin = _hardware_type(control, catalog, distro)
         command += _commands(control, plugin)
         state += [offer for part in control.parts for offer in _offers(control, part, part.states)]
-        if _tells_all(plugin):
+        if _exports_only_described(plugin):
             exact |= {part.name.strip() for part in control.parts if part.name}
         else:
             is_open = True
@@ -40,9 +40,9 @@ def described_hardware(robot: Robot, catalog: Catalog, distro: str) -> Hardware:
 
 
 def _is_partly_unknown(controls: tuple[Ros2Control, ...]) -> bool:
-    """Whether a name in them could not be worked out: nothing can be said to be missing then."""
+    """Whether a name in them is unknown; then no interface can be called missing."""
     parts = [part for control in controls for part in control.parts]
-    names = [part.name for part in parts] + [one.name for part in parts for one in part.interfaces]
+    names = [part.name for part in parts] + [interface.name for part in parts for interface in part.interfaces]
     return any(UNKNOWN in (name or "") for name in (*names, *(control.plugin for control in controls)))
 
 
@@ -50,8 +50,8 @@ def _hardware_type(control: Ros2Control, catalog: Catalog, distro: str) -> Hardw
     return catalog.hardware(control.plugin.strip(), distro) if control.plugin else None
 
 
-def _tells_all(plugin: HardwareType | None) -> bool:
-    """Whether a plugin exports nothing but what the description says: the simulated ones are known to."""
+def _exports_only_described(plugin: HardwareType | None) -> bool:
+    """Whether a plugin exports only the described interfaces: simulated ones do, others are unknown."""
     return plugin is not None and plugin.simulator is not None
 
 
@@ -70,7 +70,7 @@ def _renamed(offers: Iterator[Offer], plugin: HardwareType | None) -> Iterator[O
 
 
 def _commanded_states(control: Ros2Control, plugin: HardwareType | None) -> set[str]:
-    """The kinds of parts whose states have a command interface too."""
+    """The kinds of parts whose state interfaces are exported as command interfaces too."""
     if plugin is None or not control.hardware:
         return set()
     given = {name: control.hardware[-1].parameter(name) for name in plugin.states_commanded}

@@ -1,7 +1,7 @@
-"""How far each controller gets on its way through load, configure and activate, and what stops it there.
+"""Take each controller through load, configure and activate, and find the reason if it stops.
 
-ROS 2: controller_manager.cpp. In ROS 1 a controller takes its joints when it is loaded, there is nothing to configure,
-and activating it is what is called starting.
+ROS 2: controller_manager.cpp. In ROS 1 a controller gets its joints when it is loaded, there is no configure stage, and
+activating is called starting.
 """
 
 from __future__ import annotations
@@ -16,60 +16,61 @@ from urdfctl.control.conflicts import claimed_twice, conflicts
 from urdfctl.control.hardware import Absence, Kind
 from urdfctl.control.parameter_rules import breaches
 from urdfctl.control.session import Configured, Session
-from urdfctl.record import NamedTuple
+from urdfctl.model.stage import Stage
+from urdfctl.startup.records import NamedTuple
 
-
-class Stage(Enum):
-    """The steps of a controller's life, in their order."""
-
-    LOAD = "load"
-    CONFIGURE = "configure"
-    ACTIVATE = "activate"
+STAGES = (Stage.LOAD, Stage.CONFIGURE, Stage.ACTIVATE)
+"""The stages at which a controller manager can reject a controller, in order."""
 
 
 class Reason(Enum):
-    """What stops a controller."""
+    """The kind of reason for which a controller stops."""
 
-    TYPE_MISSING = "its type is not given"
-    TYPE_UNKNOWN = "its type is not known"
-    PARAMETERS = "its parameters do not fit together"
-    NOT_OFFERED = "an interface is not offered"
-    NOT_EXPORTED = "a controller does not export an interface"
-    NOT_CHAINABLE = "a controller exports nothing at all"
+    TYPE_MISSING = "its type is missing"
+    TYPE_UNKNOWN = "its type is unknown"
+    PARAMETERS = "its parameters are inconsistent"
+    NOT_OFFERED = "no hardware offers a claimed interface"
+    NOT_EXPORTED = "another controller does not export a claimed interface"
+    NOT_CHAINABLE = "another controller exports no interfaces"
     CLAIMED_TWICE = "it claims an interface twice"
     CONFLICT = "another controller has claimed an interface"
-    NOT_STARTED = "a controller whose interface it claims is not started before"
-    CIRCLE = "controllers claim each other's interfaces"
+    NOT_STARTED = "a controller whose interface it claims is not started first"
+    CIRCLE = "controllers claim each other's interfaces in a loop"
 
 
 AT_LOAD = frozenset({"combinations", "one_group_set", "any_set", "length", "needs"})
-"""The kinds of rules on parameters that controllers of ROS 2 check when they declare the parameters, on load."""
+"""Kinds of rules on parameters that ROS 2 controllers check on load, when they declare the parameters."""
 
 
 class Stop(NamedTuple):
-    """What stops a controller at a stage. Of the `other` controller it needs something, or it has it already. An
-    `absence` that is only likely may be none."""
+    """The reason for which a controller stops at a stage."""
 
     stage: Stage
     reason: Reason
     claim: Claim | None = None
+    """The claim that fails."""
     kind: Kind = Kind.COMMAND
+    """The kind of that claim."""
     other: Configured | None = None
+    """The other controller, which lacks the interface, has claimed it already, or is not started."""
     absence: Absence = Absence.SURE
+    """How certain it is; a stop that is only likely may not happen."""
     words: str = ""
+    """The message of a broken rule on parameters."""
 
 
 class Life(NamedTuple):
-    """One controller's way; the first of the `stops` is where it ends."""
+    """One controller's life."""
 
     controller: Configured
     stops: tuple[Stop, ...]
+    """Everything that stops it, in the order of the stages; the first one ends its life."""
 
     @property
     def reached(self) -> Stage | None:
-        """The last stage that it passes."""
+        """The last stage that the controller passes; None if it is not loaded."""
         passed = None
-        for stage in Stage:
+        for stage in STAGES:
             if any(stop.stage is stage and stop.absence is Absence.SURE for stop in self.stops):
                 break
             passed = stage
@@ -77,17 +78,16 @@ class Life(NamedTuple):
 
 
 def lives(session: Session) -> tuple[Life, ...]:
-    """The ways of the controllers that are started, in their order; where that is not known, of all that are there."""
+    """Return the lives of the started controllers, in start order; if unknown, those of all controllers."""
     in_conflict: dict[int, list[Stop]] = {}
-    for one in conflicts(session):
-        stop = Stop(Stage.ACTIVATE, Reason.CONFLICT, one.claim, other=one.first)
-        in_conflict.setdefault(id(one.second), []).append(stop)
-    stages = list(Stage)
-    found = []
+    for conflict in conflicts(session):
+        stop = Stop(Stage.ACTIVATE, Reason.CONFLICT, conflict.claim, other=conflict.first)
+        in_conflict.setdefault(id(conflict.second), []).append(stop)
+    each_life = []
     for controller in session.candidates:
         stops = [*_stops(session, controller), *in_conflict.get(id(controller), ())]
-        found.append(Life(controller, tuple(sorted(stops, key=lambda stop: stages.index(stop.stage)))))
-    return tuple(found)
+        each_life.append(Life(controller, tuple(sorted(stops, key=lambda stop: STAGES.index(stop.stage)))))
+    return tuple(each_life)
 
 
 def _stops(session: Session, controller: Configured) -> Iterator[Stop]:
@@ -103,29 +103,30 @@ def _stops(session: Session, controller: Configured) -> Iterator[Stop]:
             yield Stop(stage, Reason.PARAMETERS, words=words)
     for _, claim in claimed_twice(controller, session.distro):
         yield Stop(Stage.ACTIVATE if ros1 else Stage.CONFIGURE, Reason.CLAIMED_TWICE, claim)
-    for one in controller.missing:
+    for missing in controller.missing:
         stage = Stage.LOAD if ros1 else Stage.ACTIVATE
-        yield Stop(stage, Reason.NOT_OFFERED, one.claim, one.kind, absence=one.absence)
+        yield Stop(stage, Reason.NOT_OFFERED, missing.claim, missing.kind, absence=missing.absence)
     yield from _chain_stops(session, controller)
 
 
 def _chain_stops(session: Session, controller: Configured) -> Iterator[Stop]:
-    for one in chained_claims(session, controller):
-        if one.is_offered is False:
-            yield _of_chain(one, Reason.NOT_EXPORTED if _exports_any(one.following) else Reason.NOT_CHAINABLE)
+    for chained in chained_claims(session, controller):
+        if chained.is_offered is False:
+            exports_any = _exports_any(chained.following)
+            yield _of_chain(chained, Reason.NOT_EXPORTED if exports_any else Reason.NOT_CHAINABLE)
     if circle(session, controller):
         yield Stop(Stage.ACTIVATE, Reason.CIRCLE)
     elif session.started is not None:
         others = set()
-        for one in late(session, controller):
-            if one.is_offered and one.following.name not in others:
-                others.add(one.following.name)
-                yield _of_chain(one, Reason.NOT_STARTED)
+        for chained in late(session, controller):
+            if chained.is_offered and chained.following.name not in others:
+                others.add(chained.following.name)
+                yield _of_chain(chained, Reason.NOT_STARTED)
 
 
 def _exports_any(controller: Configured) -> bool:
     return bool(controller.exports.reference or controller.exports.state)
 
 
-def _of_chain(one: Chained, reason: Reason) -> Stop:
-    return Stop(Stage.ACTIVATE, reason, one.claim, one.kind, one.following)
+def _of_chain(chained: Chained, reason: Reason) -> Stop:
+    return Stop(Stage.ACTIVATE, reason, chained.claim, chained.kind, chained.following)

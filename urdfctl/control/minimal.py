@@ -1,4 +1,4 @@
-"""The least parameters with which a type of controller is right, made from its entry in the catalogue."""
+"""The smallest valid set of parameters of a controller type, made from its entry in the catalogue."""
 
 from __future__ import annotations
 
@@ -13,12 +13,13 @@ from urdfctl.control.parameter_rules import applies
 from urdfctl.control.values import Values
 
 _NUMBERS = (1.0, 0.0, 0.5, 2.0, 10.0, -1.0)
+"""Example numbers; the first one that the validators accept is used."""
 
 
 def minimal_parameters(controller: ControllerType) -> dict[str, object]:
-    """A value for each parameter that a controller cannot do without, by full name; joints are called joint1, joint2.
+    """Return a value for each required parameter of a controller, by full name; joints are called joint1, joint2.
 
-    What only a rule wants, as one of two groups, is given too.
+    Includes parameters that only a rule requires, such as one of two groups.
     """
     values: dict[str, object] = {}
     for parameter in controller.parameters.values():
@@ -37,7 +38,7 @@ def minimal_parameters(controller: ControllerType) -> dict[str, object]:
 
 
 def _obey(rule: ParameterRule, controller: ControllerType, values: dict[str, object]) -> None:
-    """Change or add what a rule asks for."""
+    """Change or add the values that a rule requires."""
     read = Values(controller, values)
     if rule.kind == "not_empty":
         for name in (name for name in rule.params if not is_set(read.get(name))):
@@ -46,7 +47,7 @@ def _obey(rule: ParameterRule, controller: ControllerType, values: dict[str, obj
         values[rule.params[0]] = list(elements(elements(rule.details["sets"])[0]))
     elif rule.kind == "contains" and is_set(read.get(rule.params[0])):
         given = elements(read.get(rule.params[0]))
-        missing = [one for one in elements(rule.details["values"]) if one not in given]
+        missing = [value for value in elements(rule.details["values"]) if value not in given]
         if missing:
             values[rule.params[0]] = [*given, *missing]
     elif rule.kind == "length":
@@ -76,15 +77,15 @@ def _number(value: object) -> int:
 
 
 def _list(parameter: Parameter, size: int, controller: ControllerType, values: Mapping[str, object]) -> list[object]:
-    found: list[object] = []
+    items: list[object] = []
     for _ in range(size):
-        choices = _fitting(parameter, controller, {**values, parameter.name: found})
-        found.append(next(choices))
-    return found
+        choices = _fitting(parameter, controller, {**values, parameter.name: items})
+        items.append(next(choices))
+    return items
 
 
 def _fitting(parameter: Parameter, controller: ControllerType, values: Mapping[str, object]) -> Iterator[object]:
-    """Values, or elements of a list, that the validators let pass."""
+    """Values, or elements of a list, that the validators accept."""
     kind = parameter.types[-1].removesuffix("_array")
     is_list = parameter.types[-1] != kind
     limits = {
@@ -101,7 +102,7 @@ def _choices(
     allowed = parameter.validators.get("one_of", parameter.validators.get("subset_of"))
     taken = elements(values.get(parameter.name))
     if allowed is not None:
-        yield from (one for one in elements(allowed) if one not in taken)
+        yield from (value for value in elements(allowed) if value not in taken)
     elif kind == "string":
         yield from _names(parameter, controller, values)
     elif kind == "bool":
@@ -111,7 +112,7 @@ def _choices(
 
 
 def _names(parameter: Parameter, controller: ControllerType, values: Mapping[str, object]) -> Iterator[str]:
-    """Texts for a parameter: an interface, the name of one, a component that no other parameter names, or any."""
+    """Strings for a parameter: an interface, a full interface name, or a component that no other parameter names."""
     rules = [rule for part in (*(controller.claims or ()), *controller.exports) for rule in part]
     taken = {part for value in values.values() for part in elements(value)}
     if any(rule.interfaces_from and rule.interfaces_from.replace("{item}", "") in _bare(parameter) for rule in rules):
@@ -127,6 +128,6 @@ def _names(parameter: Parameter, controller: ControllerType, values: Mapping[str
 
 
 def _bare(parameter: Parameter) -> tuple[str, ...]:
-    """The name, and what it is with nothing for its placeholder."""
+    """The parameter's name, and the name without its placeholder."""
     before, _, after = parameter.name.partition("<")
     return parameter.name, before + after.partition(">")[2]

@@ -1,4 +1,4 @@
-"""What a claim names that is no joint of the robot, or none that moves: a fault of the name, not of the interface."""
+"""Claims of a joint that does not exist or is fixed: the name is wrong, not the interface."""
 
 from __future__ import annotations
 
@@ -10,13 +10,15 @@ _OF_JOINTS_IN_ROS1 = ("JointInterface", "JointStateInterface")
 
 
 def is_of_joint(claim: Claim) -> bool:
-    """Whether a claim is one of a joint, by its interface."""
+    """Return whether a claim is for a joint, judged by its interface."""
     return claim.interface in _OF_JOINTS or claim.interface.endswith(_OF_JOINTS_IN_ROS1)
 
 
 def is_misnamed(claim: Claim, hardware: Hardware) -> bool:
-    """Whether a parameter names a joint that neither the robot nor its hardware has, or one that does not move. Names
-    with a slash are those of other controllers' interfaces."""
+    """Return whether a parameter names a joint that neither robot nor hardware has, or that is fixed.
+
+    Names with a slash are interfaces of other controllers, and not misnamed.
+    """
     component = claim.component
     if claim.parameter is None or "/" in component or hardware.has(component) or not is_of_joint(claim):
         return False

@@ -1,4 +1,4 @@
-"""Whether a controller's parameters fit together, by the rules of its entry in the catalogue."""
+"""Rules on a controller's parameters together, from its entry in the catalogue."""
 
 from __future__ import annotations
 
@@ -8,24 +8,22 @@ from urdfctl.catalog.entries import Condition, ControllerType, ParameterRule
 from urdfctl.catalog.map_parameters import expanded
 from urdfctl.catalog.values import elements, is_known, is_set
 from urdfctl.control.values import Values
-from urdfctl.record import NamedTuple
-from urdfctl.suggest import enumerated
+from urdfctl.names import enumerated
+from urdfctl.startup.records import NamedTuple
 
 
 class Breach(NamedTuple):
-    """A rule that some values break.
-
-    `message` follows the `parameter`'s name: `'left_wheel_names' must have as many elements as ...`. The parameter is
-    the one to be mended, given or not.
-    """
+    """A rule that some values break."""
 
     rule: ParameterRule
     parameter: str
+    """The parameter to be corrected or added."""
     message: str
+    """The text that follows the parameter's name: `must have as many elements as 'left_wheel_names' (1), not 2`."""
 
 
 def breaches(controller: ControllerType, given: Mapping[str, object]) -> Iterator[Breach]:
-    """The rules that a controller's values break. What is not known breaks none."""
+    """Yield the rules that a controller's values break. Unknown values break no rule."""
     values = Values(controller, given)
     for rule in controller.rules:
         if rule.kind in _KINDS and applies(rule, values):
@@ -33,9 +31,9 @@ def breaches(controller: ControllerType, given: Mapping[str, object]) -> Iterato
 
 
 def applies(rule: ParameterRule, values: Values) -> bool:
-    """Whether a rule's conditions hold."""
-    some = not rule.when_any or any(_is_met(condition, values) for condition in rule.when_any)
-    return some and all(_is_met(condition, values) for condition in rule.when)
+    """Return whether a rule's conditions hold."""
+    any_met = not rule.when_any or any(_is_met(condition, values) for condition in rule.when_any)
+    return any_met and all(_is_met(condition, values) for condition in rule.when)
 
 
 def _is_met(condition: Condition, values: Values) -> bool:
@@ -48,7 +46,7 @@ def _is_met(condition: Condition, values: Values) -> bool:
 
 
 def _same(value: object, other: object) -> bool:
-    """Lists of texts are sets: their order means nothing."""
+    """Whether two values are equal; the order in lists does not matter."""
     if isinstance(other, list):
         return isinstance(value, list | tuple) and sorted(map(str, value)) == sorted(map(str, other))
     return value == other
@@ -61,8 +59,8 @@ def _known(rule: ParameterRule, values: Values, *names: str) -> bool:
 def _combinations(rule: ParameterRule, values: Values) -> Iterator[Breach]:
     [name] = rule.params
     value, sets = values.get(name), _lists(rule, "sets")
-    if is_set(value) and is_known(value) and not any(_same(value, one) for one in sets):
-        listed = "; ".join(", ".join(one) for one in sets)
+    if is_set(value) and is_known(value) and not any(_same(value, combination) for combination in sets):
+        listed = "; ".join(", ".join(combination) for combination in sets)
         yield Breach(rule, name, f"must be one of these combinations: {listed}")
 
 
@@ -71,7 +69,7 @@ def _contains(rule: ParameterRule, values: Values) -> Iterator[Breach]:
     given = elements(values.get(name))
     missing = [wanted for wanted in _list(rule, "values") if wanted not in given]
     if missing and given and _known(rule, values):
-        yield Breach(rule, name, f"must hold {_and(missing)}{_because(rule)}")
+        yield Breach(rule, name, f"must contain {_and(missing)}{_because(rule)}")
 
 
 def _subset(rule: ParameterRule, values: Values) -> Iterator[Breach]:
@@ -83,8 +81,8 @@ def _subset(rule: ParameterRule, values: Values) -> Iterator[Breach]:
     if rule.details.get("or_same_length") and len(given) == len(allowed):
         return
     if others and is_known(allowed) and _known(rule, values):
-        choices = f"what '{of}' holds" if of else _and([str(one) for one in allowed])
-        yield Breach(rule, name, f"may only hold {choices}, not {_and([str(one) for one in others])}")
+        choices = f"elements of '{of}'" if of else _and([str(part) for part in allowed])
+        yield Breach(rule, name, f"can contain only {choices}, not {_and([str(part) for part in others])}")
 
 
 def _same_length(rule: ParameterRule, values: Values) -> Iterator[Breach]:
@@ -92,7 +90,7 @@ def _same_length(rule: ParameterRule, values: Values) -> Iterator[Breach]:
     for other in others:
         sizes = len(elements(values.get(first))), len(elements(values.get(other)))
         if sizes[0] != sizes[1] and _known(rule, values, first, other):
-            yield Breach(rule, other, f"must have as many elements as '{first}': {sizes[0]}, not {sizes[1]}")
+            yield Breach(rule, other, f"must have as many elements as '{first}' ({sizes[0]}), not {sizes[1]}")
 
 
 def _length(rule: ParameterRule, values: Values) -> Iterator[Breach]:
@@ -115,21 +113,21 @@ def _not_empty(rule: ParameterRule, values: Values) -> Iterator[Breach]:
 def _any_set(rule: ParameterRule, values: Values) -> Iterator[Breach]:
     names = [whole for name in rule.params for whole in (expanded(name, values) or (name,))]
     if not any(is_set(values.get(name)) for name in names):
-        yield Breach(rule, names[0], f"or {_or(names[1:])} must be given" if names[1:] else "must be given")
+        yield Breach(rule, names[0], f"or {_or(names[1:])} is required" if names[1:] else "is required")
 
 
 def _needs(rule: ParameterRule, values: Values) -> Iterator[Breach]:
     if not any(values.is_given(name) for name in rule.params):
-        yield Breach(rule, rule.params[0], f"must be given{_because(rule)}")
+        yield Breach(rule, rule.params[0], f"is required{_because(rule)}")
 
 
 def _one_group_set(rule: ParameterRule, values: Values) -> Iterator[Breach]:
     groups = _lists(rule, "groups")
     used = [group for group in groups if any(_is_used(name, values) for name in group)]
     if not used:
-        yield Breach(rule, groups[0][0], f"or {_or([name for group in groups[1:] for name in group])} must be given")
+        yield Breach(rule, groups[0][0], f"or {_or([name for group in groups[1:] for name in group])} is required")
     if len(used) > 1:
-        yield Breach(rule, used[0][0], f"may not be given together with {_or([used[1][0]])}")
+        yield Breach(rule, used[0][0], f"cannot be combined with {_or([used[1][0]])}")
 
 
 def _greater(rule: ParameterRule, values: Values) -> Iterator[Breach]:
@@ -139,7 +137,7 @@ def _greater(rule: ParameterRule, values: Values) -> Iterator[Breach]:
         if not isinstance(value, int | float) or not isinstance(limit, int | float):
             continue
         if value <= limit and value != rule.details.get("unless"):
-            yield Breach(rule, name, f"must be greater than '{other}': {limit}, not {value}")
+            yield Breach(rule, name, f"must be greater than '{other}' ({limit}), not {value}")
 
 
 def _is_used(name: str, values: Values) -> bool:
@@ -150,12 +148,11 @@ def _full_interface_names(rule: ParameterRule, values: Values) -> Iterator[Breac
     for name in rule.params:
         value = values.get(name)
         if isinstance(value, str) and value and is_known(value) and "/" not in value:
-            yield Breach(rule, name, f"must be a whole name such as 'finger/{value}', not '{value}'")
+            yield Breach(rule, name, f"must be a full name such as 'finger/{value}', not '{value}'")
 
 
 def _lists(rule: ParameterRule, key: str) -> list[list[str]]:
-    found = rule.details[key]
-    return [[str(part) for part in elements(one)] for one in elements(found)]
+    return [[str(part) for part in elements(inner)] for inner in elements(rule.details[key])]
 
 
 def _list(rule: ParameterRule, key: str) -> list[str]:
@@ -168,7 +165,7 @@ def _because(rule: ParameterRule) -> str:
         for condition in rule.when
         if condition.is_set is None
     ]
-    return f" where {' and '.join(reasons)}" if reasons else ""
+    return f" if {' and '.join(reasons)}" if reasons else ""
 
 
 def _plain(value: object) -> str:

@@ -1,4 +1,4 @@
-"""What a controller manager of one distro has before it: the hardware, the controllers, and what each claims."""
+"""The state of a controller manager in one distro: the hardware, the controllers, and their claims."""
 
 from __future__ import annotations
 
@@ -10,16 +10,17 @@ from urdfctl.catalog.map_parameters import matching
 from urdfctl.catalog.value_types import type_problem
 from urdfctl.control.claims import Claim, Claims, Exports, RobotFacts, claims, exports
 from urdfctl.control.given import given_values
-from urdfctl.control.hardware import Absence, Hardware, Kind, hardware_of
+from urdfctl.control.hardware import Absence, Hardware, Kind
+from urdfctl.control.offered_hardware import hardware_of
 from urdfctl.model.controllers import Controller
 from urdfctl.model.project import Project
 from urdfctl.model.robot import Robot
-from urdfctl.record import NamedTuple
 from urdfctl.source.opaque import UNKNOWN
+from urdfctl.startup.records import NamedTuple
 
 NOT_KNOWN = Claims(complete=False)
 CHAINING = {Kind.COMMAND: since("humble"), Kind.STATE: since("jazzy")}
-"""The distros whose controllers may claim what other controllers export."""
+"""The distros in which controllers can claim interfaces of other controllers."""
 _MOVABLE = ("revolute", "continuous", "prismatic")
 
 _Name = tuple[str | None, str]
@@ -34,66 +35,77 @@ class Missing(NamedTuple):
 
 
 class Configured(NamedTuple):
-    """A controller with its parameters, as one distro reads them. `type` is None where the catalogue does not know it;
-    then nothing is known of what it claims and exports either. `missing` is what it claims of hardware in vain."""
+    """A controller with its parameters in one distro."""
 
     controller: Controller
     type: ControllerType | None
+    """None if the catalogue does not have the type; claims and exports are then unknown too."""
     values: Mapping[str, object]
+    """The given parameter values by full name."""
     claims: Claims
     exports: Exports
     missing: tuple[Missing, ...] = ()
+    """Claimed interfaces that no hardware offers."""
 
     @property
     def name(self) -> str:
-        """The controller's own name, which stands before what it exports."""
+        """The controller's own name, which is also the prefix of the interfaces that it exports."""
         return self.controller.name
 
     def claimed(self, kind: Kind) -> tuple[Claim, ...]:
-        """Its claims of a kind."""
+        """Return its claims of one kind."""
         return self.claims.command if kind is Kind.COMMAND else self.claims.state
 
 
 class Session(NamedTuple):
-    """What one distro makes of a project. `started` are the controllers that are started, None where it is not known
-    which are; `in_order` where they are started one after the other. Controllers of different namespaces have different
-    managers."""
+    """The controllers and the hardware of a project in one distro."""
 
     distro: str
     hardware: Hardware
     controllers: tuple[Configured, ...]
     started: tuple[Configured, ...] | None
+    """The started controllers, in order; None if unknown."""
     in_order: bool
+    """Whether they are started one after the other."""
     by_name: Mapping[_Name, Configured]
+    """Controllers by namespace and name. Controllers of different namespaces have different managers."""
 
     @property
     def candidates(self) -> tuple[Configured, ...]:
-        """The controllers that are started, or else all: each of them may be."""
+        """The started controllers; if unknown, all controllers."""
         return self.controllers if self.started is None else self.started
 
     def named(self, name: str, beside: Configured) -> Configured | None:
-        """The controller of a name in the manager of another one."""
+        """Return the controller with this name that has the same manager as another controller."""
         return self.by_name.get((beside.controller.namespace, name))
 
 
 def sessions(project: Project) -> Iterator[Session]:
-    """What each distro that a project may be for makes of it."""
+    """Return one session for each distro that a project may be for."""
     return (session_of(project, distro) for distro in project.distros)
 
 
 def session_of(project: Project, distro: str) -> Session:
-    """What one distro makes of a project."""
+    """Return the session of a project in one distro."""
     hardware = hardware_of(project, distro)
     facts = _facts(project.robot, hardware)
     declared = project.controllers.controllers if project.controllers else ()
     names = {(controller.namespace, controller.name) for controller in declared}
     configured = []
     for controller in declared:
-        one = _configured(controller, project, distro, facts)
-        configured.append(one._replace(missing=tuple(_missing(one, hardware, distro, names))))
-    by_name = {(one.controller.namespace, one.name): one for one in reversed(configured)}
+        with_claims = _configured(controller, project, distro, facts)
+        missing = tuple(_missing(with_claims, hardware, distro, names))
+        configured.append(with_claims._replace(missing=missing))
+    by_name = {(each.controller.namespace, each.name): each for each in reversed(configured)}
     started = _started(project, configured)
-    return Session(distro, hardware, tuple(configured), started, project.in_order, by_name)
+    return Session(
+        distro=distro,
+        hardware=hardware,
+        controllers=tuple(configured),
+        started=started,
+        in_order=project.in_order,
+        by_name=by_name,
+    )
 
 
 def _facts(robot: Robot | None, hardware: Hardware) -> RobotFacts:
@@ -114,33 +126,33 @@ def _configured(controller: Controller, project: Project, distro: str, facts: Ro
 
 
 def _readable(kind: ControllerType, given: Mapping[str, object]) -> dict[str, object]:
-    """The values with those not known that are of a wrong type: the controller does not get so far as to claim."""
+    """The values, UNKNOWN for those of the wrong type: with them a controller fails before it claims anything."""
 
     def wrong(name: str, value: object) -> bool:
-        found = matching(name, kind.parameters)
-        return found is not None and type_problem(value, kind.parameters[found[0]], kind.distro) is not None
+        matched = matching(name, kind.parameters)
+        return matched is not None and type_problem(value, kind.parameters[matched[0]], kind.distro) is not None
 
     return {name: UNKNOWN if wrong(name, value) else value for name, value in given.items()}
 
 
-def _missing(one: Configured, hardware: Hardware, distro: str, names: Collection[_Name]) -> Iterator[Missing]:
+def _missing(controller: Configured, hardware: Hardware, distro: str, names: Collection[_Name]) -> Iterator[Missing]:
     for kind in Kind:
-        for claim in one.claimed(kind):
-            chained = distro in CHAINING[kind] and (one.controller.namespace, before_slash(claim)) in names
+        for claim in controller.claimed(kind):
+            chained = distro in CHAINING[kind] and (controller.controller.namespace, before_slash(claim)) in names
             absence = hardware.absence(kind, claim.component, claim.interface)
             if absence is not None and not chained and not claim.best_effort:
                 yield Missing(kind, claim, absence)
 
 
 def before_slash(claim: Claim) -> str:
-    """What may be a controller's name in a claim: what stands before the first slash."""
+    """Return the part of a claim's name before the first slash, which may be a controller's name."""
     return claim.name.partition("/")[0]
 
 
 def _started(project: Project, configured: Iterable[Configured]) -> tuple[Configured, ...] | None:
     if project.started is None or project.controllers is None:
         return None
-    by_controller = {id(one.controller): one for one in configured}
-    found = (project.controllers.controller(name) for name in project.started)
-    names = dict.fromkeys(id(controller) for controller in found if controller is not None)
-    return tuple(by_controller[name] for name in names)
+    by_controller = {id(each.controller): each for each in configured}
+    started = (project.controllers.controller(name) for name in project.started)
+    keys = dict.fromkeys(id(controller) for controller in started if controller is not None)
+    return tuple(by_controller[key] for key in keys)

@@ -1,4 +1,4 @@
-"""The values that a controller reads: those given of the parameters that it has, and the defaults of the others."""
+"""The parameter values that a controller reads: given values, and defaults for the other parameters."""
 
 from __future__ import annotations
 
@@ -9,17 +9,17 @@ from urdfctl.catalog.map_parameters import expected, matching
 
 
 class Values(Mapping[str, object]):
-    """By full dotted name. What the controller's distro does not read is not among them, be it given or not."""
+    """Values by full dotted name. Parameters that the controller's distro does not read are left out, even if given."""
 
     def __init__(self, controller: ControllerType, given: Mapping[str, object]) -> None:
         self._parameters = controller.parameters
         self._given = given
 
     def __getitem__(self, name: str) -> object:
-        found = matching(name, self._parameters)
-        if found is None:
+        matched = matching(name, self._parameters)
+        if matched is None:
             raise KeyError(name)
-        return self._given.get(name, self._parameters[found[0]].default)
+        return self._given.get(name, self._parameters[matched[0]].default)
 
     def __iter__(self) -> Iterator[str]:
         read = (name for name in self._given if matching(name, self._parameters))
@@ -29,10 +29,10 @@ class Values(Mapping[str, object]):
         return sum(1 for _ in self)
 
     def is_given(self, name: str) -> bool:
-        """Whether a value, known or not, is given for a parameter that is read, or for one below it."""
+        """Return whether a value, even an unknown one, is given for a known parameter of this name, or one below it."""
         return any(matching(each, self._parameters) for each in self.given_below(name))
 
     def given_below(self, name: str) -> list[str]:
-        """The name, and those below it, that are given: of `gains` (or `gains.*`) `gains.elbow.p`."""
+        """Return the given names equal to a name or below it: for `gains` (or `gains.*`) `gains.elbow.p`."""
         bare = name.removesuffix(".*")
         return [each for each in self._given if each == bare or each.startswith(f"{bare}.")]

@@ -1,7 +1,7 @@
-"""Whether a robot is the same before and after some edits, but for what was edited.
+"""Check that a robot is the same before and after edits, except for the edited parts.
 
-What is compared is what the edits cannot have meant: the parts of the expanded tree, and of the edited files
-themselves, that no edit touches. A part is known by the bytes it stands at, which edits before it may have moved.
+The comparison covers all parts of the expanded tree, and of the edited files, that no edit touches. A part is
+identified by its byte offset, which earlier edits in the file may have moved.
 """
 
 from __future__ import annotations
@@ -11,43 +11,44 @@ from collections.abc import Iterable, Iterator, Mapping
 from itertools import zip_longest
 
 from urdfctl.fix.edits import Shift, Splice
-from urdfctl.hints import TYPE_CHECKING
-from urdfctl.record import NamedTuple
 from urdfctl.source.dom import COMMENT, Element, Text
 from urdfctl.source.files import is_yaml
 from urdfctl.source.problem import ReadError
 from urdfctl.source.span import Call, SourceText
 from urdfctl.source.xml import parse
+from urdfctl.startup.hints import TYPE_CHECKING
+from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:
     from urdfctl.source import yaml
 
 Files = Mapping[str, "EditedFile"]
-"""What the edits do to each file that they are in, by the path that places name."""
+"""The edited files, by the path that places use."""
 
 
 class EditedFile(NamedTuple):
-    """How edits move the bytes of a file, and which of its parts they touch: by the offset at which each begins before
-    the edits, and by that at which it begins after them."""
+    """A file with edits: the new offsets of its bytes, and the parts that the edits touch."""
 
     shift: Shift
     touched: Mapping[int, tuple[Splice, ...]]
+    """The edits that touch each part, by the part's offset before the edits."""
     touched_after: frozenset[int]
+    """The offsets of the touched parts after the edits."""
 
 
 def edited_file(source: SourceText, edits: Iterable[Splice]) -> EditedFile:
-    """What some edits do to one file."""
+    """Return how edits change one file."""
     shift = Shift(edits)
     find = _scalars_touched if is_yaml(source.path) else _elements_touched
     touched: dict[int, list[Splice]] = {}
     for start, edit in find(source, shift.edits):
         touched.setdefault(start, []).append(edit)
     after = frozenset(moved for start in touched if (moved := shift.of(start)) is not None)
-    return EditedFile(shift, {start: tuple(its) for start, its in touched.items()}, after)
+    return EditedFile(shift, {start: tuple(own) for start, own in touched.items()}, after)
 
 
 def _elements_touched(source: SourceText, edits: list[Splice]) -> Iterator[tuple[int, Splice]]:
-    """Each edit, and where the innermost element begins that it lies in."""
+    """Each edit, with the offset of the innermost element that contains it."""
     root = _xml(source)
     spans = [(element.start, _end(element)) for element in _elements(root)] if root is not None else []
     starts = [start for start, _ in spans]
@@ -88,7 +89,7 @@ def _end(element: Element) -> int:
 
 
 def _nodes(source: SourceText) -> Iterator[tuple[yaml.Node, int]]:
-    """The nodes of a YAML file in order, each with the number of the one it is in."""
+    """The nodes of a YAML file in order, each with the number of its parent node, -1 for none."""
     from urdfctl.source.yaml import Mapping as Map
     from urdfctl.source.yaml import Scalar, read_yaml
 
@@ -104,39 +105,41 @@ def _nodes(source: SourceText) -> Iterator[tuple[yaml.Node, int]]:
             pending += [(item, number) for item in reversed(node.items)]
 
 
-# -- what is kept ----------------------------------------------------------------------------------------------------
+# -- unchanged parts ---------------------------------------------------------------------------------------------------
 
 
 class _Part(NamedTuple):
-    """A part that stays, where it stands after the edits, the number of the part it is in, and what it says; None
-    where an edit touches it, and it may say something else."""
+    """A part that exists before and after the edits."""
 
     file: str
     start: int
-    around: int
-    says: object
+    """Its offset after the edits."""
+    parent: int
+    """The number of the part that contains it, -1 for none."""
+    content: object
+    """None if an edit touches the part, so that its content may differ."""
 
 
 def same_tree(before: Element | None, after: Element | None, files: Files) -> bool:
-    """Whether two expanded trees differ in nothing but what edits touch, bring or take away."""
+    """Return whether two expanded trees differ only in parts that the edits change, add or remove."""
     if before is None or after is None:
         return before is after
     pairs = zip_longest(_tree(before, _Before(files)), _tree(after, _After(files)))
-    return all(one == other for one, other in pairs)
+    return all(old == new for old, new in pairs)
 
 
 def same_file(before: SourceText, after: SourceText, edited: EditedFile) -> bool:
-    """Whether two states of a file differ in nothing but what edits touch, bring or take away."""
+    """Return whether two states of a file differ only in parts that the edits change, add or remove."""
     files = {before.path: edited}
     if is_yaml(before.path):
         pairs = zip_longest(_yaml(before, _Before(files)), _yaml(after, _After(files)))
-        return all(one == other for one, other in pairs)
+        return all(old == new for old, new in pairs)
     root, other_root = _xml(before), _xml(after)
     return root is None or same_tree(root, other_root, files)
 
 
 class _Before:
-    """Asks of parts before the edits: where they come to stand, None where they go; and whether they are touched."""
+    """The parts before the edits: their offset after the edits (None if removed), and whether an edit touches them."""
 
     def __init__(self, files: Files) -> None:
         self.files = files
@@ -151,7 +154,7 @@ class _Before:
 
 
 class _After:
-    """Asks the same of parts after the edits, where those that the edits brought do not count."""
+    """The parts after the edits: their offset (None if an edit added them), and whether an edit touches them."""
 
     def __init__(self, files: Files) -> None:
         self.files = files
@@ -166,32 +169,32 @@ class _After:
 
 
 def _tree(root: Element, state: _Before | _After) -> Iterator[_Part]:
-    """The elements that stay, in order; not those that came by a call that is edited."""
+    """The elements that are kept, in order. Elements from a call that is edited are left out."""
     called: dict[int, bool] = {}
     pending = [(root, -1)]
     number = -1
     while pending:
         element, around = pending.pop()
         file, start = element.source.path, state.start(element.source.path, element.start)
-        if start is not None and not _is_called_anew(element.call, state, called):
+        if start is not None and not _is_call_edited(element.call, state, called):
             number += 1
             touched = state.is_touched(file, element.start)
-            yield _Part(file, start, around, None if touched else _says(element))
+            yield _Part(file, start, around, None if touched else _content(element))
             around = number
         pending += [(child, around) for child in reversed(element.elements())]
 
 
-def _is_called_anew(call: Call | None, state: _Before | _After, known: dict[int, bool]) -> bool:
+def _is_call_edited(call: Call | None, state: _Before | _After, known: dict[int, bool]) -> bool:
     if call is None:
         return False
     if id(call) not in known:
         file = call.source.path
-        anew = state.start(file, call.offset) is None or state.is_touched(file, call.offset)
-        known[id(call)] = anew or _is_called_anew(call.parent, state, known)
+        is_edited = state.start(file, call.offset) is None or state.is_touched(file, call.offset)
+        known[id(call)] = is_edited or _is_call_edited(call.parent, state, known)
     return known[id(call)]
 
 
-def _says(element: Element) -> object:
+def _content(element: Element) -> object:
     texts = (node.data for node in element.children() if isinstance(node, Text) and node.nodeType != COMMENT)
     return element.tagName, element.attrs, [text for text in texts if text.strip()]
 
@@ -210,5 +213,5 @@ def _yaml(source: SourceText, state: _Before | _After) -> Iterator[_Part]:
         number += 1
         numbers.append(number)
         touched = state.is_touched(source.path, node.start)
-        says = (node.text, node.style) if isinstance(node, Scalar) else ()
-        yield _Part(source.path, start, inside, None if touched else (type(node).__name__, node.tag, says))
+        content = (node.text, node.style) if isinstance(node, Scalar) else ()
+        yield _Part(source.path, start, inside, None if touched else (type(node).__name__, node.tag, content))

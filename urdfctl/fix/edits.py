@@ -1,4 +1,4 @@
-"""Edits of files: which go together, what they make of a file's bytes, and where its other bytes come to stand."""
+"""Edits of files: whether they conflict, the bytes that they produce, and how they move the other bytes."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Iterable
 from itertools import accumulate, pairwise
 
-from urdfctl.record import NamedTuple
+from urdfctl.startup.records import NamedTuple
 
 
 class Splice(NamedTuple):
-    """Bytes `start` to `end` of a file become `text`. The file is named by its path with all links followed."""
+    """A replacement of bytes `start` to `end` of a file by `text`. `file` is the path with all links resolved."""
 
     file: str
     start: int
@@ -19,12 +19,12 @@ class Splice(NamedTuple):
 
 
 def edited(data: bytes, edits: Iterable[Splice]) -> bytes:
-    """The bytes with edits made that do not clash. ValueError where one lies outside of them."""
+    """Return the bytes after edits, which must not clash. ValueError if an edit is out of range."""
     parts: list[bytes] = []
     position = 0
     for edit in sorted(edits, key=_order):
         if not position <= edit.start <= edit.end <= len(data):
-            raise ValueError(f"no bytes {edit.start} to {edit.end} to be replaced")
+            raise ValueError(f"bytes {edit.start} to {edit.end} do not exist")
         parts += [data[position : edit.start], edit.text.encode("utf-8", "surrogateescape")]
         position = edit.end
     return b"".join([*parts, data[position:]])
@@ -35,8 +35,11 @@ def _order(edit: Splice) -> tuple[int, int]:
 
 
 def clash(one: Splice, other: Splice) -> bool:
-    """Whether only one of two edits can be made: they share bytes, or one puts text where the other begins or ends, so
-    that their order would be anybody's guess. An edit goes with itself."""
+    """Return whether only one of two edits can be made.
+
+    They clash if they share bytes, or if one inserts text where the other begins or ends, so that their order is
+    undefined. An edit does not clash with itself.
+    """
     if one == other or one.file != other.file:
         return False
     if one.start == one.end or other.start == other.end:
@@ -45,15 +48,15 @@ def clash(one: Splice, other: Splice) -> bool:
 
 
 class Taken:
-    """The edits that were chosen so far; others go with them only where they clash with none."""
+    """The accepted edits. Further edits are accepted only if they clash with none of them."""
 
     def __init__(self) -> None:
         self._edits: dict[str, list[Splice]] = {}
 
     def take(self, edits: Iterable[Splice]) -> bool:
-        """Take all of some edits, if they go with what was taken and with each other; else none of them."""
+        """Accept all these edits and return True, or none of them if one clashes."""
         new = sorted({edit for edit in edits if edit not in self._of(edit)})
-        if any(clash(one, other) for one, other in pairwise(new)):
+        if any(clash(earlier, later) for earlier, later in pairwise(new)):
             return False
         if any(clash(edit, near) for edit in new for near in self._near(edit)):
             return False
@@ -66,14 +69,14 @@ class Taken:
         return self._edits.setdefault(edit.file, [])
 
     def _near(self, edit: Splice) -> list[Splice]:
-        """The edits next to one: as none of them clash, no others can."""
+        """The accepted edits next to this one. Others cannot clash, because the accepted edits do not overlap."""
         taken = self._of(edit)
         at = bisect_left(taken, _order(edit), key=_order)
         return taken[max(at - 2, 0) : at + 2]
 
 
 class Shift:
-    """Where the bytes of a file come to stand when edits are made in it."""
+    """Maps offsets in a file before edits to offsets after them."""
 
     def __init__(self, edits: Iterable[Splice]) -> None:
         self.edits = sorted(edits, key=_order)
@@ -87,22 +90,22 @@ class Shift:
         self._new_starts = [start for start, _ in self._new]
 
     def of(self, offset: int) -> int | None:
-        """The new offset of a byte; None where it is replaced."""
+        """Return the new offset of a byte, None if it is replaced."""
         index = bisect_right(self._starts, offset)
         if index and offset < self.edits[index - 1].end:
             return None
         return offset + self._moved[index]
 
     def replacing(self, offset: int) -> list[Splice]:
-        """The edit that replaces a byte, if there is one."""
+        """Return the edit that replaces a byte, as a list of at most one."""
         return [] if self.of(offset) is not None else [self.edits[bisect_right(self._starts, offset) - 1]]
 
     def near(self, offset: int) -> int:
-        """The new offset of a byte; where it is replaced, that of what replaces it."""
-        found = self.of(offset)
-        return self._new[bisect_right(self._starts, offset) - 1][0] if found is None else found
+        """Return the new offset of a byte, or that of its replacement."""
+        moved = self.of(offset)
+        return self._new[bisect_right(self._starts, offset) - 1][0] if moved is None else moved
 
     def is_new(self, offset: int) -> bool:
-        """Whether the byte at an offset of the edited file was brought by an edit."""
+        """Return whether an edit inserted the byte at an offset of the edited file."""
         index = bisect_right(self._new_starts, offset)
         return bool(index) and offset < self._new[index - 1][1]

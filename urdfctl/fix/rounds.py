@@ -1,23 +1,22 @@
-"""From the findings of a run to the bytes that its files should hold: chooses edits, tries them, and goes on with what
-is left, until nothing changes. Nothing is written here."""
+"""Choose and try the fixes of a run's findings, in rounds, until nothing changes. No file is written here."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from functools import partial
 
+from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.fix.edits import Splice, Taken, edited
 from urdfctl.fix.files import EditableFiles
-from urdfctl.fix.trial import Verdict, perform_with, splices_of, texts
-from urdfctl.hints import Any
-from urdfctl.jobs import job_for, shared_loader
-from urdfctl.lint import Linted, Selection
-from urdfctl.load import Target
-from urdfctl.record import NamedTuple
-from urdfctl.settings import Settings
-from urdfctl.worker import Died, Limits, processors, run
+from urdfctl.fix.trial import TrialResult, splices_of, texts, trial_work
+from urdfctl.lint.job import Workers, run_on_targets, shared_loader
+from urdfctl.lint.results import TargetResult
+from urdfctl.lint.selection import Selection
+from urdfctl.load.target import Target
+from urdfctl.run.limits import WorkerFailure, processors
+from urdfctl.startup.hints import Any
+from urdfctl.startup.records import NamedTuple
 
 MOST_ROUNDS = 20
 MOST_TRIALS = 400
@@ -25,7 +24,7 @@ _CHANGED = "the file has changed since it was linted"
 
 
 class Change(NamedTuple):
-    """What a file holds and what it should hold; the file is named by its real path."""
+    """The bytes of a file before and after the fixes. `file` is its real path."""
 
     file: str
     before: bytes
@@ -33,15 +32,18 @@ class Change(NamedTuple):
 
 
 class Fixed(NamedTuple):
-    """What came of fixing: the files to be changed, what would be left to find then, and what was not done, and why."""
+    """The result of fixing."""
 
     changes: tuple[Change, ...]
-    linted: tuple[Linted, ...]
+    """The files to write."""
+    linted: tuple[TargetResult, ...]
+    """The findings that remain after the changes."""
     refused: tuple[str, ...]
+    """A message for each fix that was refused, with the reason."""
 
 
 class Suggestion(NamedTuple):
-    """The edits of one fix, the first finding that asks for them, and the robot it was found in."""
+    """The edits of one fix, the first finding with this fix, and the robot of that finding."""
 
     finding: Diagnostic
     splices: tuple[Splice, ...]
@@ -49,7 +51,7 @@ class Suggestion(NamedTuple):
 
     @property
     def files(self) -> set[str]:
-        """The files that the edits are in."""
+        """The files that the edits change."""
         return {splice.file for splice in self.splices}
 
 
@@ -58,22 +60,24 @@ def _nothing(_file: str, _code: str) -> bool:
 
 
 class Wishes(NamedTuple):
-    """What the user wants to be mended: the findings of some rules, but for those that are ignored in a file; and
-    whether also what is not surely meant."""
+    """The findings that the user wants to fix."""
 
     selection: Selection = Selection()
+    """The selected rules."""
     ignores: Callable[[str, str], bool] = _nothing
+    """Whether a file, given by its path, ignores a code."""
     unsafe: bool = False
+    """Whether unsafe fixes are applied too."""
 
     def admits(self, finding: Diagnostic) -> bool:
-        """Whether a finding is one to be mended."""
+        """Return whether the user wants to fix a finding."""
         return self.selection.admits(finding.code) and not self.ignores(finding.at.file, finding.code)
 
 
 def fixed(
-    linted: Sequence[tuple[Target, Linted]], settings: Settings, wishes: Wishes, parallel: int | None = None
+    linted: Sequence[tuple[Target, TargetResult]], settings: Settings, wishes: Wishes, parallel: int | None = None
 ) -> Fixed:
-    """What fixing makes of some linted robots: all of one run, for what they share is only changed where all agree."""
+    """Return the result of fixing all robots of a run. A shared file is changed only if the fix suits all of them."""
     mending = _Mending(linted, settings, wishes, parallel or processors())
     for _ in range(MOST_ROUNDS):
         suggestions = mending.suggestions()
@@ -88,41 +92,46 @@ class _Mending:
 
     def __init__(
         self,
-        linted: Sequence[tuple[Target, Linted]],
+        linted: Sequence[tuple[Target, TargetResult]],
         settings: Settings,
         wishes: Wishes,
         parallel: int,
     ) -> None:
         self.targets = [target for target, _ in linted]
-        self.linted = [one for _, one in linted]
+        self.linted = [result for _, result in linted]
         self.settings, self.wishes, self.parallel = settings, wishes, parallel
-        # whatever the user wants to be told of, no rule may find anything new
+        # a fix must not cause a new finding of any rule, whether selected or not
         self.judges = wishes.selection._replace(select=())
-        self.loader = shared_loader(self.targets, settings, self.judges)
+        self.loader = shared_loader(self.targets, settings)
         self.files = EditableFiles(settings)
         self.refused: dict[frozenset[Splice], str] = {}
         self.trials = 0
-        self._read = [{os.path.realpath(file) for file in one.files} for one in self.linted]
+        self._read = [{os.path.realpath(file) for file in result.files} for result in self.linted]
 
-    # -- what is suggested -------------------------------------------------------------------------------------------
+    # -- suggestions ---------------------------------------------------------------------------------------------------
 
     def suggestions(self) -> list[Suggestion]:
-        """What the findings ask for and was not refused, in their order; of edits that clash the first."""
-        found: dict[frozenset[Splice], Suggestion] = {}
+        """Return the suggested fixes that were not refused, in order.
+
+        If edits clash, only the first fix is returned.
+        """
+        by_edits: dict[frozenset[Splice], Suggestion] = {}
         unsafe = set()
         for target, finding in self._findings():
             splices = splices_of(finding)
             key = frozenset(splices)
             if finding.fix and not finding.fix.safe:
                 unsafe.add(key)
-            if key not in found or finding.order < found[key].finding.order:
-                found[key] = Suggestion(finding, splices, target)
+            if key not in by_edits or finding.order < by_edits[key].finding.order:
+                by_edits[key] = Suggestion(finding, splices, target)
         taken = Taken()
-        in_order = sorted(found.items(), key=lambda item: item[1].finding.order)
+        in_order = sorted(by_edits.items(), key=lambda item: item[1].finding.order)
         wanted = [
-            (key, one) for key, one in in_order if key not in self.refused and (self.wishes.unsafe or key not in unsafe)
+            suggestion
+            for key, suggestion in in_order
+            if key not in self.refused and (self.wishes.unsafe or key not in unsafe)
         ]
-        return [one for key, one in wanted if self._is_editable(one) and taken.take(one.splices)]
+        return [suggestion for suggestion in wanted if self._is_editable(suggestion) and taken.take(suggestion.splices)]
 
     def _findings(self) -> Iterator[tuple[Target, Diagnostic]]:
         for target, linted in zip(self.targets, self.linted, strict=True):
@@ -141,10 +150,10 @@ class _Mending:
             return False
         return True
 
-    # -- what is tried -----------------------------------------------------------------------------------------------
+    # -- trials --------------------------------------------------------------------------------------------------------
 
     def round(self, suggestions: Sequence[Suggestion]) -> None:
-        """Keep those of some suggestions that nothing speaks against."""
+        """Try suggestions and keep those without objections."""
         kept: list[Suggestion] = []
         pending = [list(suggestions)]
         while pending:
@@ -159,19 +168,21 @@ class _Mending:
                 pending += [group[middle:], group[:middle]]
         if kept:
             self.files.now.update(self._edited(kept))
-            self.refused.clear()  # their offsets have moved, and what spoke against them may be gone
+            self.refused.clear()  # their offsets have moved, and the objections may no longer hold
 
     def _try(self, kept: Sequence[Suggestion], group: Sequence[Suggestion]) -> list[str]:
-        """What speaks against a group of suggestions beside those that are kept. Where nothing does, what is found then
-        is the state of things."""
+        """Return the objections to a group of suggestions together with the kept ones.
+
+        Without objections, the new findings become the current state.
+        """
         self.trials += 1
         if self.trials > MOST_TRIALS:
-            return ["too many others had to be tried: run it again"]
+            return ["too many other fixes were tried first. Run the command again"]
         after = {**self.files.now, **self._edited([*kept, *group])}
         changed = set().union(*(suggestion.files for suggestion in group))
         splices = frozenset(splice for suggestion in (*kept, *group) for splice in suggestion.splices)
         concerned = [index for index, files in enumerate(self._read) if files & changed]
-        verdicts: dict[int, Verdict] = {}
+        verdicts: dict[int, TrialResult] = {}
         for index, verdict in zip(concerned, self._verdicts(concerned, after, splices), strict=True):
             if verdict.objections:
                 return list(verdict.objections)
@@ -192,21 +203,26 @@ class _Mending:
 
     def _verdicts(
         self, concerned: Sequence[int], after: Mapping[str, bytes], splices: Iterable[Splice]
-    ) -> Iterator[Verdict]:
-        jobs: list[dict[str, Any]] = []
+    ) -> Iterator[TrialResult]:
+        details: list[dict[str, Any]] = []
         for index in concerned:
             files = sorted(self._read[index] & set(after))
             states = {"before": texts(self.files.now, files), "after": texts(after, files)}
             own = sorted(splice for splice in splices if splice.file in files)
-            job = job_for(self.targets[index], self.settings, self.judges)
-            jobs.append({**job, **states, "splices": [list(splice) for splice in own]})
-        limits = Limits(2 * self.settings.timeout, self.settings.memory, self.settings.environ)
-        perform = partial(perform_with, self.loader)
-        for result in run(jobs, perform, limits, self.parallel, fresh="urdfctl.fix.trial:perform"):
-            if isinstance(result, Died):
-                yield Verdict((f"what would become of it cannot be linted: {result.why}",), frozenset(), None)
+            details.append({**states, "splices": [list(splice) for splice in own]})
+        results = run_on_targets(
+            trial_work,
+            [self.targets[index] for index in concerned],
+            self.settings._replace(timeout=2 * self.settings.timeout),
+            self.judges,
+            details=details,
+            workers=Workers(self.loader, self.parallel),
+        )
+        for result in results:
+            if isinstance(result, WorkerFailure):
+                yield TrialResult((f"the fixed robot cannot be linted: {result.reason}",), frozenset(), None)
             else:
-                yield Verdict.from_json(result)
+                yield TrialResult.from_json(result)
 
     def _refuse(self, suggestion: Suggestion, why: str) -> None:
         finding = suggestion.finding
@@ -214,7 +230,7 @@ class _Mending:
         self.refused[frozenset(suggestion.splices)] = f"{place}: {finding.code} is not fixed: {why}"
 
     def result(self) -> Fixed:
-        """What is to be changed, and what would be left."""
+        """Return the changes, and the findings that remain."""
         files = self.files
         changes = (Change(file, files.read[file], after) for file, after in files.now.items())
         return Fixed(
@@ -223,6 +239,6 @@ class _Mending:
             tuple(sorted(self.refused.values())),
         )
 
-    def _selected(self, linted: Linted) -> Linted:
-        found = [one for one in linted.outcome.diagnostics if self.wishes.selection.admits(one.code)]
-        return linted._replace(outcome=linted.outcome._replace(diagnostics=found))
+    def _selected(self, linted: TargetResult) -> TargetResult:
+        selected = [finding for finding in linted.outcome.diagnostics if self.wishes.selection.admits(finding.code)]
+        return linted._replace(outcome=linted.outcome._replace(diagnostics=selected))

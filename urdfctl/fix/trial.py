@@ -1,5 +1,4 @@
-"""Tries edits on one robot, on nothing but copies of its files in memory: lints it before and after, and tells what
-speaks against them."""
+"""Try edits on copies of one robot's files in memory: lint it before and after, and report objections."""
 
 from __future__ import annotations
 
@@ -10,54 +9,52 @@ from collections.abc import Iterator, Mapping, Sequence
 from urdfctl.diagnostic import Diagnostic, Step
 from urdfctl.fix.comparison import EditedFile, edited_file, same_file, same_tree
 from urdfctl.fix.edits import Splice
-from urdfctl.hints import Any
-from urdfctl.jobs import loader_of, target_of
-from urdfctl.lint import Linted
-from urdfctl.load import Loader, Seen
-from urdfctl.record import NamedTuple
-from urdfctl.serialise import linted_from_json, linted_to_json
+from urdfctl.lint.job import Work
+from urdfctl.lint.results import TargetResult
+from urdfctl.lint.serialising import result_from_json, result_to_json
+from urdfctl.lint.target import LintedTarget, lint_target
 from urdfctl.source.dom import Element
+from urdfctl.startup.hints import Any
+from urdfctl.startup.records import NamedTuple
 
 Chain = tuple[Step, ...]
 
 
-class Verdict(NamedTuple):
-    """What became of edits in one robot: what speaks against them, which of them a finding asked for, and the findings
-    that are left."""
+class TrialResult(NamedTuple):
+    """The result of trying edits on one robot."""
 
     objections: tuple[str, ...]
+    """Reasons against the edits, the weightiest first."""
     asked_for: frozenset[Splice]
-    linted: Linted | None
+    """The edits that a finding of this robot suggests."""
+    linted: TargetResult | None
+    """The findings after the edits, None if the worker died."""
 
     @classmethod
-    def from_json(cls, data: dict[str, Any]) -> Verdict:
-        """From plain data."""
+    def from_json(cls, data: dict[str, Any]) -> TrialResult:
+        """Return it from plain data."""
         asked_for = frozenset(Splice(*splice) for splice in data["asked_for"])
-        return cls(tuple(data["objections"]), asked_for, linted_from_json(data["linted"]))
+        return cls(tuple(data["objections"]), asked_for, result_from_json(data["linted"]))
 
 
 def splices_of(diagnostic: Diagnostic) -> tuple[Splice, ...]:
-    """The edits of a finding's fix, in the files that they are really in."""
+    """Return the edits of a finding's fix, with the real paths of their files."""
     edits = diagnostic.fix.edits if diagnostic.fix else ()
     return tuple(Splice(os.path.realpath(edit.file), edit.start, edit.end, edit.text) for edit in edits)
 
 
-def perform(job: dict[str, Any]) -> dict[str, Any]:
-    """Try the edits of a job that came as JSON."""
-    return perform_with(loader_of(job), job)
-
-
-def perform_with(loader: Loader, job: dict[str, Any]) -> dict[str, Any]:
-    """Try edits: those that lead from the bytes `before` to the bytes `after`, given as Latin-1 by real paths."""
-    target = target_of(job)
-    splices = frozenset(Splice(*splice) for splice in job["splices"])
-    before = loader.holding(_bytes(job["before"])).seen(target)
-    after = loader.holding(_bytes(job["after"])).seen(target)
+def trial_work(work: Work) -> dict[str, Any]:
+    """Try edits in a worker: the `splices` that lead from `before` to `after`, which map real paths to bytes as
+    Latin-1 text."""
+    details = work.details
+    splices = frozenset(Splice(*splice) for splice in details["splices"])
+    before = lint_target(work.loader.with_overlay(_bytes(details["before"])), work.target, work.selection)
+    after = lint_target(work.loader.with_overlay(_bytes(details["after"])), work.target, work.selection)
     trial = _Trial(before, after, splices)
     return {
         "objections": list(dict.fromkeys(trial.objections())),
         "asked_for": sorted(trial.asked_for()),
-        "linted": linted_to_json(after.linted),
+        "linted": result_to_json(after.result),
     }
 
 
@@ -68,46 +65,47 @@ def _bytes(texts: Mapping[str, str]) -> dict[str, bytes]:
 class _Trial:
     """One robot before and after some edits."""
 
-    def __init__(self, before: Seen, after: Seen, splices: frozenset[Splice]) -> None:
+    def __init__(self, before: LintedTarget, after: LintedTarget, splices: frozenset[Splice]) -> None:
         self.before, self.after = before, after
         self.edited: dict[str, EditedFile] = {}
         for path, source in before.sources.items():
             own = [splice for splice in splices if splice.file == os.path.realpath(path)]
             if own:
                 self.edited[path] = edited_file(source, own)
-        found = [(diagnostic, splices_of(diagnostic)) for diagnostic in before.linted.outcome.diagnostics]
-        self.mended = [(diagnostic, own) for diagnostic, own in found if own and splices.issuperset(own)]
+        with_edits = [(diagnostic, splices_of(diagnostic)) for diagnostic in before.result.outcome.diagnostics]
+        self.fixed = [(diagnostic, own) for diagnostic, own in with_edits if own and splices.issuperset(own)]
 
     def asked_for(self) -> set[Splice]:
-        return {splice for _, splices in self.mended for splice in splices}
+        return {splice for _, splices in self.fixed for splice in splices}
 
     def objections(self) -> Iterator[str]:
-        """What speaks against the edits, in the order of its weight."""
-        if self.after.linted.outcome.crashed and not self.before.linted.outcome.crashed:
-            yield "urdfctl crashes on what would become of it"
+        """The objections to the edits, the weightiest first."""
+        if self.after.result.outcome.crashed and not self.before.result.outcome.crashed:
+            yield "urdfctl crashes on the fixed robot"
         yield from self._of_findings()
         yield from self._of_comments()
         if not same_tree(self.before.root, self.after.root, self.edited) or not self._same_files():
-            yield "other parts of the robot would change too"
-        if self.before.linted.complete:
+            yield "other parts of the robot would also change"
+        if self.before.result.complete:
             yield from self._of_calls()
 
-    # -- findings ----------------------------------------------------------------------------------------------------
+    # -- findings ------------------------------------------------------------------------------------------------------
 
     def _of_findings(self) -> Iterator[str]:
-        """No finding may come; and those that the edits are for must go."""
-        before = Counter(self._key(diagnostic) for diagnostic in self.before.linted.outcome.diagnostics)
-        mended = Counter(self._key(diagnostic) for diagnostic, _ in self.mended)
-        left = before - mended
-        for diagnostic in self.after.linted.outcome.diagnostics:
+        """The edits must not cause a new finding, and must remove the findings that they fix."""
+        before = Counter(self._key(diagnostic) for diagnostic in self.before.result.outcome.diagnostics)
+        expected_gone = Counter(self._key(diagnostic) for diagnostic, _ in self.fixed)
+        left = before - expected_gone
+        for diagnostic in self.after.result.outcome.diagnostics:
             key = diagnostic.code, diagnostic.at.file, diagnostic.at.start
             left[key] -= 1
             if left[key] < 0:
-                stays = key in mended and left[key] >= -mended[key]
-                yield "the finding would stay" if stays else f"{diagnostic.code} would come: {diagnostic.message}"
+                stays = key in expected_gone and left[key] >= -expected_gone[key]
+                new = f"the fix would cause {diagnostic.code} ({diagnostic.message})"
+                yield "the fix would not remove the finding" if stays else new
 
     def _key(self, diagnostic: Diagnostic) -> tuple[str, str, int]:
-        """What a finding is known by after the edits: its code, and where it stands then."""
+        """The identity of a finding after the edits: its code and its new place."""
         return diagnostic.code, diagnostic.at.file, self._moved(diagnostic.at.file, diagnostic.at.start)
 
     def _moved(self, file: str, offset: int) -> int:
@@ -115,13 +113,13 @@ class _Trial:
         return edited.shift.near(offset) if edited else offset
 
     def _of_comments(self) -> Iterator[str]:
-        """A comment that silences something must not be left with nothing to silence."""
-        used = {(use.at.file, use.at.start) for use in self.after.linted.outcome.suppressions if use.used}
-        for use in self.before.linted.outcome.suppressions:
+        """A suppression that is used before the edits must still be used after them."""
+        used = {(use.at.file, use.at.start) for use in self.after.result.outcome.suppressions if use.used}
+        for use in self.before.result.outcome.suppressions:
             if use.used and (use.at.file, self._moved(use.at.file, use.at.start)) not in used:
-                yield f"the comment in line {use.at.line} would have nothing to silence"
+                yield f"the suppression in line {use.at.line} would be unused"
 
-    # -- the tree ----------------------------------------------------------------------------------------------------
+    # -- the tree ------------------------------------------------------------------------------------------------------
 
     def _same_files(self) -> bool:
         sources = self.before.sources, self.after.sources
@@ -131,9 +129,9 @@ class _Trial:
         )
 
     def _of_calls(self) -> Iterator[str]:
-        """What several calls of a macro show is changed only where each of them shows the finding."""
+        """A macro with several calls is changed only if every call has the finding."""
         chains: dict[Splice, set[Chain]] = {}
-        for diagnostic, splices in self.mended:
+        for diagnostic, splices in self.fixed:
             for splice in splices:
                 chains.setdefault(splice, set()).update(diagnostic.expanded_from or [()])
         for element, splice in self._touched(self.before.root):
@@ -141,7 +139,7 @@ class _Trial:
                 yield _elsewhere(_chain(element))
 
     def _touched(self, root: Element | None) -> Iterator[tuple[Element, Splice]]:
-        """The expanded elements that edits touch or take away, each with the edit."""
+        """The expanded elements that edits change or remove, each with the edit."""
         pending = [root] if root is not None else []
         while pending:
             element = pending.pop()
@@ -160,18 +158,18 @@ def _chain(element: Element) -> Chain:
 
 
 def _goes_with(chain: Chain, found: Chain) -> bool:
-    """Whether two chains lead to the same, or one to where the other goes on from: they agree from the outside in."""
-    return all(one == other for one, other in zip(reversed(chain), reversed(found), strict=False))
+    """Whether one chain of calls, from the outside in, is the beginning of the other."""
+    return all(step == other for step, other in zip(reversed(chain), reversed(found), strict=False))
 
 
 def _elsewhere(chain: Chain) -> str:
     macro = next((step for step in chain if step.what.startswith("macro")), None)
     if macro is None:
-        return "it would change a robot that has no such finding"
+        return "the fix would also change a robot without this finding"
     name = macro.what.removeprefix("macro ")
-    return f"the call of macro '{name}' at {macro.file}:{macro.line} has no such finding, and would change too"
+    return f"the call of macro '{name}' at {macro.file}:{macro.line} does not have this finding but would also change"
 
 
 def texts(held: Mapping[str, bytes], files: Sequence[str]) -> dict[str, str]:
-    """Some of the held files, as a job carries them."""
+    """Return the contents of these files as text, for a job."""
     return {file: held[file].decode("latin-1") for file in files}

@@ -1,4 +1,4 @@
-"""Which joints are meant: of a robot's, of names, or of a list."""
+"""Select joints: from a robot, by name, or from a list."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 from urdfctl.errors import UserError
 from urdfctl.generate.facts import JointFacts, RobotFacts
-from urdfctl.suggest import did_you_mean
+from urdfctl.names import did_you_mean
 
 
 def chosen(
@@ -16,10 +16,10 @@ def chosen(
     patterns: Iterable[str] = (),
     excluded: Iterable[str] = (),
 ) -> tuple[JointFacts, ...]:
-    """Joints by name, in the order of the names; else all of the robot that can move and mimic no other.
+    """Return the named joints in that order, or else all joints of the robot that can move and mimic no other.
 
-    The `patterns` keep those that they match as a whole, the `excluded` take out. UserError where a name is none of
-    the robot's joints, a pattern is none, or nothing is left.
+    Only joints that fully match one of the `patterns` are kept, if there are any. Joints that match one of `excluded`
+    are removed. UserError if the robot does not have a named joint, or if a pattern is invalid or matches nothing.
     """
     listed = list(named)
     if listed:
@@ -29,43 +29,45 @@ def chosen(
         joints = [joint for joint in free if joint.can_move] or free
     wanted, unwanted = [_regex(text) for text in patterns], [_regex(text) for text in excluded]
     _check(wanted, joints)
-    kept = [joint for joint in joints if not wanted or any(one.fullmatch(joint.name) for one in wanted)]
-    kept = [joint for joint in kept if not any(one.fullmatch(joint.name) for one in unwanted)]
+    kept = [joint for joint in joints if not wanted or any(pattern.fullmatch(joint.name) for pattern in wanted)]
+    kept = [joint for joint in kept if not any(pattern.fullmatch(joint.name) for pattern in unwanted)]
     return tuple({joint.name: joint for joint in kept}.values())
 
 
 def stuck(robot: RobotFacts, joints: Iterable[JointFacts]) -> tuple[str, ...]:
-    """The names of the joints that were passed over, for their limits hold them fast."""
+    """Return the names of the joints that were skipped because their limits leave them no motion."""
     taken = {joint.name for joint in joints}
     return tuple(joint.name for joint in robot.joints if not (joint.mimics or joint.can_move or joint.name in taken))
 
 
 def joint_named(robot: RobotFacts | None, name: str) -> JointFacts:
-    """A joint by name: the robot's, where there is one. UserError where the robot has none of that name."""
+    """Return the joint of this name, from the robot if there is one. UserError if the robot has no such joint."""
     return _of_robot(JointFacts(name), robot) if robot else JointFacts(name)
 
 
 def _of_robot(listed: JointFacts, robot: RobotFacts) -> JointFacts:
-    """The robot's joint, with what the list says over it."""
+    """The robot's joint, overridden by the values of the list."""
     known = {joint.name: joint for joint in robot.joints}
     joint = known.get(listed.name)
     if joint is None:
         if listed.name in robot.fixed:
-            raise UserError(f"the joint '{listed.name}' cannot be controlled: it does not move about or along one axis")
+            raise UserError(
+                f"joint '{listed.name}' cannot be controlled: it does not move about or along a single axis"
+            )
         raise UserError(f"the robot has no joint '{listed.name}'{did_you_mean(listed.name, known)}")
-    told = {key: value for key, value in listed._asdict().items() if value != JointFacts._field_defaults.get(key)}
-    return joint._replace(**told)
+    given = {key: value for key, value in listed._asdict().items() if value != JointFacts._field_defaults.get(key)}
+    return joint._replace(**given)
 
 
 def _check(wanted: list[re.Pattern[str]], joints: list[JointFacts]) -> None:
-    for one in wanted:
-        if not any(one.fullmatch(joint.name) for joint in joints):
+    for regex in wanted:
+        if not any(regex.fullmatch(joint.name) for joint in joints):
             names = [joint.name for joint in joints]
-            raise UserError(f"no joint matches '{one.pattern}'{did_you_mean(one.pattern, names)}")
+            raise UserError(f"no joint matches '{regex.pattern}'{did_you_mean(regex.pattern, names)}")
 
 
 def _regex(text: str) -> re.Pattern[str]:
     try:
         return re.compile(text)
     except re.error as error:
-        raise UserError(f"'{text}' is no regular expression: {error}") from None
+        raise UserError(f"'{text}' is not a valid regular expression: {error}") from None

@@ -1,4 +1,4 @@
-"""The controllers that are asked for: side by side on the hardware, or each before the next in a chain."""
+"""Create the requested controllers: in parallel on the hardware, or connected in a chain."""
 
 from __future__ import annotations
 
@@ -22,11 +22,13 @@ _CHAINING = since("humble")
 def controllers(
     joints: Sequence[JointFacts], options: Options, catalog: Catalog, robot: RobotFacts = NO_ROBOT
 ) -> tuple[Controller, ...]:
-    """The controllers that are asked for, in the order in which they are started: first the broadcaster of the joints'
-    states. UserError where there is none of a type in the distro, or the joints do not fit."""
+    """Return the requested controllers in the order in which they are started, the joint state broadcaster first.
+
+    UserError if the distro does not have a type, or if the joints do not fit.
+    """
     wanted = [kind_of(name, catalog, options) for name in options.types]
-    tell_states = [kind for kind in wanted if BROADCASTER in (kind.name, kind.label) or "joint_state" in kind.name]
-    first = [kind_of(BROADCASTER, catalog, options)] if options.broadcaster and not tell_states else []
+    reporting_states = [kind for kind in wanted if BROADCASTER in (kind.name, kind.label) or "joint_state" in kind.name]
+    first = [kind_of(BROADCASTER, catalog, options)] if options.broadcaster and not reporting_states else []
     if options.chain:
         made = _side_by_side(first, joints, options, catalog, robot)
         return _renamed([*made, *_chained(wanted, joints, options, catalog, robot)], options)
@@ -36,26 +38,26 @@ def controllers(
 def _side_by_side(
     wanted: Sequence[Kind], joints: Sequence[JointFacts], options: Options, catalog: Catalog, robot: RobotFacts
 ) -> list[Controller]:
-    """Controllers that command hardware: drives their wheels, the others the rest of the joints."""
+    """Controllers that command the hardware. Drives get their wheels, the other controllers the remaining joints."""
     free = list(joints)
     made: list[Controller] = []
     for kind in sorted(wanted, key=lambda kind: not kind.roles):
         tasks = list(tasks_of(kind, free, options, robot))
-        made += [one for task in tasks for one in _of_task(kind, task, catalog)]
+        made += [created for task in tasks for created in _of_task(kind, task, catalog)]
         if kind.roles:
             used = {joint.name for task in tasks for joint in task.joints}
             free = [joint for joint in free if joint.name not in used]
     order = [kind.name for kind in wanted]
-    made.sort(key=lambda one: (not one.reports, order.index(one.task.kind)))
+    made.sort(key=lambda created: (not created.reports, order.index(created.task.kind)))
     return made
 
 
 def _chained(
     wanted: Sequence[Kind], joints: Sequence[JointFacts], options: Options, catalog: Catalog, robot: RobotFacts
 ) -> list[Controller]:
-    """Controllers of which each commands the one that is made, and started, before it."""
+    """Controllers in a chain: each commands the one that is created, and started, before it."""
     if options.distro not in _CHAINING:
-        raise UserError(f"{options.distro} chains no controllers: ROS 2 does from humble on")
+        raise UserError(f"{options.distro} does not support chained controllers; they require humble or later")
     drives = [kind for kind in wanted if kind.roles]
     for kind in drives:
         joints = next(tasks_of(kind, joints, options, robot)).joints
@@ -63,7 +65,9 @@ def _chained(
     for kind in reversed(wanted):
         tasks = list(tasks_of(kind, joints, options, robot))
         if len(tasks) > 1 or kind.each:
-            raise UserError(f"'{kind.name}' makes several controllers of these joints: no part of a chain")
+            raise UserError(
+                f"'{kind.name}' needs several controllers for these joints, so it cannot be part of a chain"
+            )
         task = tasks[0]._replace(states=("velocity",)) if drives and not kind.roles else tasks[0]
         made += _of_task(kind, _before(made[-1], task) if made else task, catalog)
         if len(made) > 1:
@@ -72,7 +76,7 @@ def _chained(
 
 
 def _before(below: Controller, task: Task) -> Task:
-    """The task of a controller that commands what another offers."""
+    """The task of a controller that commands the interfaces exported by another one."""
     offered = exports(below.type, below.name, below.values)
     interfaces = tuple(dict.fromkeys(claim.interface for claim in offered.reference)) or task.interfaces
     states = tuple(dict.fromkeys(claim.interface for claim in offered.state)) if task.is_drive else ()
@@ -80,35 +84,35 @@ def _before(below: Controller, task: Task) -> Task:
 
 
 def _check_chain(upper: Controller, below: Controller) -> None:
-    """UserError where a controller does not command what the one below it offers."""
+    """UserError if a controller commands an interface that the one below it does not export."""
     offered = {claim.name for claim in exports(below.type, below.name, below.values).reference}
     claimed = claims(upper.type, upper.name, upper.values)
     for claim in claimed.command if claimed else ():
         if claim.name not in offered:
-            what = ", ".join(sorted(offered)) or "nothing"
-            raise UserError(f"'{upper.name}' commands '{claim.name}', and '{below.name}' takes {what}")
+            accepted = ", ".join(sorted(offered)) or "nothing"
+            raise UserError(f"'{upper.name}' commands '{claim.name}', but '{below.name}' accepts {accepted}")
 
 
 def _of_task(kind: Kind, task: Task, catalog: Catalog) -> Iterator[Controller]:
     of_type = type_of(kind, task.interfaces, catalog, task.options)
     if kind.each and not task.joints:
-        raise UserError(f"'{kind.name}' needs a joint")
+        raise UserError(f"'{kind.name}' requires a joint")
     for part in [task._replace(joints=(joint,)) for joint in task.joints] if kind.each else [task]:
         suffix = f"{kind.name}_controller" if kind.each and "/" not in kind.name else kind.label
         name = _node_name(f"{part.joints[0].name}_{suffix}" if kind.each else kind.label)
         made = controller(name, of_type, part)
         fitting = (controller(name, of_type, of_sensor) for of_sensor in _sensors(part))
-        yield next((one for one in fitting if _is_offered(one)), made)
+        yield next((candidate for candidate in fitting if _is_offered(candidate)), made)
 
 
 def _sensors(task: Task) -> Iterator[Task]:
-    """The task for each of the robot's sensors, unless the user names one."""
+    """A task for each of the robot's sensors, unless the user named one."""
     for part in task.robot.of_kind("sensor") if task.options.sensor is None else ():
         yield task._replace(options=task.options._replace(sensor=part.name))
 
 
 def _is_offered(made: Controller) -> bool:
-    """Whether a sensor of the robot offers all that a controller reads of it."""
+    """Whether a sensor of the robot offers every state that a controller reads from it."""
     offered = {part.name: part.states for part in made.task.robot.of_kind("sensor")}
     claimed = claims(made.type, made.name, made.values)
     read = [claim for claim in claimed.state if claim.component in offered] if claimed else []
@@ -116,19 +120,19 @@ def _is_offered(made: Controller) -> bool:
 
 
 def _renamed(made: Sequence[Controller], options: Options) -> tuple[Controller, ...]:
-    """Controllers of different names: by their interface where there are several of a kind, else by a number."""
-    own = [one for one in made if one.task.kind != BROADCASTER]
+    """Controllers with unique names: the name given by the user for a single one, and a number for duplicates."""
+    own = [created for created in made if created.task.kind != BROADCASTER]
     if options.name and len(own) == 1:
-        made = [one._replace(name=options.name) if one is own[0] else one for one in made]
+        made = [created._replace(name=options.name) if created is own[0] else created for created in made]
     taken: dict[str, int] = {}
     unique: list[Controller] = []
-    for one in made:
-        count = taken[one.name] = taken.get(one.name, 0) + 1
-        unique.append(one if count == 1 else one._replace(name=f"{one.name}_{count}"))
+    for created in made:
+        count = taken[created.name] = taken.get(created.name, 0) + 1
+        unique.append(created if count == 1 else created._replace(name=f"{created.name}_{count}"))
     return tuple(unique)
 
 
 def _node_name(text: str) -> str:
-    """A name that a node may have: letters, digits and underscores, and no digit at its start."""
+    """A valid node name: letters, digits and underscores, not starting with a digit."""
     plain = re.sub(r"[^A-Za-z0-9]+", "_", text).strip("_") or "joint_controller"
     return f"j{plain}" if plain[0].isdigit() else plain

@@ -1,4 +1,4 @@
-"""What is put into a robot's description: transmissions, a `<ros2_control>` component, the simulator's plugin."""
+"""Generate parts of a description: transmissions, a `<ros2_control>` component, the simulator's plugin."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from urdfctl.generate.options import Options
 from urdfctl.generate.parameters import Controller
 from urdfctl.generate.scalars import yaml_float
 from urdfctl.generate.templates import Templates
-from urdfctl.record import NamedTuple
+from urdfctl.startup.records import NamedTuple
 
 _STATES = ("position", "velocity")
 OF_TRANSMISSIONS = tuple(f"{kind}JointInterface" for kind in ("Effort", "Velocity", "Position", "PosVel", "PosVelAcc"))
 
 
 class Command(NamedTuple):
-    """A command interface, with its least and greatest value where the robot tells them."""
+    """A command interface, with its minimum and maximum if the robot defines them."""
 
     name: str
     limits: tuple[str, str] | None = None
@@ -39,10 +39,12 @@ class Part(NamedTuple):
 
 
 def transmissions(joints: Sequence[JointFacts], options: Options, templates: Templates, given: dict[str, str]) -> str:
-    """A transmission for each joint that controllers command, by the interface that `given` says; for each where there
-    are none. UserError where none of their interfaces is one of transmissions."""
+    """Return a transmission for each joint that the controllers command, with the interface from `given`.
+
+    Without controllers, every joint gets one. UserError if transmissions provide none of the interfaces.
+    """
     if options.ros != 1:
-        raise UserError(f"{options.distro} reads no transmissions of this form: see gen-ros2-control")
+        raise UserError(f"{options.distro} does not read transmissions of this form; use gen-ros2-control")
     prefix = "hardware_interface/" if options.distro in since("kinetic") else ""
     shown = []
     for joint in joints:
@@ -52,8 +54,8 @@ def transmissions(joints: Sequence[JointFacts], options: Options, templates: Tem
             reduction = yaml_float(float(joint.reduction))
             shown.append({"name": joint.name, "interface": f"{prefix}{name}", "reduction": reduction})
     if not shown:
-        names = ", ".join(sorted({*given.values()})) or "what is asked for"
-        raise UserError(f"no transmission gives {names}; one gives {', '.join(OF_TRANSMISSIONS)}")
+        names = ", ".join(sorted({*given.values()})) or "the requested interface"
+        raise UserError(f"transmissions do not provide {names}; they provide {', '.join(OF_TRANSMISSIONS)}")
     form = "macro" if options.macro else "plain"
     return templates.render(f"transmissions/{form}.xacro", joints=shown, interface=shown[0]["interface"])
 
@@ -61,9 +63,9 @@ def transmissions(joints: Sequence[JointFacts], options: Options, templates: Tem
 def component(
     joints: Sequence[JointFacts], options: Options, catalog: Catalog, templates: Templates, made: Sequence[Controller]
 ) -> str:
-    """A component with what the controllers claim, or with what the options say of each joint."""
+    """Return a component with the interfaces that the controllers claim, or that the options give for each joint."""
     if options.ros == 1:
-        raise UserError(f"{options.distro} reads no <ros2_control>: see gen-transmissions")
+        raise UserError(f"{options.distro} does not read <ros2_control>; use gen-transmissions")
     plugin = hardware(options, catalog)
     parts = _parts(joints, options, made)
     _check(parts, plugin)
@@ -73,29 +75,29 @@ def component(
         name="RobotSystem",
         type=plugin.component_types[0] if "system" not in plugin.component_types else "system",
         plugin=plugin.type,
-        about="mock hardware, which does what it is told" if plugin.simulator == "mock" else about,
+        about="mock hardware, which copies commands to states" if plugin.simulator == "mock" else about,
         parts=parts,
     )
 
 
 def _check(parts: Sequence[Part], plugin: HardwareType) -> None:
-    """UserError where a joint is to be commanded by what the hardware does not take."""
+    """UserError if a joint is commanded through an interface that the hardware does not accept."""
     if plugin.command_interfaces is None:
         return
     for part in parts:
-        wrong = [one.name for one in part.commands if one.name not in plugin.command_interfaces]
+        wrong = [command.name for command in part.commands if command.name not in plugin.command_interfaces]
         if wrong and part.kind == "joint":
             known = ", ".join(plugin.command_interfaces)
-            raise UserError(f"'{plugin.type}' takes no '{wrong[0]}' of joint '{part.name}'; it takes {known}")
+            raise UserError(f"'{plugin.type}' does not accept '{wrong[0]}' for joint '{part.name}'; it accepts {known}")
 
 
 def simulator_plugin(options: Options, catalog: Catalog, templates: Templates) -> str:
-    """The plugin that runs the controllers in the simulator."""
-    found = host(options, catalog)
+    """Return the plugin that runs the controllers in the simulator."""
+    plugin = host(options, catalog)
     return templates.render(
         f"gazebo/ros{options.ros}.xacro",
-        filename=found.filenames[0],
-        name=found.names[0] if found.names else found.package or found.id,
+        filename=plugin.filenames[0],
+        name=plugin.names[0] if plugin.names else plugin.package or plugin.id,
         namespace=options.namespace,
         legacy=options.distro == "kinetic",
         package=options.package or "my_robot_control",
@@ -104,24 +106,24 @@ def simulator_plugin(options: Options, catalog: Catalog, templates: Templates) -
 
 
 def wanted_interfaces(made: Sequence[Controller]) -> dict[str, str]:
-    """The interfaces in which controllers of ROS 1 look for each joint that they command."""
-    found: dict[str, str] = {}
-    for one in made:
-        claimed = claims(one.type, one.name, one.values)
+    """Return the hardware interface that controllers of ROS 1 use for each joint that they command."""
+    interfaces: dict[str, str] = {}
+    for controller in made:
+        claimed = claims(controller.type, controller.name, controller.values)
         for claim in claimed.command if claimed else ():
-            found.setdefault(claim.component, re.split("/|::", claim.interface)[-1])
-    return found
+            interfaces.setdefault(claim.component, re.split("/|::", claim.interface)[-1])
+    return interfaces
 
 
 def _parts(joints: Sequence[JointFacts], options: Options, made: Sequence[Controller]) -> list[Part]:
     known = {joint.name: joint for joint in joints}
     commands: dict[str, list[str]] = {}
     states: dict[str, list[str]] = {}
-    names = {one.name for one in made}
-    for one in made:
-        claimed = claims(one.type, one.name, one.values)
-        for found, into in ((claimed.command, commands), (claimed.state, states)) if claimed else ():
-            for claim in found:
+    names = {controller.name for controller in made}
+    for controller in made:
+        claimed = claims(controller.type, controller.name, controller.values)
+        for claims_of_kind, into in ((claimed.command, commands), (claimed.state, states)) if claimed else ():
+            for claim in claims_of_kind:
                 if claim.component.partition("/")[0] not in names and not claim.best_effort:
                     into.setdefault(claim.component, []).append(claim.interface)
     if not commands and not states:
@@ -133,7 +135,7 @@ def _parts(joints: Sequence[JointFacts], options: Options, made: Sequence[Contro
 def _part(name: str, joint: JointFacts | None, commands: list[str], states: list[str], options: Options) -> Part:
     kind = "joint" if joint else "gpio" if commands else "sensor"
     own = (options.states or _STATES) if joint else ()
-    limited = tuple(Command(one, _limits(joint, one) if joint else None) for one in dict.fromkeys(commands))
+    limited = tuple(Command(name, _limits(joint, name) if joint else None) for name in dict.fromkeys(commands))
     return Part(kind, name, limited, tuple(dict.fromkeys((*own, *states))))
 
 

@@ -1,4 +1,4 @@
-"""Which generators make which files."""
+"""The generators, and the files that each of them makes."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ from urdfctl.generate.options import File, Options
 from urdfctl.generate.parameters import Controller
 from urdfctl.generate.parse_again import checked
 from urdfctl.generate.templates import Templates
-from urdfctl.record import NamedTuple
+from urdfctl.startup.records import NamedTuple
 
 
 class Order(NamedTuple):
-    """What is to be made, of what, and with what."""
+    """The input of a generator."""
 
     joints: tuple[JointFacts, ...]
     options: Options
@@ -36,15 +36,15 @@ class Order(NamedTuple):
 
     @property
     def title(self) -> str:
-        """What the robot is called."""
+        """The robot's name in comments and titles."""
         return f"'{self.robot.name}'" if self.robot.name else "these joints"
 
     def controllers(self) -> tuple[Controller, ...]:
-        """The controllers that are asked for."""
+        """Return the requested controllers."""
         return controllers(self.joints, self.options, self.catalog, self.robot)
 
     def made_if_typed(self) -> tuple[Controller, ...]:
-        """The controllers, where some are asked for."""
+        """Return the requested controllers. Empty if no type is given."""
         return self.controllers() if self.options.types else ()
 
 
@@ -53,7 +53,7 @@ def _controllers(order: Order) -> list[File]:
 
 
 def _wrapped(order: Order, name: str, *blocks: str, includes: Sequence[str] = (), robot: str | None = None) -> File:
-    """A xacro file of some blocks, or of what it includes, which is given the robot's arguments."""
+    """A xacro file with these blocks, or with these includes and the robot's arguments."""
     body = [block.rstrip("\n") + "\n" for block in blocks]
     text = order.templates.render(
         "xacro/file.xacro",
@@ -67,7 +67,7 @@ def _wrapped(order: Order, name: str, *blocks: str, includes: Sequence[str] = ()
 
 
 def _one_dash(command: str) -> str:
-    """A command as a comment of XML may hold it: one dash before a long option does as well as two."""
+    """A command for an XML comment, which must not contain `--`: long options also work with one dash."""
     return re.sub(r"(?<= )--(?=[a-z])", "-", command)
 
 
@@ -98,34 +98,34 @@ def _launch_file(order: Order, made: Sequence[Controller]) -> File:
 
 def _typed(order: Order) -> tuple[Controller, ...]:
     if not order.options.types:
-        raise UserError("what kind of controllers? Say --type, such as --type effort, trajectory or diff_drive")
+        raise UserError("--type is missing: use e.g. --type effort, --type trajectory or --type diff_drive")
     made = order.controllers()
     if order.options.ros == 1:
         _check_joints(made, order.robot)
-        for one in made if order.options.simulated else ():
-            _check_simulated(one, order)
+        for controller in made if order.options.simulated else ():
+            _check_simulated(controller, order)
     return made
 
 
 def _check_joints(made: Sequence[Controller], robot: RobotFacts) -> None:
-    """UserError where a controller of ROS 1 commands a joint that the robot does not have."""
+    """UserError if a controller of ROS 1 commands a joint that the robot does not have."""
     known = {joint.name for joint in robot.joints}
-    for one in made if known else ():
-        strange = [name for name in wanted_interfaces([one]) if name not in known]
-        if strange:
-            raise UserError(f"'{one.type.type}' needs the joint '{strange[0]}', which the robot does not have")
+    for controller in made if known else ():
+        unknown = [name for name in wanted_interfaces([controller]) if name not in known]
+        if unknown:
+            raise UserError(f"'{controller.type.type}' requires joint '{unknown[0]}', which the robot does not have")
 
 
-def _check_simulated(one: Controller, order: Order) -> None:
-    """UserError where gazebo_ros_control's own simulation has not what a controller of ROS 1 needs."""
+def _check_simulated(controller: Controller, order: Order) -> None:
+    """UserError if gazebo_ros_control does not simulate an interface that a controller of ROS 1 requires."""
     known = order.catalog.hardware_interfaces(order.options.distro)
-    for name in one.type.hardware_interfaces:
+    for name in controller.type.hardware_interfaces:
         if name in known and known[name].in_gazebo in ("absent", "refused"):
-            raise UserError(f"'{one.type.type}' needs '{name}', which Gazebo's simulation has not")
+            raise UserError(f"'{controller.type.type}' requires '{name}', which Gazebo does not simulate")
 
 
 def _all(order: Order) -> list[File]:
-    """A package: the robot with all that controls it."""
+    """A package with the robot and everything that controls it."""
     made, robot = _typed(order), order.robot
     options = order.options._replace(description="urdf/robot.urdf.xacro")
     order = order._replace(options=options)
@@ -163,8 +163,10 @@ GENERATORS: Mapping[str, Callable[[Order], list[File]]] = {
 
 
 def files(command: str, order: Order) -> list[File]:
-    """The files of a command, each parsed again. UserError where they cannot be made."""
+    """Return the files that a command generates, each checked by parsing it again. UserError if they cannot be made."""
     options = order.options
     if options.ros == 1 and options.simulator in ("gz", "mujoco"):
-        raise UserError(f"{options.distro} has no controllers in '{options.simulator}'; take gazebo-classic, or none")
+        raise UserError(
+            f"{options.distro} does not support controllers in '{options.simulator}'; use gazebo-classic or none"
+        )
     return [checked(file) for file in GENERATORS[command](order)]

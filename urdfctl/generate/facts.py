@@ -1,21 +1,20 @@
-"""What the generators know of a robot: its moving joints, measured with all joints at zero, and the control it has."""
+"""The facts about a robot that the generators use: its moving joints, measured at zero, and its control tags."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
-from urdfctl.hints import Any
-from urdfctl.record import NamedTuple
-
-Vector = tuple[float, float, float]
+from urdfctl.model.geometry import Vector
+from urdfctl.startup.hints import Any
+from urdfctl.startup.records import NamedTuple
 
 
 class JointFacts(NamedTuple):
-    """A joint that moves. Limits in rad or m, N m or N, rad/s or m/s, None where the robot has none.
+    """A joint that moves. Limits are in rad or m, N m or N, rad/s or m/s, and None if the robot has none.
 
-    `at` and `axis` are in the frame of the root link, `radius` in m is that of the wheel it turns, `inertia` in kg m2
-    (kg where it slides) what it has to move; `link` is the one that it moves. `interface`, `gains` and `reduction` are
-    what a list says of it.
+    `at` and `axis` are in the frame of the root link. `radius` is that of the wheel it turns, in m. `inertia` is the
+    load that it moves, in kg m2, or kg for a prismatic joint. `link` is the child link. `interface`, `gains` and
+    `reduction` come from a joint list.
     """
 
     name: str
@@ -36,12 +35,12 @@ class JointFacts(NamedTuple):
 
     @property
     def can_move(self) -> bool:
-        """Whether its limits leave it a range and a speed."""
+        """Whether its limits leave it a range and a velocity."""
         return self.velocity != 0 and (self.lower is None or self.lower != self.upper)
 
     @property
     def slides(self) -> bool:
-        """Whether it moves along its axis, in metres."""
+        """Whether it is prismatic, so that its positions are in metres."""
         return self.type == "prismatic"
 
 
@@ -55,11 +54,12 @@ class PartFacts(NamedTuple):
 
 
 class RobotFacts(NamedTuple):
-    """A robot as the generators see it.
+    """A robot as the generators use it.
 
-    `file` is where it was read from, `package` and `package_path` the package that holds it, and where in it. `root`
-    is its root link. `interfaces` are the command interfaces that its joints have already (by transmissions or by
-    `<ros2_control>`), `parts` what these tags offer; `hosts` are the file names of its simulator plugins.
+    `file` is its source file, `package` the package that contains it, and `package_path` its path in that package.
+    `root` is its root link, `fixed` are the joints that do not move. `interfaces` are the command interfaces that its
+    joints already have from transmissions or `<ros2_control>` tags. `parts` are the joints, sensors and gpios of these
+    tags. `hosts` are the file names of its simulator plugins.
     """
 
     name: str | None = None
@@ -78,16 +78,16 @@ class RobotFacts(NamedTuple):
     simulator: str | None = None
 
     def of_kind(self, kind: str) -> tuple[PartFacts, ...]:
-        """The joints, sensors or gpios that its `<ros2_control>` tags offer."""
+        """Return the joints, sensors or gpios of its `<ros2_control>` tags."""
         return tuple(part for part in self.parts if part.kind == kind)
 
     def to_json(self) -> dict[str, Any]:
-        """As plain data."""
+        """Return it as plain data."""
         return {**self._asdict(), "joints": [joint._asdict() for joint in self.joints], "parts": [*self.parts]}
 
     @classmethod
     def from_json(cls, plain: Mapping[str, Any]) -> RobotFacts:
-        """From plain data."""
+        """Return it from plain data."""
         values: dict[str, Any] = {n: tuple(value) if isinstance(value, list) else value for n, value in plain.items()}
         values["joints"] = tuple(_joint(joint) for joint in plain["joints"])
         values["parts"] = tuple(

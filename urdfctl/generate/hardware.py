@@ -1,4 +1,4 @@
-"""Which plugins run a robot's joints: the hardware's, and the simulator's that hosts the controller manager."""
+"""Choose the hardware plugin, and the simulator plugin that runs the controller manager."""
 
 from __future__ import annotations
 
@@ -6,31 +6,34 @@ from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.hardware import HardwareType, SimulatorPlugin
 from urdfctl.errors import UserError
 from urdfctl.generate.options import Options
-from urdfctl.suggest import did_you_mean
+from urdfctl.names import did_you_mean
 
 _SHORT = {"mock": "mock", "topic-based": "topic", "mujoco": "mujoco", "gz": "gz", "gazebo-classic": "gazebo-classic"}
 
 
 def host(options: Options, catalog: Catalog) -> SimulatorPlugin:
-    """The simulator plugin that runs the controllers. UserError where the distro has none for the simulator."""
-    fit = [one for one in catalog.simulator_plugins(options.distro) if one.hosts_control]
-    fit = [one for one in fit if one.simulator == options.simulator]
+    """Return the simulator plugin that runs the controllers. UserError if the distro has none for the simulator."""
+    hosts = [plugin for plugin in catalog.simulator_plugins(options.distro) if plugin.hosts_control]
+    fit = [plugin for plugin in hosts if plugin.simulator == options.simulator]
     if not fit:
         raise UserError(f"{options.distro} has no plugin that runs controllers in '{options.simulator}'")
-    return next((one for one in fit if not one.deprecated), fit[0])
+    return next((plugin for plugin in fit if not plugin.deprecated), fit[0])
 
 
 def hardware(options: Options, catalog: Catalog) -> HardwareType:
-    """The hardware plugin: as named, else of the simulator, else mock. UserError where the distro has none."""
+    """Return the named hardware plugin, or that of the simulator, or mock hardware.
+
+    UserError if the distro has none.
+    """
     wanted = options.hardware or (options.simulator if options.simulated else "mock")
     if wanted not in _SHORT:
         found = catalog.hardware(wanted, options.distro)
         if found is None and catalog.hardware_replacement(wanted, options.distro):
             raise UserError(
-                f"{options.distro} has no '{wanted}'; take '{catalog.hardware_replacement(wanted, options.distro)}'"
+                f"{options.distro} has no '{wanted}'; use '{catalog.hardware_replacement(wanted, options.distro)}'"
             )
         if found is None and "/" not in wanted and "::" not in wanted:
-            raise UserError(f"unknown hardware '{wanted}'{did_you_mean(wanted, _SHORT)}; known are {', '.join(_SHORT)}")
+            raise UserError(f"unknown hardware '{wanted}'{did_you_mean(wanted, _SHORT)}; known: {', '.join(_SHORT)}")
         return found or HardwareType(wanted, options.distro, wanted.partition("/")[0], ("system",))
     if wanted in ("gz", "gazebo-classic"):
         name = host(options._replace(simulator=wanted), catalog).default_hardware or ""
@@ -38,7 +41,9 @@ def hardware(options: Options, catalog: Catalog) -> HardwareType:
         if found is not None:
             return found
     known = (catalog.hardware(name, options.distro) for name in catalog.known_hardware(options.distro))
-    fit = [one for one in known if one and one.simulator == _SHORT[wanted] and "system" in one.component_types]
+    fit = [
+        entry for entry in known if entry and entry.simulator == _SHORT[wanted] and "system" in entry.component_types
+    ]
     if not fit:
         raise UserError(f"{options.distro} has no '{wanted}' hardware")
-    return next((one for one in fit if not one.deprecated), fit[0])
+    return next((plugin for plugin in fit if not plugin.deprecated), fit[0])

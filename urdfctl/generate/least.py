@@ -1,4 +1,4 @@
-"""The least that a controller needs, with the robot's joints in the places of the catalogue's examples."""
+"""The minimal parameters of a controller, with the robot's joints in place of the catalogue's examples."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _OF_JOINTS = {"position", "velocity", "effort", "acceleration"}
 
 
 def least_settings(controller: ControllerType, task: Task) -> Iterator[Setting]:
-    """A setting for each parameter that cannot be left out: what names joints names the robot's, the rest is a TODO."""
+    """Yield a setting for each required parameter. Names of joints are the robot's, other values are marked TODO."""
     least = minimal_parameters(controller)
     of_joints = _joint_parameters(controller)
     named = {name: _named(name, value, task, name in of_joints) for name, value in least.items()}
@@ -35,33 +35,33 @@ def least_settings(controller: ControllerType, task: Task) -> Iterator[Setting]:
         if element != "joint1":
             continue
         placeholder = pattern.partition("<")[2].partition(">")[0]
-        for joint in elements(wide.get(placeholder)) or [one.name for one in task.joints]:
-            path = tuple(str(joint) if part.startswith("<") else part for part in pattern.split("."))
+        for name_of_joint in elements(wide.get(placeholder)) or [joint.name for joint in task.joints]:
+            path = tuple(str(name_of_joint) if part.startswith("<") else part for part in pattern.split("."))
             yield Setting(pattern, path, value, _todo())
 
 
 def checked(setting: Setting, task: Task) -> Setting:
-    """A setting that names the robot's joints. UserError where these are too few for it."""
+    """Return the setting if it names only the robot's joints. UserError if the robot has too few."""
     named = setting.value if isinstance(setting.value, list) else [setting.value]
     joints = {joint.name for joint in task.joints}
-    if joints and any(isinstance(one, str) and _EXAMPLE.fullmatch(one) and one not in joints for one in named):
-        raise UserError(f"'{task.kind}' needs more joints than {len(joints)}")
+    if joints and any(isinstance(value, str) and _EXAMPLE.fullmatch(value) and value not in joints for value in named):
+        raise UserError(f"'{task.kind}' requires more than {len(joints)} joint{'s' if len(joints) > 1 else ''}")
     return setting
 
 
 def _joint_parameters(controller: ControllerType) -> set[str]:
-    """The parameters that name joints: by what is claimed of those."""
+    """The parameters that name joints, determined from the interfaces that the controller claims for them."""
     claims = controller.claims
-    found = set(controller.joint_parameters)
+    names = set(controller.joint_parameters)
     for rule in (*(claims.command if claims else ()), *(claims.state if claims else ())):
-        plain = {one.rpartition("/")[2] for one in rule.interfaces}
-        if plain <= _OF_JOINTS or any(one.endswith("JointInterface") for one in plain):
-            found |= {name for name in (rule.for_each, rule.or_else) if name}
-    return found
+        plain = {interface.rpartition("/")[2] for interface in rule.interfaces}
+        if plain <= _OF_JOINTS or any(interface.endswith("JointInterface") for interface in plain):
+            names |= {name for name in (rule.for_each, rule.or_else) if name}
+    return names
 
 
 def _named(name: str, value: object, task: Task, joints: bool) -> object:  # noqa: FBT001
-    """A value with the robot's joints for joint1, joint2, ..., where it is one of names."""
+    """A value with joint1, joint2, ... replaced by the robot's joints."""
     if isinstance(value, list):
         return [_named(name, part, task, joints) for part in value]
     if not isinstance(value, str):
@@ -78,7 +78,7 @@ def _named(name: str, value: object, task: Task, joints: bool) -> object:  # noq
 
 
 def _all(name: str, value: object, controller: ControllerType, task: Task, of_joints: set[str]) -> object:
-    """All joints, where a list of them may be of any length."""
+    """All joints if the parameter accepts a list of any length, else the value unchanged."""
     if name not in of_joints or not isinstance(value, list) or len(value) != 1:
         return value
     every = [joint.name for joint in task.joints]

@@ -1,20 +1,20 @@
-"""What is asked of the generators, and what they give."""
+"""Input options and output files of the generators."""
 
 from __future__ import annotations
 
 from urdfctl.catalog.distros import generation
-from urdfctl.record import NamedTuple
+from urdfctl.startup.records import NamedTuple
 
 
 class File(NamedTuple):
-    """A generated file: its name, below the folder that it belongs in, and its text."""
+    """A generated file: its path relative to the output folder, and its text."""
 
     name: str
     text: str
 
 
 class Roles(NamedTuple):
-    """The joints of a drive by what they do, each side from front to rear, pairs from left to right."""
+    """The joints of a drive by role. Each side is ordered from front to rear, pairs from left to right."""
 
     left: tuple[str, ...] = ()
     right: tuple[str, ...] = ()
@@ -23,12 +23,14 @@ class Roles(NamedTuple):
 
 
 class Options(NamedTuple):
-    """What the user asks for. `command` is how to say it again; `rate` is the controller manager's, in Hz.
+    """The user's options. `command` is the command line that generates the files again.
 
-    `types` are short names or full names of controllers' types; `interfaces` are what they command, `states` what they
-    read: () for nothing, None (like `hardware`) where the rest decides. `chain`: each type commands the next.
-    `controllers_file`, `description` and `package` tell where the files will be found when they run; `robot_file` is
-    how a xacro file beside them includes the robot, and `arguments` what it is given.
+    `types` are short names or full names of controller types. `interfaces` are the interfaces that they command,
+    `states` those that they read: () for none. If `states` or `hardware` is None, it is derived from the other options.
+    With `chain`, each type commands the next. `rate` is the update rate of the controller manager, in Hz.
+
+    `controllers_file`, `description` and `package` are the places of the installed files. `robot_file` is the path by
+    which a generated xacro file includes the robot, and `arguments` are its xacro arguments.
     """
 
     distro: str
@@ -57,15 +59,15 @@ class Options(NamedTuple):
 
     @property
     def interface(self) -> str | None:
-        """The first interface that is asked for."""
+        """The first requested interface."""
         return self.interfaces[0] if self.interfaces else None
 
     @property
     def ros(self) -> int:
-        """1 or 2."""
+        """The generation of ROS, 1 or 2."""
         return generation(self.distro)
 
     @property
     def simulated(self) -> bool:
-        """Whether a simulator keeps the time."""
+        """Whether the robot runs in a simulator, which then provides the time."""
         return self.simulator != "none"

@@ -1,4 +1,4 @@
-"""The parameters of one controller: by its recipe, then the least that it needs, each with what is to be said of it."""
+"""The parameters of one controller, each with a comment: those of its recipe, then the other required ones."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from urdfctl.generate.least import checked, least_settings
 from urdfctl.generate.recipes import recipe_of
 from urdfctl.generate.settings import Setting
 from urdfctl.generate.values import Left, Task, answer, gains
-from urdfctl.hints import Any
-from urdfctl.record import NamedTuple
+from urdfctl.startup.hints import Any
+from urdfctl.startup.records import NamedTuple
 
 _PLACEHOLDER = re.compile(r"<([^<>]+)>")
 
 
 class Controller(NamedTuple):
-    """A controller that is written."""
+    """A generated controller."""
 
     name: str
     type: ControllerType
@@ -33,36 +33,36 @@ class Controller(NamedTuple):
 
     @property
     def values(self) -> dict[str, object]:
-        """The parameters by their dotted names."""
+        """The parameters by dotted name."""
         return {".".join(setting.path): setting.value for setting in self.settings}
 
     @property
     def reports(self) -> bool:
-        """Whether it tells of states, and moves nothing."""
+        """Whether it only publishes states and does not move anything."""
         return self.type.broadcaster or "joint_state" in self.type.type
 
 
 def controller(name: str, kind: ControllerType, task: Task) -> Controller:
-    """A controller of a type with its parameters. UserError where the catalogue knows them to be wrong."""
+    """Return a controller with its parameters. UserError if they do not fit what the catalogue knows of the type."""
     made = Controller(name, kind, tuple(_settings(kind, task)), task)
     _check(made)
     return made
 
 
 def _check(made: Controller) -> None:
-    """UserError where a controller's parameters are not what the catalogue knows to be right."""
+    """UserError if a controller's parameters break a rule of the catalogue."""
     named = expected(made.type.parameters, Values(made.type, made.values))
     for setting in made.settings:
         parameter = made.type.parameters[setting.name]
         why = type_problem(setting.value, parameter, made.type.distro) or problem(setting.value, parameter.validators)
         if why:
-            raise UserError(f"'{made.type.type}': '{setting.name}' {why}; is it given the joints that it needs?")
+            raise UserError(f"'{made.type.type}': '{setting.name}' {why}. Check that all required joints are given")
     for breach in breaches(made.type, made.values):
         if breach.rule.severity == "error":
             raise UserError(f"'{made.type.type}': '{breach.parameter}' {breach.message}")
     missing = [name for name, parameter in named.items() if parameter.needed and name not in made.values]
     if missing:
-        raise UserError(f"'{made.type.type}' needs '{missing[0]}', and nothing tells its value")
+        raise UserError(f"'{made.type.type}' requires '{missing[0]}', but its value is unknown")
 
 
 def _settings(controller: ControllerType, task: Task) -> Iterator[Setting]:
@@ -85,11 +85,18 @@ def _settings(controller: ControllerType, task: Task) -> Iterator[Setting]:
 
 def _of_parameter(name: str, value: Any, comment: str, task: Task) -> Iterator[Setting]:
     if not _PLACEHOLDER.search(name):
-        yield from _setting(name, tuple(name.split(".")), value, comment, task, None)
+        yield from _setting(name=name, path=tuple(name.split(".")), value=value, comment=comment, task=task, joint=None)
         return
     for index, joint in enumerate(task.joints):
         path = tuple(joint.name if part.startswith("<") else part for part in name.split("."))
-        yield from _setting(name, path, value, comment if not index or comment == "$gains" else "", task, joint)
+        yield from _setting(
+            name=name,
+            path=path,
+            value=value,
+            comment=comment if not index or comment == "$gains" else "",
+            task=task,
+            joint=joint,
+        )
 
 
 def _setting(
@@ -97,31 +104,32 @@ def _setting(
 ) -> Iterator[Setting]:
     how, filled = "", value
     if isinstance(value, str) and value.startswith("$"):
-        found = answer(value[1:], task, joint)
-        if isinstance(found, Left):
+        value_found = answer(value[1:], task, joint)
+        if isinstance(value_found, Left):
             return
-        filled, how = found.value, found.how
+        filled, how = value_found.value, value_found.how
     elif isinstance(value, list):
         filled = [_element(part, task, joint) for part in value]
     if comment == "$gains":
         text = gains(task, joint or task.joints[0]).how
     else:
         unit = "N or Nm" if task.interface == "effort" else "rad/s or m/s"
-        said = comment.replace("$how", how).replace("$unit", unit)
-        text = said if "$how" in comment or not how or how == said else "; ".join(part for part in (said, how) if part)
+        plain = comment.replace("$how", how).replace("$unit", unit)
+        both = "; ".join(part for part in (plain, how) if part)
+        text = plain if "$how" in comment or not how or how == plain else both
     yield Setting(name, path, filled, text)
 
 
 def _element(part: object, task: Task, joint: JointFacts | None) -> object:
-    """An element of a list, with what its `$name` stands for."""
+    """An element of a list, with its `$name` replaced by the value."""
     if not (isinstance(part, str) and part.startswith("$")):
         return part
-    found = answer(part[1:], task, joint)
-    return part if isinstance(found, Left) else found.value
+    value = answer(part[1:], task, joint)
+    return part if isinstance(value, Left) else value.value
 
 
 def _fitted(setting: Setting, kind: str) -> Setting:
-    """A setting whose value has the type of its parameter: one wheel is a text in ROS 1."""
+    """The setting with its value converted to the type of the parameter. In ROS 1 a single wheel is a string."""
     value = setting.value
     if isinstance(value, list) and len(value) == 1 and "string_array" not in kind:
         return setting._replace(value=value[0])

@@ -1,4 +1,4 @@
-"""Reads what was generated as its readers will, before it leaves: a template of the user's may spoil it."""
+"""Parse generated files before they are written, because a user's template can break them."""
 
 from __future__ import annotations
 
@@ -9,12 +9,10 @@ from urdfctl.generate.options import File
 
 
 def checked(file: File) -> File:
-    """The file, if it can be read. UserError where it cannot."""
+    """Return the file if it can be parsed. UserError if it cannot."""
     why = _fault(file)
     if why is not None:
-        raise UserError(
-            f"what was made as '{file.name}' cannot be read: {why}; are its template and its names in order?"
-        )
+        raise UserError(f"generated file '{file.name}' cannot be parsed: {why}. Check its template and the names in it")
     return file
 
 

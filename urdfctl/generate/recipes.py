@@ -1,4 +1,4 @@
-"""The recipes of recipes.yaml: which type a short name means in a distro, and what is written of its parameters."""
+"""The recipes of recipes.yaml: the controller type of a short name in a distro, and the parameters to write."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.entries import ControllerType
 from urdfctl.errors import UserError
 from urdfctl.generate.options import Options
-from urdfctl.hints import Any
-from urdfctl.record import NamedTuple
-from urdfctl.suggest import did_you_mean
+from urdfctl.names import did_you_mean
+from urdfctl.startup.hints import Any
+from urdfctl.startup.records import NamedTuple
 
 _FILE = os.path.join(os.path.dirname(__file__), "recipes.yaml")
 BROADCASTER = "joint_state_broadcaster"
@@ -21,9 +21,11 @@ _MARKS = ("each", "several")
 
 
 class Kind(NamedTuple):
-    """A short name of `--type`: what its controller is called, the interface it commands if nothing says otherwise, and
-    the roles that its joints have. `each`: one controller for each joint; `several`: it commands several interfaces.
-    `fit` are the interfaces that it may command.
+    """A short name of `--type`.
+
+    `label` is the name of its controller, `interface` the default command interface, and `roles` the roles of its
+    joints with their numbers. `each`: one controller per joint. `several`: it commands several interfaces. `fit` are
+    the interfaces that it can command.
     """
 
     name: str
@@ -37,7 +39,7 @@ class Kind(NamedTuple):
 
 @cache
 def recipes() -> dict[str, Any]:
-    """The file, read once."""
+    """Return the content of recipes.yaml, which is read once."""
     import yaml
 
     with open(_FILE, encoding="utf-8") as file:
@@ -46,7 +48,7 @@ def recipes() -> dict[str, Any]:
 
 
 def kind_of(name: str, catalog: Catalog, options: Options) -> Kind:
-    """The kind of a short name, or of a type's full name. UserError where the distro has no such thing."""
+    """Return the kind for a short name or a full type name. UserError if the distro does not have it."""
     plain = recipes()["kinds"].get(name)
     if plain is None:
         return _kind_of_type(name, catalog, options)
@@ -59,41 +61,46 @@ def _kind(name: str, plain: Mapping[str, Any], listed: Mapping[str, Any], label:
     roles, default = tuple(plain.get("roles", {}).items()), plain.get("interface")
     interface = default if default in fit or "any" in fit else next(iter(fit), None)
     return Kind(
-        name, label, default and interface, roles, bool(listed.get("each")), bool(listed.get("several")), (*fit,)
+        name=name,
+        label=label,
+        interface=default and interface,
+        roles=roles,
+        each=bool(listed.get("each")),
+        several=bool(listed.get("several")),
+        fit=(*fit,),
     )
 
 
 def type_of(kind: Kind, interfaces: Sequence[str], catalog: Catalog, options: Options) -> ControllerType:
-    """The type of controller that a kind means. UserError where the distro has none for the interfaces."""
+    """Return the controller type of a kind. UserError if the distro has none for the interfaces."""
     plain = recipes()["kinds"].get(kind.name)
     if plain is None:
         return _known(kind.name, catalog, options.distro)
     listed = _listed(plain, options)
-    names = listed.get("any") or [name for one in interfaces for name in listed.get(one, ())]
-    unknown = [one for one in interfaces if "any" not in listed and one not in listed]
+    names = listed.get("any") or [name for interface in interfaces for name in listed.get(interface, ())]
+    unknown = [interface for interface in interfaces if "any" not in listed and interface not in listed]
     if unknown:
         choices = ", ".join(key for key in listed if key not in _MARKS)
         raise UserError(
-            f"no '{kind.name}' controller commands '{unknown[0]}' in {options.distro}; it may be: {choices}"
+            f"no '{kind.name}' controller commands '{unknown[0]}' in {options.distro}; choose from: {choices}"
         )
-    found = [catalog.controller(name, options.distro) for name in names]
-    here = [one for one in found if one]
-    if not here:
+    entries = [catalog.controller(name, options.distro) for name in names]
+    available = [entry for entry in entries if entry]
+    if not available:
         where = ", ".join(dict.fromkeys(distro for name in names for distro in catalog.distros_of(name)))
-        raise UserError(f"{options.distro} has no '{names[0]}', which is in {where}")
-    sound = next((one for one in here if not one.deprecated), None)
-    return sound or here[0]
+        raise UserError(f"{options.distro} has no '{names[0]}'; it exists in {where}")
+    return next((entry for entry in available if not entry.deprecated), available[0])
 
 
 def recipe_of(controller: ControllerType) -> Mapping[str, Any] | None:
-    """What is written of a type's parameters: [value, comment] by name; None where there is no recipe."""
+    """Return the recipe of a type: [value, comment] by parameter. None if there is no recipe."""
     own: Mapping[str, Any] | None = recipes()["parameters"].get(controller.type)
     if own is None:
         return None
-    found = {name: entry for name, entry in own.items() if name != "also"}
+    recipe = {name: entry for name, entry in own.items() if name != "also"}
     for group in own.get("also", ()):
-        found.update(recipes()["groups"][group])
-    return found
+        recipe.update(recipes()["groups"][group])
+    return recipe
 
 
 def _listed(plain: Mapping[str, Any], options: Options) -> Mapping[str, Any]:
@@ -101,7 +108,7 @@ def _listed(plain: Mapping[str, Any], options: Options) -> Mapping[str, Any]:
     listed: Mapping[str, Any] | None = plain.get(f"{ros}_group") if options.group else None
     listed = listed or plain.get(ros)
     if listed is None:
-        raise UserError(f"ROS {options.ros} has no controllers of the type '{plain['name']}'")
+        raise UserError(f"ROS {options.ros} has no controllers of type '{plain['name']}'")
     return listed
 
 
@@ -109,15 +116,15 @@ def _kind_of_type(name: str, catalog: Catalog, options: Options) -> Kind:
     kinds: Mapping[str, Any] = recipes()["kinds"]
     if "/" not in name:
         raise UserError(
-            f"unknown type '{name}'{did_you_mean(name, kinds)}; known are {', '.join(kinds)}, or a full name"
+            f"unknown type '{name}'{did_you_mean(name, kinds)}; use a full type name, or one of {', '.join(kinds)}"
         )
     _known(name, catalog, options.distro)
-    found = [
+    uses = [
         (plain, listed, [key for key, names in listed.items() if key not in _MARKS and name in names])
         for plain in kinds.values()
         for listed in (plain.get(f"ros{options.ros}", {}), plain.get(f"ros{options.ros}_group", {}))
     ]
-    of_name = [one for one in found if one[2]]
+    of_name = [use for use in uses if use[2]]
     if not of_name:
         return Kind(name, _snake(name.rpartition("/")[2]))
     plain, listed, _ = of_name[0]
@@ -131,11 +138,11 @@ def _known(name: str, catalog: Catalog, distro: str) -> ControllerType:
         where = catalog.distros_of(name)
         near = did_you_mean(name, catalog.known_types(distro))
         raise UserError(
-            f"{distro} has no '{name}', which is in {', '.join(where)}" if where else f"unknown type '{name}'{near}"
+            f"{distro} has no '{name}'; it exists in {', '.join(where)}" if where else f"unknown type '{name}'{near}"
         )
     if found.deprecated:
         instead = catalog.replacement(name, distro)
-        raise UserError(f"'{name}' is deprecated in {distro}" + (f"; take '{instead.type}'" if instead else ""))
+        raise UserError(f"'{name}' is deprecated in {distro}" + (f"; use '{instead.type}'" if instead else ""))
     return found
 
 

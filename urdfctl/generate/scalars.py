@@ -1,4 +1,4 @@
-"""How values are written so that their readers read them as they are meant: YAML, XML, xacro and Python."""
+"""Write values so that they are read back unchanged: YAML, XML, xacro and Python."""
 
 from __future__ import annotations
 
@@ -12,7 +12,10 @@ _WORDS = frozenset({"y", "n", "yes", "no", "on", "off", "true", "false", "null",
 
 
 def yaml_value(value: object) -> str:
-    """A value in YAML's flow form, on one line; texts that YAML or ROS would take for something else are quoted."""
+    """Return a value in YAML's flow style on one line.
+
+    Strings that YAML or ROS would read as another type are quoted.
+    """
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, float):
@@ -27,7 +30,7 @@ def yaml_value(value: object) -> str:
 
 
 def yaml_text(text: str) -> str:
-    """A text as it stands where every reader takes it for that text, else between quotes."""
+    """Return a string for YAML, with quotes if a reader could take it for another type."""
     if _PLAIN.fullmatch(text) and text.lower() not in _WORDS:
         return text
     if text.isprintable():
@@ -39,7 +42,7 @@ def yaml_text(text: str) -> str:
 
 
 def yaml_float(value: float) -> str:
-    """A number with a decimal point, as ROS 2 wants a double; never `1e-05`, which YAML 1.1 takes for a text."""
+    """Return a number with a decimal point, as ROS 2 requires for a double. Never `1e-05`, a string in YAML 1.1."""
     if not math.isfinite(value):
         return ".nan" if math.isnan(value) else ".inf" if value > 0 else "-.inf"
     text = repr(value)
@@ -50,26 +53,26 @@ def yaml_float(value: float) -> str:
 
 
 def xml_text(text: object) -> str:
-    """A text for an attribute between double quotes, or between tags, of plain XML."""
+    """Return a string escaped for a double-quoted attribute, or for text, in plain XML."""
     escaped = str(text).replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace('"', "&quot;")
     return "".join(f"&#{ord(c)};" if c in "\t\n\r" else c for c in escaped)
 
 
 def xacro_text(text: object) -> str:
-    """The same for xacro: `${` and `$(` stay what they are, for xacro takes one dollar of several."""
+    """Return a string escaped for xacro. `${` and `$(` stay unchanged, because xacro removes one of several dollars."""
     return re.sub(r"\$+(?=[{(])", r"$\g<0>", xml_text(text))
 
 
 def python_text(text: object) -> str:
-    """A literal of Python, between double quotes."""
+    """Return a Python string literal in double quotes."""
     return json.dumps(str(text), ensure_ascii=not str(text).isprintable())
 
 
 def one_line(text: str) -> str:
-    """A text for a comment of YAML or Python: without line ends, and what cannot be printed."""
+    """Return a string for a comment in YAML or Python, without line ends and unprintable characters."""
     return "".join(c if c.isprintable() else " " for c in text)
 
 
 def xml_comment(text: str) -> str:
-    """A text for a comment of XML, which may not hold two dashes in a row: a zero-width space keeps them apart."""
+    """Return a string for an XML comment. A zero-width space separates dashes, because `--` is not allowed there."""
     return re.sub(r"-(?=-)", "-\u200b", one_line(text))

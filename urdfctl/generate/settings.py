@@ -1,18 +1,18 @@
-"""Parameters as they are written: nested, in YAML, each with its comment."""
+"""Write parameters as nested YAML, each with its comment."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
 from urdfctl.generate.scalars import one_line, yaml_text, yaml_value
-from urdfctl.hints import Any
-from urdfctl.record import NamedTuple
+from urdfctl.startup.hints import Any
+from urdfctl.startup.records import NamedTuple
 
 _WIDE = 100
 
 
 class Setting(NamedTuple):
-    """A parameter: its name in the catalogue, where it stands, its value, and a comment."""
+    """A parameter: its name in the catalogue, its path in the file, its value, and a comment."""
 
     name: str
     path: tuple[str, ...]
@@ -21,7 +21,7 @@ class Setting(NamedTuple):
 
 
 def lines_of(settings: Iterable[Setting]) -> list[str]:
-    """The lines of YAML, not indented."""
+    """Return the parameters as lines of YAML, without indentation at the top level."""
     tree: dict[str, Any] = {}
     for setting in settings:
         below = tree

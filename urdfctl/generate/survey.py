@@ -1,4 +1,4 @@
-"""What the generators need to know, taken from a robot's model."""
+"""Collect the facts that the generators need from a robot's model."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from urdfctl.model.robot import Joint, Robot
 
 _MOVING = ("revolute", "continuous", "prismatic")
 _UNEVEN = 0.1
-"""How far above the lowest wheel, in radii, another one still touches the ground."""
+"""The greatest height above the lowest wheel, in radii, at which another wheel still touches the ground."""
 _LEVEL = 0.3
-"""The most of a wheel's axis that may stand upright: sin 17 deg."""
+"""The greatest vertical component of a wheel's axis: sin 17 deg."""
 
 
 def facts_of(robot: Robot) -> RobotFacts:
-    """The facts of a robot, without those of its files."""
-    found = measured(robot)
+    """Return the facts of a robot, except those of its files."""
+    measurements = measured(robot)
     named = {joint.name: joint for joint in robot.joints if joint.name}
-    moving = [_joint(name, joint, found.get(name)) for name, joint in named.items() if joint.type in _MOVING]
+    moving = [_joint(name, joint, measurements.get(name)) for name, joint in named.items() if joint.type in _MOVING]
     mass = sum(link.inertials[0].mass.value or 0.0 for link in robot.links if link.inertials and link.inertials[0].mass)
     return RobotFacts(
         robot.name,
@@ -35,7 +35,7 @@ def facts_of(robot: Robot) -> RobotFacts:
 
 
 def _with_load(joints: list[JointFacts], mass: float) -> Iterator[JointFacts]:
-    """The joints; wheels that stand on the ground move their share of the robot besides themselves."""
+    """The joints with their load. Wheels on the ground also move their share of the robot's mass."""
     rolling = [joint for joint in joints if joint.type == "continuous" and joint.radius and joint.at and _lies(joint)]
     ground = min((_bottom(wheel) for wheel in rolling), default=0.0)
     wheels = [wheel for wheel in rolling if _bottom(wheel) - ground < _UNEVEN * (wheel.radius or 0.0)]
@@ -60,26 +60,27 @@ def _parts(robot: Robot) -> Iterator[PartFacts]:
         for kind in ("joint", "sensor", "gpio"):
             for part in control.of_kind(kind):
                 commands, states = (
-                    tuple(one.name for one in side if one.name) for side in (part.commands, part.states)
+                    tuple(interface.name for interface in side if interface.name)
+                    for side in (part.commands, part.states)
                 )
                 yield PartFacts(kind, part.name or "", commands, states)
 
 
-def _joint(name: str, joint: Joint, found: Measured | None) -> JointFacts:
+def _joint(name: str, joint: Joint, measurement: Measured | None) -> JointFacts:
     limit = joint.limit
     lower, upper = (_value(limit.lower), _value(limit.upper)) if limit and joint.type != "continuous" else (None, None)
     return JointFacts(
-        name,
-        joint.type or "",
-        joint.mimic is not None,
-        lower,
-        upper,
-        _value(limit.effort) if limit else None,
-        _value(limit.velocity) if limit else None,
-        found.at if found else None,
-        found.axis if found else None,
-        found.radius if found else None,
-        found.inertia if found else None,
+        name=name,
+        type=joint.type or "",
+        mimics=joint.mimic is not None,
+        lower=lower,
+        upper=upper,
+        effort=_value(limit.effort) if limit else None,
+        velocity=_value(limit.velocity) if limit else None,
+        at=measurement.at if measurement else None,
+        axis=measurement.axis if measurement else None,
+        radius=measurement.radius if measurement else None,
+        inertia=measurement.inertia if measurement else None,
         link=joint.child.name if joint.child else None,
     )
 
@@ -89,14 +90,15 @@ def _value(number: Number | None) -> float | None:
 
 
 def _interfaces(robot: Robot) -> dict[str, tuple[str, ...]]:
-    """The command interfaces that joints have: of ROS 2 by name, of ROS 1 by their type's first word."""
-    found: dict[str, list[str]] = {}
+    """The command interfaces of the joints. For ROS 1, the first word of the interface's type, e.g. `effort`."""
+    interfaces: dict[str, list[str]] = {}
     for transmission in robot.transmissions:
         for end in transmission.kept_joints:
-            names = [one.value.removeprefix("hardware_interface/") for one in end.named_interfaces]
+            names = [interface.value.removeprefix("hardware_interface/") for interface in end.named_interfaces]
             plain = [name.removesuffix("JointInterface").lower() for name in names]
-            found.setdefault(end.name or "", []).extend(plain)
+            interfaces.setdefault(end.name or "", []).extend(plain)
     for control in robot.ros2_controls:
         for part in control.of_kind("joint"):
-            found.setdefault(part.name or "", []).extend(one.name for one in part.commands if one.name)
-    return {joint: tuple(dict.fromkeys(names)) for joint, names in found.items()}
+            commands = [command.name for command in part.commands if command.name]
+            interfaces.setdefault(part.name or "", []).extend(commands)
+    return {joint: tuple(dict.fromkeys(names)) for joint, names in interfaces.items()}

@@ -1,4 +1,4 @@
-"""Which controllers are to be made of some joints: how many of each kind, and what each commands and reads."""
+"""Decide which controllers to create for the joints, and what each of them commands and reads."""
 
 from __future__ import annotations
 
@@ -16,8 +16,10 @@ _READ = ("position", "velocity")
 
 
 def tasks_of(kind: Kind, joints: Sequence[JointFacts], options: Options, robot: RobotFacts) -> Iterator[Task]:
-    """What a kind's controllers are for: joints of different interfaces have one each. UserError where the joints do
-    not fit, or more interfaces are asked for than a controller of the kind commands."""
+    """Yield a task for each controller of a kind. Joints with different interfaces get different controllers.
+
+    UserError if the joints do not fit, or if a controller of the kind cannot command all requested interfaces.
+    """
     if kind.roles:
         yield _drive(kind, joints, options, robot)
         return
@@ -32,13 +34,15 @@ def tasks_of(kind: Kind, joints: Sequence[JointFacts], options: Options, robot: 
         by_interfaces[kind.interface,] = []
     for interfaces, members in by_interfaces.items():
         if kind.interface and len(interfaces) > 1 and not kind.several:
-            raise UserError(f"'{kind.name}' commands one interface of a joint, not {', '.join(interfaces)}")
+            raise UserError(f"'{kind.name}' commands one interface per joint, not {', '.join(interfaces)}")
         states = _read(kind, interfaces, members, options, robot)
-        yield Task(kind.name, interfaces, tuple(members), robot, options, states)
+        yield Task(
+            kind=kind.name, interfaces=interfaces, joints=tuple(members), robot=robot, options=options, states=states
+        )
 
 
 def _commanded(kind: Kind, joint: JointFacts, options: Options, robot: RobotFacts) -> tuple[str, ...]:
-    """What a joint is commanded by: as the list says, or the user, else what it has."""
+    """The command interfaces of a joint: from the joint list, from the user, or those that the joint has."""
     if joint.interface:
         return (joint.interface,)
     if options.interfaces:
@@ -53,7 +57,7 @@ def _commanded(kind: Kind, joint: JointFacts, options: Options, robot: RobotFact
 def _read(
     kind: Kind, interfaces: Sequence[str], joints: Sequence[JointFacts], options: Options, robot: RobotFacts
 ) -> tuple[str, ...]:
-    """The states that are read: as the user says, else those of all the joints that the robot offers."""
+    """The state interfaces to read: from the user, or those that all joints offer."""
     if options.states is not None:
         return options.states
     if kind.name == "pid":
@@ -64,37 +68,49 @@ def _read(
 
 
 def _gpios(options: Options, robot: RobotFacts) -> list[JointFacts]:
-    """The gpios that the user names, else the robot's, as if they were joints."""
+    """The gpios that the user names, or the robot's gpios, as joints."""
     named = [name.rpartition("/")[0] for name in (*options.interfaces, *(options.states or ())) if "/" in name]
-    found = named or [part.name for part in robot.of_kind("gpio")]
-    return [JointFacts(name) for name in dict.fromkeys(found or ["gpio"])]
+    names = named or [part.name for part in robot.of_kind("gpio")]
+    return [JointFacts(name) for name in dict.fromkeys(names or ["gpio"])]
 
 
 def _drive(kind: Kind, joints: Sequence[JointFacts], options: Options, robot: RobotFacts) -> Task:
-    """The wheels by their roles: as the user says, else by where they are."""
+    """The wheels by role: from the user, or determined by their positions."""
     known = robot if robot.joints else None
     roles = [role for role, _ in kind.roles]
-    found = {role: tuple(joint_named(known, name) for name in getattr(options.roles, role)) for role in roles}
+    by_role = {role: tuple(joint_named(known, name) for name in getattr(options.roles, role)) for role in roles}
     guessed = sides(joints) if "left" in roles else driven_and_steered(joints)
     for (role, count), guess in zip(kind.roles, guessed, strict=True):
-        found[role] = found[role] or tuple(guess)
-        _count(kind, role, count, found[role])
-    if "left" in found and len(found["left"]) != len(found["right"]):
-        left, right = len(found["left"]), len(found["right"])
+        by_role[role] = by_role[role] or tuple(guess)
+        _count(kind, role, count, by_role[role])
+    if "left" in by_role and len(by_role["left"]) != len(by_role["right"]):
+        left, right = len(by_role["left"]), len(by_role["right"])
         raise UserError(f"{left} wheels on the left and {right} on the right: name them with --left and --right")
-    members = tuple(dict.fromkeys(joint for role in found.values() for joint in role))
+    members = tuple(dict.fromkeys(joint for role in by_role.values() for joint in role))
     passive = tuple(joint for joint in joints if joint not in members and kind.name.startswith("tricycle"))
-    rolling = [joint for role in ("left", "right", "traction") for joint in found.get(role, ())]
+    rolling = [joint for role in ("left", "right", "traction") for joint in by_role.get(role, ())]
     states = _read(kind, ("velocity",), rolling, options, robot)
-    of = [found.get(role, ()) for role in ("left", "right", "traction", "steering")]
-    return Task(kind.name, ("velocity",), members, robot, options, states, of[0], of[1], of[2], of[3], passive)
+    of = [by_role.get(role, ()) for role in ("left", "right", "traction", "steering")]
+    return Task(
+        kind=kind.name,
+        interfaces=("velocity",),
+        joints=members,
+        robot=robot,
+        options=options,
+        states=states,
+        left=of[0],
+        right=of[1],
+        traction=of[2],
+        steering=of[3],
+        passive=passive,
+    )
 
 
 def _count(kind: Kind, role: str, count: int, members: Sequence[JointFacts]) -> None:
-    """UserError where a role has not as many joints as it wants."""
+    """UserError if a role does not have the required number of joints."""
     if members and count in (0, len(members)):
         return
     wanted = f"{count} joint{'s' if count != 1 else ''}" if count else "joints"
-    found = ", ".join(joint.name for joint in members)
-    why = f"it is given {len(members)}: {found}" if members else "the robot does not tell which they are"
-    raise UserError(f"'{kind.name}' needs --{role} with {wanted}: {why}")
+    names = ", ".join(joint.name for joint in members)
+    why = f"{len(members)} given: {names}" if members else "cannot be determined from the robot"
+    raise UserError(f"'{kind.name}' requires --{role} with {wanted}; {why}")

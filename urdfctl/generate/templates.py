@@ -1,4 +1,4 @@
-"""The templates that files are made of: those of urdfctl, and the user's in their place."""
+"""The templates of the generated files: urdfctl's own, or the user's in their place."""
 
 from __future__ import annotations
 
@@ -6,38 +6,38 @@ import os
 
 from urdfctl.errors import UserError
 from urdfctl.generate.scalars import one_line, python_text, xacro_text, xml_comment, xml_text, yaml_text
-from urdfctl.hints import TYPE_CHECKING
+from urdfctl.startup.hints import TYPE_CHECKING
 
 if TYPE_CHECKING:
     import jinja2
 
 _FAULTS = (ArithmeticError, AttributeError, LookupError, MemoryError, OSError, RecursionError, TypeError, ValueError)
-"""What reading a template of the user's, and what stands in it, may raise beside jinja's own."""
+"""Exceptions, besides jinja's own, that loading and rendering a user's template can raise."""
 _PACKAGE = os.path.dirname(os.path.dirname(__file__))
 
 
 def own_folder() -> str:
-    """Where urdfctl's templates are: in the package, or beside it in a checkout."""
+    """Return the folder of urdfctl's templates: in the package, or beside it in a checkout."""
     inside = os.path.join(_PACKAGE, "templates")
     return inside if os.path.isdir(inside) else os.path.join(os.path.dirname(_PACKAGE), "templates")
 
 
 def template_names(folder: str | None = None) -> list[str]:
-    """The names of the templates, in order."""
+    """Return the names of the templates, sorted."""
     return sorted(_environment(folder).list_templates(extensions=["j2"]))
 
 
 class Templates:
-    """Renders; those in a folder of the user's come before urdfctl's own of the same name."""
+    """Renders templates. Those in the user's folder replace urdfctl's own of the same name."""
 
     def __init__(self, folder: str | None = None) -> None:
         if folder is not None and not os.path.isdir(folder):
-            raise UserError(f"no such folder: '{folder}'")
+            raise UserError(f"template folder does not exist: '{folder}'")
         self._folder = folder
         self._environment = _environment(folder)
 
     def render(self, name: str, /, **values: object) -> str:
-        """A template's text with some values, ending in one line end. UserError where the template is wrong."""
+        """Return a rendered template, ending in one line end. UserError if the template is invalid."""
         import jinja2
 
         try:

@@ -1,4 +1,4 @@
-"""What `$name` in the recipes stands for, of one controller."""
+"""The values of `$name` in the recipes, for one controller."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from urdfctl.generate.facts import JointFacts, RobotFacts
 from urdfctl.generate.gains import Gains, starting_gains
 from urdfctl.generate.options import Options
 from urdfctl.generate.wheels import Measure, across, along, from_centre, radius
-from urdfctl.record import NamedTuple
+from urdfctl.startup.records import NamedTuple
 
 
 class Left(NamedTuple):
-    """The answer where a parameter is left out."""
+    """The answer for a parameter that is left out."""
 
 
 LEFT_OUT = Left()
@@ -20,17 +20,17 @@ TODO = "TODO"
 
 
 class Answer(NamedTuple):
-    """A value with what is to be said of how it was found."""
+    """A value, and a comment on how it was determined."""
 
     value: object
     how: str = ""
 
 
 class Task(NamedTuple):
-    """A controller that is to be made: its joints, by roles where it is a drive, what it commands and what it reads.
+    """A controller to create: its joints, by role if it is a drive, and the interfaces that it commands and reads.
 
-    `passive` are joints that a drive only rolls on; `below` is what stands before the names of what it commands: the
-    name of another controller and a slash.
+    `passive` are the wheels of a drive that are neither driven nor steered. `below` is the prefix of the commanded
+    interfaces: the name of another controller and a slash.
     """
 
     kind: str
@@ -58,22 +58,24 @@ class Task(NamedTuple):
 
 
 def answer(name: str, task: Task, joint: JointFacts | None) -> Answer | Left:
-    """What a `$name` stands for; of the gains and limits, for one joint."""
+    """Return the value of a `$name`. Gains and limits are those of one joint."""
     if name in _OF_JOINT:
         return _OF_JOINT[name](task, joint or task.joints[0])
     if name in _MEASURED:
         measure = _MEASURED[name](task)
-        return Answer(*measure) if measure.value is not None else Answer(_STAND_INS.get(name, 0.1), f"{TODO}: measure")
+        return (
+            Answer(*measure) if measure.value is not None else Answer(_STAND_INS.get(name, 0.1), f"{TODO}: measure it")
+        )
     return _OTHERS[name](task)
 
 
 def gains(task: Task, joint: JointFacts) -> Gains:
-    """The gains of a joint, by what the controller is asked for and what it commands."""
+    """Return the gains of a joint, from the controller's reference and its command interface."""
     return starting_gains(joint, reference(task), task.interface)
 
 
 def reference(task: Task) -> str:
-    """What the controller is asked for: positions, or speeds."""
+    """Return the controller's reference, `position` or `velocity`."""
     if task.kind in ("velocity", "diff_drive") or (task.kind == "pid" and "position" not in task.states):
         return "velocity"
     return "position"
@@ -110,7 +112,7 @@ def _clamp(sign: float) -> Callable[[Task, JointFacts], Answer | Left]:
 
 
 def _speed(task: Task) -> tuple[float, float] | None:
-    """The speed that the wheels allow, in m/s, and their radius."""
+    """The greatest speed that the wheels allow, in m/s, and their radius, in m."""
     wheel = radius((*task.left, *task.right)).value
     fastest = [joint.velocity for joint in (*task.left, *task.right) if joint.velocity]
     return (round(min(fastest) * wheel, 3), wheel) if wheel and fastest else None
@@ -119,7 +121,7 @@ def _speed(task: Task) -> tuple[float, float] | None:
 def _max_speed(sign: float) -> Callable[[Task], Answer | Left]:
     def found(task: Task) -> Answer | Left:
         speed = _speed(task)
-        return Answer(sign * speed[0], "the speed limit of the wheels times their radius") if speed else LEFT_OUT
+        return Answer(sign * speed[0], "velocity limit of the wheels times their radius") if speed else LEFT_OUT
 
     return found
 
@@ -131,7 +133,7 @@ def _names(joints: Sequence[JointFacts], below: str = "") -> Answer:
 def _sensor(task: Task) -> Answer:
     if task.options.sensor:
         return Answer(task.options.sensor)
-    return Answer(_SENSORS.get(task.kind, "sensor"), f"{TODO}: its name")
+    return Answer(_SENSORS.get(task.kind, "sensor"), f"{TODO}: set its name")
 
 
 _SENSORS = {
@@ -150,28 +152,28 @@ def _one(joint: JointFacts, task: Task) -> Answer:
 
 
 def _offers(task: Task, interface: str) -> bool:
-    """Whether the sensor that is read offers a state."""
+    """Whether the sensor offers a state interface."""
     return any(part.name == task.options.sensor and interface in part.states for part in task.robot.parts)
 
 
 def _full_states(task: Task) -> Answer:
-    """The states of all joints; names that are whole stay as they are."""
+    """The state interfaces of all joints. Full names stay unchanged."""
     return Answer([name for state in task.states for name in ([state] if "/" in state else _below_joints(task, state))])
 
 
 def _tip(task: Task) -> Answer:
-    """The tool's link: as the user says, else what the last joint moves."""
+    """The tool's link: from the user, or the child link of the last joint."""
     if task.options.frame:
         return Answer(task.options.frame)
     last = task.joints[-1].link if task.joints else None
     return Answer(
-        last or "tool0", f"{TODO}: it is taken to be what the last joint moves" if last else f"{TODO}: its name"
+        last or "tool0", f"{TODO}: check it; this is the last joint's link" if last else f"{TODO}: set its name"
     )
 
 
 def _batteries(task: Task) -> Answer:
     found = [part.name for part in task.robot.parts if "battery_voltage" in part.states]
-    return Answer(found) if found else Answer(["battery"], f"{TODO}: its name")
+    return Answer(found) if found else Answer(["battery"], f"{TODO}: set its name")
 
 
 def _below_joints(task: Task, state: str) -> list[str]:
@@ -179,7 +181,7 @@ def _below_joints(task: Task, state: str) -> list[str]:
 
 
 def _of_gpio(commands: bool) -> Callable[[Task, JointFacts], Answer | Left]:  # noqa: FBT001
-    """The interfaces of a gpio: those that the user names in whole, else all that the robot offers."""
+    """The interfaces of a gpio: those that the user gives by full name, or all that the robot offers."""
 
     def found(task: Task, gpio: JointFacts) -> Answer | Left:
         asked = [*task.options.interfaces, *(task.options.states or ())]
@@ -187,9 +189,9 @@ def _of_gpio(commands: bool) -> Callable[[Task, JointFacts], Answer | Left]:  # 
             mine = task.options.interfaces if commands else task.options.states or ()
             names = [name.rpartition("/")[2] for name in mine if name.startswith(f"{gpio.name}/")]
             return Answer(names) if names else LEFT_OUT
-        part = next((one for one in task.robot.of_kind("gpio") if one.name == gpio.name), None)
+        part = next((known for known in task.robot.of_kind("gpio") if known.name == gpio.name), None)
         if part is None:
-            return Answer(["output"], f"{TODO}: its interfaces") if commands else LEFT_OUT
+            return Answer(["output"], f"{TODO}: set its interfaces") if commands else LEFT_OUT
         names = [*(part.commands if commands else part.states)]
         return Answer(names) if names else LEFT_OUT
 
@@ -197,7 +199,7 @@ def _of_gpio(commands: bool) -> Callable[[Task, JointFacts], Answer | Left]:  # 
 
 
 def _extra(interface: str) -> Callable[[Task, JointFacts], Answer | Left]:
-    """A command interface of a joint besides its main one, where the robot has it."""
+    """An additional command interface of a joint, if the robot has it."""
 
     def found(task: Task, joint: JointFacts) -> Answer | Left:
         there = interface in task.robot.interfaces.get(joint.name, ())
@@ -209,11 +211,11 @@ def _extra(interface: str) -> Callable[[Task, JointFacts], Answer | Left]:
 def _frame(task: Task) -> Answer:
     if task.options.frame:
         return Answer(task.options.frame)
-    return Answer(task.robot.root or "base_link", f"{TODO}: it is taken to be the root")
+    return Answer(task.robot.root or "base_link", f"{TODO}: check it; this is the root link")
 
 
 def _half(joints: Sequence[JointFacts], first: bool) -> Answer:  # noqa: FBT001
-    """The two of four that are ahead, or behind."""
+    """The two front joints, or the two rear joints, of four."""
     ordered = sorted(joints, key=lambda joint: -(joint.at or (0.0, 0.0, 0.0))[0])
     return _names(ordered[:2] if first else ordered[2:4])
 
@@ -267,7 +269,7 @@ _STAND_INS = {
 
 
 def _between(pair: Sequence[JointFacts]) -> Measure:
-    """The distance of a pair whose axes stand upright, across the robot."""
+    """The distance, across the robot, between two joints with vertical axes."""
     if len(pair) < 2 or pair[0].at is None or pair[1].at is None:  # noqa: PLR2004
         return Measure(None, "")
     gap = abs(pair[0].at[1] - pair[1].at[1])

@@ -1,40 +1,41 @@
-"""What the wheels of a drive measure, and which are which, by where they are with all joints at zero."""
+"""Measure the wheels of a drive and determine their roles, from their positions with all joints at zero."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
 
-from urdfctl.generate.facts import JointFacts, Vector
-from urdfctl.record import NamedTuple
+from urdfctl.generate.facts import JointFacts
+from urdfctl.model.geometry import Vector
+from urdfctl.startup.records import NamedTuple
 
 _ALONG = 0.9
-"""How much of an axis must lie along a direction to count as along it: cos 26 deg."""
+"""The least component of an axis along a direction to count as parallel to it: cos 26 deg."""
 
 
 class Measure(NamedTuple):
-    """A number, and how it was found; None where it was not."""
+    """A number, None if it is unknown, and how it was determined."""
 
     value: float | None
     how: str
 
 
-UNKNOWN = Measure(None, "not known from the robot")
+UNKNOWN = Measure(None, "unknown")
 
 
 def radius(wheels: Sequence[JointFacts]) -> Measure:
-    """The radius of some wheels: the mean, in m."""
-    found = [wheel.radius for wheel in wheels if wheel.radius]
-    if not found:
+    """Return the mean radius of the wheels, in m."""
+    radii = [wheel.radius for wheel in wheels if wheel.radius]
+    if not radii:
         return UNKNOWN
-    words = "measured: the radius of the wheels' cylinders or spheres"
-    if max(found) - min(found) > 0.01 * max(found):
-        words = "measured: the mean, for the wheels differ"
-    return Measure(_round(sum(found) / len(found)), words)
+    how = "measured from the wheels' cylinders or spheres"
+    if max(radii) - min(radii) > 0.01 * max(radii):
+        how = "measured; mean of wheels that differ"
+    return Measure(_round(sum(radii) / len(radii)), how)
 
 
 def across(left: Sequence[JointFacts], right: Sequence[JointFacts]) -> Measure:
-    """The distance of two sides along the wheels' axes, in m."""
+    """Return the distance between the two sides, along the wheels' axes, in m."""
     ends = _middle(left), _middle(right)
     axis = left[0].axis if left else None
     if None in ends or axis is None:
@@ -45,7 +46,7 @@ def across(left: Sequence[JointFacts], right: Sequence[JointFacts]) -> Measure:
 
 
 def along(driven: Sequence[JointFacts], steered: Sequence[JointFacts]) -> Measure:
-    """The distance of two axles along the ground, across the wheels' axes, in m."""
+    """Return the distance between the two axles, at right angles to the wheels' axes, in m."""
     ends = _middle(driven), _middle(steered)
     if None in ends or not driven or driven[0].axis is None:
         return UNKNOWN
@@ -56,19 +57,19 @@ def along(driven: Sequence[JointFacts], steered: Sequence[JointFacts]) -> Measur
 
 
 def from_centre(wheels: Sequence[JointFacts]) -> tuple[Measure, Measure]:
-    """Of wheels around a centre their mean distance from it, in m, and the angle of the first, in rad."""
+    """Return the wheels' mean distance from their centre, in m, and the angle of the first wheel, in rad."""
     middle = _middle(wheels)
     if middle is None:
         return UNKNOWN, UNKNOWN
     spokes = [_minus(wheel.at or _O, middle) for wheel in wheels]
     reach = sum(math.hypot(x, y) for x, y, _ in spokes) / len(spokes)
     angle = math.atan2(spokes[0][1], spokes[0][0])
-    told = "measured between the joints"
-    return (Measure(_round(reach), told) if reach > 0 else UNKNOWN), Measure(_round(angle), told)
+    how = "measured between the joints"
+    return (Measure(_round(reach), how) if reach > 0 else UNKNOWN), Measure(_round(angle), how)
 
 
 def sides(joints: Sequence[JointFacts]) -> tuple[list[JointFacts], list[JointFacts]]:
-    """The wheels on the left and on the right of a robot that looks along x, each from front to rear."""
+    """Return the left and the right wheels of a robot that faces along x, each from front to rear."""
     rolling = [joint for joint in joints if _rolls(joint)]
     ordered = sorted(rolling, key=lambda joint: -(joint.at or _O)[0])
     left = [joint for joint in ordered if (joint.at or _O)[1] > 0]
@@ -77,7 +78,7 @@ def sides(joints: Sequence[JointFacts]) -> tuple[list[JointFacts], list[JointFac
 
 
 def driven_and_steered(joints: Sequence[JointFacts]) -> tuple[list[JointFacts], list[JointFacts]]:
-    """The wheels that roll and the joints that turn about the vertical, each from left to right, rear wheels first."""
+    """Return the driven wheels and the steering joints, which turn about the vertical, each from left to right."""
     steered = [joint for joint in joints if joint.axis and abs(joint.axis[2]) > _ALONG and not joint.slides]
     rolling = [joint for joint in joints if _rolls(joint)]
     middle = _middle(steered)

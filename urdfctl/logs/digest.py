@@ -1,4 +1,4 @@
-"""What a log says: each known message once, with how often and where, and the errors that are not known."""
+"""Summarize a log: each known message once, with its count and first line, and the unknown errors."""
 
 from __future__ import annotations
 
@@ -9,18 +9,24 @@ from urdfctl.catalog.log_messages import KINDS, LogMessage
 from urdfctl.logs.index import Hit, Spelling, found_among, index
 from urdfctl.logs.partial import partial
 from urdfctl.logs.pattern import single_blanks
-from urdfctl.record import NamedTuple
+from urdfctl.startup.records import NamedTuple
 
-_MOST_NAMES = 100
+_MOST_VALUES = 100
+"""Distinct sets of values kept per message."""
 _MOST_UNKNOWN = 100
-_MOST_LOOKS = 400
+"""Distinct unknown errors kept."""
+_MOST_SEARCHES = 400
+"""Slow searches for partial messages, one per distinct line; numbers in a line do not count."""
 _MOST_WRAPPED = 6
+"""Lines over which a message may be wrapped."""
 _MOST_PREFIXES = 12
-_SURE = 3
-_STRAIGHT = str.maketrans("‘’“”", "''\"\"")  # noqa: RUF001 (web pages make them of straight ones)
+"""Prefixes removed from a line."""
+_MOST_CANDIDATES = 3
+"""Messages reported for a truncated pasted line; with more candidates, the line is unknown."""
+_STRAIGHT = str.maketrans("‘’“”", "''\"\"")  # noqa: RUF001 (web pages replace straight quotes)
 _LEVELS = r"ERROR|Error|error|Err|FATAL|Fatal|critical|WARN|WARNING|Warning|warning|Wrn"
 _SUSPICIOUS = re.compile(rf"\[\s*(?:{_LEVELS})\s*\]|\b(?:{_LEVELS})\b\s*:|\b[Ee]xception\b|what\(\):")
-_CALM = re.compile(r"\[\s*(?:INFO|DEBUG|Msg|Dbg|info|debug)\s*\]")
+_NOT_SUSPICIOUS = re.compile(r"\[\s*(?:INFO|DEBUG|Msg|Dbg|info|debug)\s*\]")
 _ERROR = re.compile(r"\[\s*(?:ERROR|error|Err|FATAL|critical)\s*\]|\b(?:ERROR|Error|FATAL)\b\s*:|what\(\):")
 _PROCESS = re.compile(r"\[[\w.-]+ *-\d+\] ?")
 _PREFIX = re.compile(
@@ -34,7 +40,11 @@ _PREFIX = re.compile(
 
 
 class Known(NamedTuple):
-    """A message in a log: its first line, how many times it stands there, its first text, and the values in each."""
+    """A known message in a log.
+
+    line: the number of its first line. times: how often it occurs. text: the text of its first occurrence.
+    values: the values by name, once per distinct set.
+    """
 
     message: LogMessage
     line: int
@@ -44,7 +54,7 @@ class Known(NamedTuple):
 
 
 class Unknown(NamedTuple):
-    """A text that no message is known for; `nearest` is the one most like it, where one is."""
+    """An unknown text; nearest: the most similar known message, None if none is similar."""
 
     line: int
     times: int
@@ -53,7 +63,7 @@ class Unknown(NamedTuple):
 
 
 class Digest(NamedTuple):
-    """The known messages, the most urgent and earliest first, and the unknown errors, of a number of lines."""
+    """The known messages (most urgent first, then by line) and the unknown errors. lines: number of lines read."""
 
     lines: int
     known: tuple[Known, ...]
@@ -61,7 +71,10 @@ class Digest(NamedTuple):
 
 
 def digest(lines: Iterable[str], *, pasted: bool) -> Digest:
-    """What the lines say. Each line of a pasted text is looked at closely, of a log those that look like errors."""
+    """Return the messages in the lines.
+
+    pasted: search every line for partial messages; otherwise only lines that look like errors.
+    """
     reader = _Reader(pasted=pasted)
     for line in lines:
         reader.read(line)
@@ -69,7 +82,7 @@ def digest(lines: Iterable[str], *, pasted: bool) -> Digest:
 
 
 class _Wrapped(NamedTuple):
-    """A line that ends within messages, and may go on in the next one."""
+    """A line that may end in the middle of a message, which continues in the next line."""
 
     number: int
     text: str
@@ -79,7 +92,7 @@ class _Wrapped(NamedTuple):
 
 
 class _Reader:
-    """Keeps what was found so far."""
+    """Read lines one by one and collect the messages."""
 
     def __init__(self, *, pasted: bool) -> None:
         self._index = index()
@@ -88,49 +101,49 @@ class _Reader:
         self._number = 0
         self._known: dict[str, Known] = {}
         self._unknown: dict[str, Unknown] = {}
-        self._looks: dict[str, tuple[Hit, ...]] = {}
+        self._searched: dict[str, tuple[Hit, ...]] = {}
         self._wrapped: _Wrapped | None = None
 
     def read(self, line: str) -> None:
-        """Take the next line."""
+        """Read the next line."""
         self._number += 1
         if self._pasted and not line.isascii():
             line = line.translate(_STRAIGHT)
         hits = self._index.hits(line)
         wrapped, self._wrapped = self._wrapped, None
-        if wrapped and not hits and self._goes_on(wrapped, line):
+        if wrapped and not hits and self._continues(wrapped, line):
             return
         if wrapped:
-            self._take_cut(wrapped)
+            self._record(wrapped)
         for hit in hits:
             self._keep(hit, self._number, line)
         if not hits and (self._pasted or _is_suspicious(line)) and line.strip():
-            self._look(line)
+            self._search_partial(line)
 
     def finished(self) -> Digest:
-        """All that was found."""
+        """Return the collected messages."""
         if self._wrapped:
-            self._take_cut(self._wrapped)
-        known = sorted(self._known.values(), key=lambda one: (KINDS.index(one.message.kind), one.line))
+            self._record(self._wrapped)
+        known = sorted(self._known.values(), key=lambda entry: (KINDS.index(entry.message.kind), entry.line))
         return Digest(self._number, tuple(known), tuple(self._unknown.values()))
 
-    def _look(self, line: str) -> None:
-        """Look closely at a line in which no message is whole."""
+    def _search_partial(self, line: str) -> None:
+        """Search for a partial message in a line without a complete one."""
         text = plain(line)
         shape = re.sub(r"\d+", "0", text)
-        if shape not in self._looks:
-            if len(self._looks) >= _MOST_LOOKS:
+        if shape not in self._searched:
+            if len(self._searched) >= _MOST_SEARCHES:
                 return
-            self._looks[shape] = tuple(self._partial.cut(text))
+            self._searched[shape] = tuple(self._partial.cut(text))
         is_error = self._pasted or _ERROR.search(line) is not None
-        cut = _Wrapped(self._number, text, self._looks[shape], is_error)
+        cut = _Wrapped(self._number, text, self._searched[shape], is_error)
         if cut.hits:
             self._wrapped = cut
         else:
-            self._take_cut(cut)
+            self._record(cut)
 
-    def _goes_on(self, wrapped: _Wrapped, line: str) -> bool:
-        """Whether a line goes on with the message that the one before ends within."""
+    def _continues(self, wrapped: _Wrapped, line: str) -> bool:
+        """Whether a line continues the message in which the line before ends."""
         text = single_blanks(_PROCESS.sub("", line, count=1))
         spellings = [Spelling(hit.message, hit.pattern) for hit in wrapped.hits]
         for joined in (f"{wrapped.text} {text}", wrapped.text + text):
@@ -145,9 +158,9 @@ class _Reader:
                 return True
         return False
 
-    def _take_cut(self, cut: _Wrapped) -> None:
-        """Take a line as it is: a message that is cut, or unknown."""
-        if cut.hits and len(cut.hits) <= (_SURE if self._pasted else 1):
+    def _record(self, cut: _Wrapped) -> None:
+        """Record a line that does not continue: a truncated message, or an unknown one."""
+        if cut.hits and len(cut.hits) <= (_MOST_CANDIDATES if self._pasted else 1):
             for hit in cut.hits:
                 self._keep(hit, cut.number, cut.text)
         elif cut.is_error:
@@ -161,7 +174,7 @@ class _Reader:
             start = text.rfind(" ", 0, hit.match.start) + 1 if not hit.pattern.literals[0] else hit.match.start
             self._known[hit.message.id] = Known(hit.message, number, 1, text[start:], (values,))
             return
-        more = (values,) if values not in known.values and len(known.values) < _MOST_NAMES else ()
+        more = (values,) if values not in known.values and len(known.values) < _MOST_VALUES else ()
         self._known[hit.message.id] = known._replace(times=known.times + 1, values=known.values + more)
 
     def _keep_unknown(self, cut: _Wrapped) -> None:
@@ -174,15 +187,15 @@ class _Reader:
 
 def _is_suspicious(line: str) -> bool:
     """Whether a line looks like an error or a warning."""
-    return _SUSPICIOUS.search(line) is not None and _CALM.search(line) is None
+    return _SUSPICIOUS.search(line) is not None and _NOT_SUSPICIOUS.search(line) is None
 
 
 def plain(line: str) -> str:
-    """A line without what is put before the message: times, levels, names of nodes and files."""
+    """Return a line without the prefixes of its message: times, levels, names of nodes and files."""
     text, at = single_blanks(line), 0
     for _ in range(_MOST_PREFIXES):
-        found = _PREFIX.match(text, at)
-        if found is None:
+        prefix = _PREFIX.match(text, at)
+        if prefix is None:
             break
-        at = found.end()
+        at = prefix.end()
     return text[at:]

@@ -1,4 +1,4 @@
-"""Finds the known messages in a line: by a rare word of each, so that most lines are done with in microseconds."""
+"""Find the known messages in a line. Each is indexed by a rare word, so most lines take only microseconds."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from functools import lru_cache
 
 from urdfctl.catalog.log_messages import LogMessage, log_messages
 from urdfctl.logs.pattern import Match, Pattern, found_in, parsed, single_blanks
-from urdfctl.record import NamedTuple
+from urdfctl.startup.records import NamedTuple
 
 WORD = re.compile(r"[A-Za-z_][A-Za-z_0-9]{2,}")
 
@@ -22,14 +22,14 @@ class Spelling(NamedTuple):
 
     @property
     def words(self) -> set[str]:
-        """The words that every line with it holds: those that no gap touches."""
+        """The words that every line with this pattern contains: those not adjacent to a gap."""
         literals = self.pattern.literals
         last = len(literals) - 1
         return {
-            found[0]
+            word[0]
             for number, literal in enumerate(literals)
-            for found in WORD.finditer(literal)
-            if (number == 0 or found.start()) and (number == last or found.end() < len(literal))
+            for word in WORD.finditer(literal)
+            if (number == 0 or word.start()) and (number == last or word.end() < len(literal))
         }
 
 
@@ -42,7 +42,7 @@ class Hit(NamedTuple):
 
 
 class Index:
-    """All spellings of the messages, by their rarest words."""
+    """All patterns of the messages, indexed by their rarest word."""
 
     def __init__(self, messages: Iterable[LogMessage]) -> None:
         self.spellings = [Spelling(message, parsed(text)) for message in messages for text in message.patterns]
@@ -54,47 +54,49 @@ class Index:
             self._by_anchor[anchor].append(spelling)
 
     def candidates(self, line: str) -> list[Spelling]:
-        """The spellings that may be in a line: those whose rarest word is."""
+        """Return the patterns whose rarest word is in the line; only these can match."""
         words = self._by_anchor.keys() & set(WORD.findall(line))
         return [spelling for word in words for spelling in self._by_anchor[word]]
 
     def hits(self, line: str) -> list[Hit]:
-        """The messages in a line, in their order, without those that are parts of others; what only follows from
-        another failure is left out where the line tells of that too."""
+        """Return the messages in a line, in order, without messages that are part of longer ones.
+
+        Consequences are omitted if the line also contains another kind of message.
+        """
         candidates = self.candidates(line)
         return found_among(candidates, line) if candidates else []
 
 
 def found_among(spellings: Iterable[Spelling], line: str) -> list[Hit]:
-    """Those of some spellings that are in a line, as `Index.hits` gives them."""
+    """Return the given patterns that are in a line, filtered like `Index.hits`."""
     line = single_blanks(line)
-    found = [
+    hits = [
         Hit(spelling.message, spelling.pattern, match)
         for spelling in spellings
         if (match := found_in(spelling.pattern, line)) is not None
     ]
-    return _telling(_whole(found)) if len(found) > 1 else found
+    return _without_consequences(_without_parts(hits)) if len(hits) > 1 else hits
 
 
-def _telling(found: list[Hit]) -> list[Hit]:
-    """The hits that tell why: the others only stand around them. What those name is known of these too."""
-    own = [hit for hit in found if hit.message.kind != "consequence"]
-    if not own:
-        return found[:1]
-    around = {name: value for hit in found if hit not in own for name, value in hit.match.values.items()}
-    return [_with(hit, around) for hit in own] if around else own
+def _without_consequences(hits: list[Hit]) -> list[Hit]:
+    """The hits that are not consequences, with the values that the omitted consequences name."""
+    reasons = [hit for hit in hits if hit.message.kind != "consequence"]
+    if not reasons:
+        return hits[:1]
+    values = {name: value for hit in hits if hit not in reasons for name, value in hit.match.values.items()}
+    return [_with(hit, values) for hit in reasons] if values else reasons
 
 
-def _with(hit: Hit, around: Mapping[str, str]) -> Hit:
-    """A hit with those values from around it that its own texts ask for."""
-    asked = {name: value for name, value in around.items() if f"{{{name}}}" in hit.message.meaning + hit.message.fix}
-    return hit._replace(match=hit.match._replace(values={**asked, **hit.match.values}))
+def _with(hit: Hit, values: Mapping[str, str]) -> Hit:
+    """A hit with those additional values that its texts use."""
+    used = {name: value for name, value in values.items() if f"{{{name}}}" in hit.message.meaning + hit.message.fix}
+    return hit._replace(match=hit.match._replace(values={**used, **hit.match.values}))
 
 
-def _whole(found: list[Hit]) -> list[Hit]:
-    """The hits that are no part of a longer one, in the order of the line."""
+def _without_parts(hits: list[Hit]) -> list[Hit]:
+    """The hits that are not part of a longer hit, in the order of the line."""
     kept: list[Hit] = []
-    for hit in sorted(found, key=lambda hit: (hit.match.start - hit.match.end, -hit.pattern.weight)):
+    for hit in sorted(hits, key=lambda hit: (hit.match.start - hit.match.end, -hit.pattern.weight)):
         if not any(other.match.start <= hit.match.start and hit.match.end <= other.match.end for other in kept):
             kept.append(hit)
     return sorted(kept, key=lambda hit: hit.match.start)
@@ -102,5 +104,5 @@ def _whole(found: list[Hit]) -> list[Hit]:
 
 @lru_cache(maxsize=1)
 def index() -> Index:
-    """The index of all messages of the catalogue."""
+    """Return the index of all messages in the catalogue."""
     return Index(log_messages())

@@ -1,6 +1,7 @@
-"""Finds messages that are cut off, and the one most like a text that is not known.
+"""Find truncated messages, and the known message most similar to an unknown text.
 
-That takes a hundred times as long as finding whole ones, and is for pasted lines and for lines that look like errors.
+This takes a hundred times as long as finding complete messages, so it is used only for pasted lines and lines that look
+like errors.
 """
 
 from __future__ import annotations
@@ -14,21 +15,23 @@ from urdfctl.logs.index import WORD, Hit, Index, Spelling, index
 from urdfctl.logs.pattern import Match, Pattern, single_blanks
 
 _MOST_CANDIDATES = 40
+"""Patterns compared with a text."""
 _LEAST_LETTERS = 16
+"""Letters that a truncated text must share with a pattern."""
 _LONGEST_VALUE = 300
-_LIKE_ENOUGH = 0.7
+_LEAST_SIMILARITY = 0.7
+"""Share of words that an unknown text must have in common with the nearest pattern."""
 _ELLIPSES = re.compile(r"^(?:\.\.\.|…)\s*|\s*(?:\.\.\.|…)$")
 
 
 class Partial:
-    """What an index knows only in part."""
+    """Search an index for messages that match only partly."""
 
     def __init__(self, index: Index) -> None:
         self._index = index
 
     def cut(self, text: str) -> list[Hit]:
-        """The messages that a text begins or ends within, those with the most letters of it; several where it does not
-        decide between them."""
+        """Return the messages in which the text begins or ends, with the most matching letters; several if they tie."""
         text = _ELLIPSES.sub("", single_blanks(text))
         best: dict[str, tuple[int, Hit]] = {}
         for spelling in self._candidates(text):
@@ -40,19 +43,19 @@ class Partial:
         return [hit for letters, hit in best.values() if letters == most]
 
     def nearest(self, text: str) -> Spelling | None:
-        """The spelling most like a text, None where none is like it."""
+        """Return the pattern most similar to a text, None if none is similar enough."""
         from difflib import SequenceMatcher
 
         words = [word.lower() for word in WORD.findall(text)]
-        best, ratio = None, _LIKE_ENOUGH
+        best, ratio = None, _LEAST_SIMILARITY
         for spelling in self._candidates(text):
             literal = [word.lower() for word in WORD.findall(spelling.pattern.shown)]
             matcher = SequenceMatcher(None, literal, words, autojunk=False)
             same = sum(block.size for block in matcher.get_matching_blocks())
-            # names stand in the gaps: words that the pattern lacks count for a half
-            found = same / (len(literal) + max(0, len(words) - same - len(spelling.pattern.gaps)) / 2)
-            if same > 2 and found >= ratio:  # noqa: PLR2004 (two words are no likeness)
-                best, ratio = spelling, found
+            # Gaps contain names, so words that are not in the pattern count half.
+            similarity = same / (len(literal) + max(0, len(words) - same - len(spelling.pattern.gaps)) / 2)
+            if same > 2 and similarity >= ratio:  # noqa: PLR2004 (two words are not enough)
+                best, ratio = spelling, similarity
         return best
 
     @cached_property
@@ -64,7 +67,7 @@ class Partial:
         return numbers
 
     def _candidates(self, text: str) -> Iterable[Spelling]:
-        """The spellings that share the rarest words with a text."""
+        """The patterns that share the rarest words with a text."""
         scores: Counter[int] = Counter()
         for word in {word.lower() for word in WORD.findall(text)}:
             numbers = self._by_word.get(word, ())
@@ -75,12 +78,12 @@ class Partial:
 
 @lru_cache(maxsize=1)
 def partial() -> Partial:
-    """What the index of all messages knows only in part."""
+    """Return the partial search in all messages of the catalogue."""
     return Partial(index())
 
 
 def _cut(pattern: Pattern, text: str) -> tuple[int, Match | None]:
-    """How many literal letters of a pattern are in a text that is cut at its end, or at its beginning, or at both."""
+    """The number of literal letters of a pattern in a text that is truncated at its end, its beginning or both."""
     whole = max(pattern.literals, key=len)
     if len(text) < len(whole) and text in whole:
         return len(text), Match(0, len(text), {})
@@ -95,8 +98,10 @@ def _cut(pattern: Pattern, text: str) -> tuple[int, Match | None]:
 
 
 def _ends_within(literals: tuple[str, ...], text: str) -> tuple[int, list[str]]:
-    """How many letters of the literals a text has, in their order, that ends before the last of them; 0 where it goes
-    on otherwise. And the values between them, as far as they are whole."""
+    """How many letters of the literals a truncated text contains in order, and the complete values between them.
+
+    The number is 0 if the text continues differently.
+    """
     letters, at = 0, 0
     values: list[str] = []
     for number, literal in enumerate(literals):

@@ -1,8 +1,7 @@
-"""A message as its source prints it: literal texts, and gaps between them where values are put in.
+"""Patterns of messages: literal texts, with gaps between them for the values.
 
-Gaps are written `{joint}`, or `{joint:word}` where the value holds no blank; `{}` has no name. Braces that are printed
-are written twice. The texts are looked for one after the other, so that the time is linear in the line's length
-whatever stands in it.
+A gap is written `{joint}`, or `{joint:word}` if its value contains no blank; `{}` has no name. Printed braces are
+written twice. The literals are searched one after the other, so the time is always linear in the length of the line.
 """
 
 from __future__ import annotations
@@ -10,27 +9,33 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from urdfctl.record import NamedTuple
+from urdfctl.startup.records import NamedTuple
 
 _GAP = re.compile(r"\{\{|\}\}|\{(\w*)(:word)?\}")
 
 
 class Gap(NamedTuple):
-    """A place for a value: its name, empty where nobody asks for it, and whether the value is a single word."""
+    """A place for a value.
+
+    name: empty if the value is not used. word: whether the value is a single word.
+    """
 
     name: str
     word: bool = False
 
 
 class Pattern(NamedTuple):
-    """A message in parts: a literal text before, between and behind the gaps; the outer ones may be empty."""
+    """A message in parts.
+
+    literals: the texts before, between and after the gaps; the first and last may be empty.
+    """
 
     literals: tuple[str, ...]
     gaps: tuple[Gap, ...] = ()
 
     @property
     def weight(self) -> int:
-        """How many of its characters are literal."""
+        """The number of literal characters."""
         return sum(map(len, self.literals))
 
     @property
@@ -40,7 +45,7 @@ class Pattern(NamedTuple):
 
 
 class Match(NamedTuple):
-    """Where a pattern stands in a line, from its first literal to its last, and the values in its gaps by name."""
+    """The place of a pattern in a line, from its first literal to its last, and the values of its gaps by name."""
 
     start: int
     end: int
@@ -48,33 +53,33 @@ class Match(NamedTuple):
 
 
 def parsed(text: str) -> Pattern:
-    """The pattern that a text of the data means."""
+    """Return the pattern for a text of the catalogue."""
     literals, gaps, at = [""], [], 0
     text = single_blanks(text)
-    for found in _GAP.finditer(text):
-        literals[-1] += text[at : found.start()]
-        at = found.end()
-        if found[0] in {"{{", "}}"}:
-            literals[-1] += found[0][0]
+    for gap in _GAP.finditer(text):
+        literals[-1] += text[at : gap.start()]
+        at = gap.end()
+        if gap[0] in {"{{", "}}"}:
+            literals[-1] += gap[0][0]
         else:
-            gaps.append(Gap(found[1], found[2] is not None))
+            gaps.append(Gap(gap[1], gap[2] is not None))
             literals.append("")
     literals[-1] += text[at:]
     return Pattern(tuple(literals), tuple(gaps))
 
 
 def filled(text: str, values: Mapping[str, str]) -> str:
-    """A text of the data with the values in its gaps; an ellipsis where one is not known."""
+    """Return a text of the catalogue with the values in its gaps, or an ellipsis if a value is unknown."""
     return _GAP.sub(lambda gap: values.get(gap[1], "…") if gap[1] is not None else gap[0][0], text)
 
 
 def single_blanks(text: str) -> str:
-    """A text without blanks around it, and with one blank for each run of them."""
+    """Return a text with each run of blanks reduced to one, and none at its ends."""
     return " ".join(text.split())
 
 
 def found_in(pattern: Pattern, line: str) -> Match | None:
-    """The first place of a pattern in a line whose blanks are single, None where it is not in it."""
+    """Return the first match of a pattern in a line with single blanks, None if there is none."""
     places, at = [], 0
     for literal in pattern.literals:
         start = line.find(literal, at)
@@ -83,7 +88,7 @@ def found_in(pattern: Pattern, line: str) -> Match | None:
         at = start + len(literal)
         places.append((start, at))
     literals = pattern.literals
-    if len(literals) > 1 and literals[0] and literals[1]:  # the nearest to the second one: the shortest first value
+    if len(literals) > 1 and literals[0] and literals[1]:  # the nearest to the second literal: the shortest value
         start = line.rfind(literals[0], places[0][0], places[1][0])
         places[0] = (start, start + len(literals[0]))
     values = _values(pattern, line, places)
@@ -94,7 +99,7 @@ def found_in(pattern: Pattern, line: str) -> Match | None:
 
 
 def _values(pattern: Pattern, line: str, places: list[tuple[int, int]]) -> dict[str, str] | None:
-    """What stands in the gaps; a gap at the beginning takes the word before, one at the end the rest of the line."""
+    """The values of the gaps. A gap at the beginning gets the word before, a gap at the end the rest of the line."""
     values: dict[str, str] = {}
     for number, gap in enumerate(pattern.gaps):
         value = line[places[number][1] : places[number + 1][0]]

@@ -1,4 +1,4 @@
-"""Reads the lines of a log of any size: no more of it, and of each line, than there is use for."""
+"""Read the lines of a log of any size, with limits for the log and for each line."""
 
 from __future__ import annotations
 
@@ -7,21 +7,21 @@ from collections.abc import Iterator
 from typing import BinaryIO
 
 MOST_BYTES = 64 << 20
-"""How much of a log is read: half a million lines and more."""
+"""The maximum number of bytes read from a log: more than half a million lines."""
 LONGEST_LINE = 4096
-"""How much of a line is read, in bytes; what ROS prints is shorter, but for lists of plugins."""
+"""The maximum number of bytes read from a line. ROS prints shorter lines, except for lists of plugins."""
 _CHUNK = 1 << 16
 _ESCAPE = re.compile(r"\x1b(?:\[[0-9;:?]*[ -/]*[@-~]|\][^\x07\x1b]*(?:\x07|\x1b\\)?|[@-Z\\^_])")
 
 
 class Lines:
-    """The lines of a stream, without colours and without what is beyond their limits."""
+    """The lines of a stream, without colour codes and up to the limits."""
 
     def __init__(self, stream: BinaryIO, most_bytes: int = MOST_BYTES) -> None:
         self._stream = stream
         self._left = most_bytes
         self.complete = True
-        """Whether all that the stream holds was read."""
+        """Whether the whole stream was read."""
 
     def __iter__(self) -> Iterator[str]:
         begun = b""
@@ -43,7 +43,7 @@ class Lines:
                 self._left -= len(chunk)
                 yield chunk
             self.complete = not self._stream.read(1)
-        except KeyboardInterrupt:  # the end of a log that is still being written
+        except KeyboardInterrupt:  # the user stops reading a log that is still being written
             self.complete = False
 
 

@@ -1,4 +1,4 @@
-"""Builds the model of controllers from YAML files: which controllers, of which type, with which parameters."""
+"""Build the model of controllers from YAML files."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from urdfctl.model.controllers import (
     Section,
 )
 from urdfctl.model.parameters import Kind, Parameters, Value
-from urdfctl.record import NamedTuple
 from urdfctl.source.span import Place
 from urdfctl.source.yaml import Entry, Mapping, Node, Scalar, YamlFile
+from urdfctl.startup.records import NamedTuple
 
 MANAGER = "controller_manager"
-_OF_MOVEIT = frozenset(
+_KEYS_OF_MOVEIT = frozenset(
     "controller_list controller_names moveit_controller_manager moveit_simple_controller_manager "
     "moveit_manage_controllers moveit_ros_control_interface trajectory_execution".split()
 )
@@ -28,14 +28,21 @@ _READ_OF_A_DECLARATION = frozenset({"type", "params_file", "fallback_controllers
 _SETTINGS_OF_A_MANAGER = frozenset(
     "defaults diagnostics hardware_components_initial_state hardware_synchronization overruns qos_overrides".split()
 )
+_OF_OTHER_STACKS = ("package", "module")
+"""Keys beside `type` of plugins that other programs load."""
+_COMBINED = "robot_hardware"
 _DEEPEST = 6
 
 
 class Loaded(NamedTuple):
-    """A YAML file, and the namespace that a launch file loads it into."""
+    """A YAML file and the namespace that a launch file loads it into.
+
+    of_other: it is for a node that manages no controllers.
+    """
 
     yaml: YamlFile
     namespace: str = ""
+    of_other: bool = False
 
 
 def controllers_of(
@@ -43,55 +50,80 @@ def controllers_of(
     ros: int | None,
     started: Sequence[str] | None = None,
     references: Iterable[FileReference] = (),
+    nodes: Iterable[str] = (),
 ) -> Controllers:
-    """The model of all files together, as a generation of ROS reads them; of each by its own form where it is not
-    known. `started` names controllers that are there though no file may say so."""
-    read, flat = [], Flat([], [], [])
+    """Return the combined model of several files.
+
+    ros: the ROS generation that reads the files, 1 or 2; None to read each file by its own form.
+    started: controllers that are started, even if no file declares them; None if unknown.
+    references: the references to the files.
+    nodes: the names of other nodes to look for, in ROS 2.
+    """
+    controllers_files, flat = [], Flat([], [], [])
     for loaded in files:
         file = _file(loaded.yaml)
         generation = ros or file.form
-        if file.readable and not file.is_moveit and generation is not None:
-            parts = tuple(part for part in loaded.namespace.split("/") if part)
-            one = read_by_rcl(loaded.yaml) if generation == 2 else read_by_rosparam(loaded.yaml, parts)  # noqa: PLR2004
-            file = file._replace(faults=tuple(one.faults))
-            flat.sections.extend(one.sections)
-            if file.form != 2:  # noqa: PLR2004 (ROS 1 finds nothing where it looks in such a file)
-                flat.leaves.extend(one.leaves)
-        read.append(file)
-    made = _Ros2(flat.sections, started or ()).made() if flat.sections or ros == 2 else _Made([], [], [])  # noqa: PLR2004
+        if file.readable and not (file.is_moveit or loaded.of_other) and generation is not None:
+            prefix = _parts_of(loaded.namespace)
+            content = read_by_rcl(loaded.yaml) if generation == 2 else read_by_rosparam(loaded.yaml, prefix)  # noqa: PLR2004
+            file = file._replace(faults=tuple(content.faults))
+            flat.sections.extend(content.sections)
+            if file.form != 2:  # noqa: PLR2004 (in a file for ROS 2, ROS 1 finds none of its parameters)
+                flat.leaves.extend(content.leaves)
+        controllers_files.append(file)
+    parts = _Parts([], [], [])
+    others: list[Controller] = []
+    if flat.sections or ros == 2:  # noqa: PLR2004
+        ros2 = _Ros2(flat.sections, started or ())
+        parts, others = ros2.parts(), [node for name in nodes for node in ros2.nodes(name)]
+        defined = {node.name for node in others}
+        parts = parts._replace(others=[section for section in parts.others if section.name not in defined])
     if flat.leaves or ros == 1:
-        made = made.plus(_Ros1(flat.leaves, started or ()).made())
+        parts = parts.plus(_Ros1(flat.leaves, started or ()).parts())
     return Controllers(
-        tuple(read), tuple(made.managers), tuple(made.controllers), tuple(made.others), tuple(references)
+        tuple(controllers_files),
+        tuple(parts.managers),
+        tuple(parts.controllers),
+        tuple(parts.others),
+        tuple(references),
+        nodes=tuple(others),
     )
 
 
-class _Made(NamedTuple):
+class _Parts(NamedTuple):
     managers: list[Manager]
     controllers: list[Controller]
     others: list[Section]
 
-    def plus(self, other: _Made) -> _Made:
-        return _Made(self.managers + other.managers, self.controllers + other.controllers, self.others + other.others)
+    def plus(self, other: _Parts) -> _Parts:
+        return _Parts(self.managers + other.managers, self.controllers + other.controllers, self.others + other.others)
 
 
-# -- which form a file has -------------------------------------------------------------------------------------------
+# -- the form of a file ----------------------------------------------------------------------------------------------
 
 
 def form_of(file: YamlFile) -> int | None:
-    """1 or 2 for the generation of ROS that a file is written for; None where nothing in it tells."""
+    """Return the ROS generation that a file is written for, 1 or 2; None if unknown."""
     return _form(file)[0]
 
 
+def types_in(file: YamlFile) -> Iterator[str]:
+    """Yield the controller types of the form package/Class that a file names."""
+    for entry in (entry for document in file.documents for entry in _entries(document)):
+        kind = entry.value.get("type") if _is_typed(entry) and isinstance(entry.value, Mapping) else None
+        if isinstance(kind, Scalar):
+            yield kind.text
+
+
 def _form(file: YamlFile) -> tuple[int | None, list[Entry]]:
-    """The generation, and the entries that tell it."""
+    """The ROS generation that a file is written for, and the entries that show it."""
     entries = [entry for document in file.documents for entry in _entries(document)]
-    telling = [entry for entry in entries if entry.key.text.startswith(PARAMETERS_KEY)]
-    telling = telling or [entry for entry in entries if _is_of_a_manager(entry)]
-    if telling:
-        return 2, telling
-    telling = [entry for entry in entries if _is_typed(entry)]
-    return 1 if telling else None, telling
+    evidence = [entry for entry in entries if entry.key.text.startswith(PARAMETERS_KEY)]
+    evidence = evidence or [entry for entry in entries if _is_of_a_manager(entry)]
+    if evidence:
+        return 2, evidence
+    evidence = [entry for entry in entries if _is_typed(entry)]
+    return 1 if evidence else None, evidence
 
 
 def _entries(node: Node, depth: int = 0) -> Iterable[Entry]:
@@ -107,11 +139,12 @@ def _is_of_a_manager(entry: Entry) -> bool:
 
 
 def _is_typed(entry: Entry) -> bool:
-    """Whether a key with its value is a controller of ROS 1: a map with a type of the form package/Class."""
+    """Whether an entry is a ROS 1 controller: a map with a type of the form package/Class."""
     if not isinstance(entry.value, Mapping):
         return False
     kind = entry.value.get("type")
-    return isinstance(kind, Scalar) and _is_class(kind.text)
+    is_of_another = any(entry.value.get(key) is not None for key in _OF_OTHER_STACKS)
+    return isinstance(kind, Scalar) and _is_class(kind.text) and not is_of_another
 
 
 def _is_class(text: str) -> bool:
@@ -123,11 +156,11 @@ def _file(file: YamlFile) -> ControllersFile:
     at = Place(file.source, 0, end=0)
     if not file.readable:
         return ControllersFile(file.source.path, at, None, readable=False)
-    form, telling = _form(file)
-    told_by = tuple(Key(entry.key.text, entry.key.at) for entry in telling)
+    form, evidence = _form(file)
+    keys = tuple(Key(entry.key.text, entry.key.at) for entry in evidence)
     top = {entry.key.text for document in file.documents if isinstance(document, Mapping) for entry in document.entries}
-    is_moveit = form is None and bool(top & _OF_MOVEIT)
-    return ControllersFile(file.source.path, at, form, is_moveit=is_moveit, told_by=told_by)
+    is_moveit = form is None and bool(top & _KEYS_OF_MOVEIT)
+    return ControllersFile(file.source.path, at, form, is_moveit=is_moveit, told_by=keys)
 
 
 # -- ROS 2 -----------------------------------------------------------------------------------------------------------
@@ -136,12 +169,12 @@ def _file(file: YamlFile) -> ControllersFile:
 class _Ros2:
     def __init__(self, sections: Iterable[Section], started: Sequence[str]) -> None:
         by_path: dict[str, list[Section]] = {}
-        for section in sections:  # rcl keeps a node where it met it first, and adds to it
+        for section in sections:  # rcl keeps a node at its first position, and adds later parameters to it
             by_path.setdefault(section.path, []).append(section)
         self.sections = [_joined(same) for same in by_path.values()]
         self.started = started
 
-    def made(self) -> _Made:
+    def parts(self) -> _Parts:
         managers = self._managers()
         controllers = [
             self._controller(name, manager.namespace, manager)
@@ -154,19 +187,26 @@ class _Ros2:
         controllers += [self._missing(name, managers) for name in self.started if name.lstrip("/") not in known]
         used = {section.path for manager in managers for section in manager.sections}
         used |= {section.path for controller in controllers for section in controller.sections}
-        others = [s for s in self.sections if s.path not in used and not s.is_shared]
-        return _Made(managers, controllers, others)
+        others = [section for section in self.sections if section.path not in used and not section.is_shared]
+        return _Parts(managers, controllers, others)
+
+    def nodes(self, name: str) -> list[Controller]:
+        """Return the nodes of a name, one for each section that names it; from wildcards if none does."""
+        naming = [section for section in self.sections if not section.is_shared and section.name == name]
+        if not naming and any(section.is_shared for section in self.sections):
+            return [self._controller(name, None, None)]
+        return [self._controller(name, section.namespace, None) for section in naming]
 
     def _placed(self, controller: Controller) -> list[Controller]:
-        """A controller in each namespace that it is started in, where the files leave open which."""
+        """The controller in each namespace that it is started in, if the files do not name its namespace."""
         if controller.namespace is not None:
             return [controller]
-        full = [name for name in self.started if name.startswith("/") and name.rpartition("/")[2] == controller.name]
-        placed = [self._controller(controller.name, name.rpartition("/")[0], controller.manager) for name in full]
+        names = [name for name in self.started if name.startswith("/") and name.rpartition("/")[2] == controller.name]
+        placed = [self._controller(controller.name, name.rpartition("/")[0], controller.manager) for name in names]
         return placed or [controller]
 
     def _missing(self, name: str, managers: Sequence[Manager]) -> Controller:
-        """A controller that is started, and that no file declares: of the manager in its namespace."""
+        """A controller that is started, but that no file declares; its manager is the one in its namespace."""
         namespace, slash, last = name.rpartition("/")
         if slash and name.startswith("/"):
             manager = next((manager for manager in managers if manager.namespace in {namespace, None}), None)
@@ -180,23 +220,24 @@ class _Ros2:
             if not section.is_shared and _is_manager(section):
                 named.setdefault(section.namespace, section)
         if not named:
-            shared = next((s for s in self.sections if s.is_shared and _declares(s.parameters)), None)
+            declaring = (section for section in self.sections if section.is_shared and _declares(section.parameters))
+            shared = next(declaring, None)
             return [self._manager(MANAGER, None, shared.at)] if shared else []
         return [self._manager(section.name, namespace, section.at) for namespace, section in named.items()]
 
     def _manager(self, name: str, namespace: str | None, at: Place) -> Manager:
-        reaching, own, naming = self._reaching(name, namespace)
-        return Manager(name, namespace, at, reaching, own, naming)
+        parameters, own, naming = self._parameters(name, namespace)
+        return Manager(name=name, namespace=namespace, at=at, parameters=parameters, own=own, sections=naming)
 
-    def _reaching(self, name: str, namespace: str | None) -> tuple[Parameters, Parameters, tuple[Section, ...]]:
-        """All parameters of a node, those of sections that name it, and those sections."""
+    def _parameters(self, name: str, namespace: str | None) -> tuple[Parameters, Parameters, tuple[Section, ...]]:
+        """All parameters of a node, the parameters from sections that name it, and these sections."""
         node = name if namespace is None else f"{namespace}/{name}"
-        speaking = [section for section in self.sections if section.names(node)]
-        naming = tuple(section for section in speaking if not section.is_shared)
-        return _together(speaking), _together(naming), naming
+        applying = [section for section in self.sections if section.names(node)]
+        naming = tuple(section for section in applying if not section.is_shared)
+        return _combined(applying), _combined(naming), naming
 
     def _declared(self, manager: Manager) -> list[str]:
-        """The names of a manager's controllers, in order: maps with a type, or with a section of their own."""
+        """The names of a manager's controllers, in order: maps with a type or a section of their own, or started."""
         sections = {section.name for section in self.sections if section not in manager.sections}
         names = []
         for child in manager.parameters.below():
@@ -208,53 +249,57 @@ class _Ros2:
         return names
 
     def _typed_elsewhere(self, known: Iterable[Controller]) -> list[Controller]:
-        """The controllers whose own section gives their type, as the spawner of newer distros reads it."""
+        """The controllers with a type in their own section, where the spawner of newer distros reads it."""
         used = {section.path for controller in known for section in controller.sections}
-        found = []
+        controllers = []
         for section in self.sections:
             kind = section.parameters.value("type")
             is_type = kind is not None and kind.kind is Kind.STRING and _is_class(kind.text)
+            is_type = is_type and not any(key in section.parameters for key in _OF_OTHER_STACKS)
             if is_type and section.path not in used and not section.is_shared:
-                found.append(self._controller(section.name, section.namespace, None))
-        return found
+                controllers.append(self._controller(section.name, section.namespace, None))
+        return controllers
 
     def _controller(self, name: str, namespace: str | None, manager: Manager | None) -> Controller:
-        reaching, own, sections = self._reaching(name.rpartition("/")[2], namespace)
-        declared = manager.parameters.get(name) if manager else None
+        parameters, own, sections = self._parameters(name.rpartition("/")[2], namespace)
+        declaration = manager.parameters.get(name) if manager else None
         under = manager.parameters.under(name) if manager else Parameters()
-        at = declared.key if declared else sections[0].at if sections else None
-        left = Parameters(p for p in under if p.name.partition(".")[0] not in _READ_OF_A_DECLARATION)
+        at = declaration.key if declaration else sections[0].at if sections else None
+        unread = Parameters(each for each in under if each.name.partition(".")[0] not in _READ_OF_A_DECLARATION)
         files = under.value("params_file")
         return Controller(
-            name.rpartition("/")[2],
-            namespace,
-            under.value("type") or own.value("type"),
-            at,
-            reaching,
-            own,
-            sections,
-            left,
-            (files.items or (files,)) if files else (),
-            manager,
+            name=name.rpartition("/")[2],
+            namespace=namespace,
+            type=under.value("type") or own.value("type"),
+            declared_at=at,
+            parameters=parameters,
+            own=own,
+            sections=sections,
+            under_manager=unread,
+            parameter_files=(files.items or (files,)) if files else (),
+            manager=manager,
         )
 
 
 def _joined(sections: Sequence[Section]) -> Section:
-    return sections[0] if len(sections) == 1 else sections[0]._replace(parameters=_together(sections))
+    return sections[0] if len(sections) == 1 else sections[0]._replace(parameters=_combined(sections))
 
 
-def _together(sections: Iterable[Section]) -> Parameters:
+def _combined(sections: Iterable[Section]) -> Parameters:
     return Parameters(parameter for section in sections for parameter in section.parameters)
 
 
 def _declares(parameters: Parameters) -> bool:
-    """Whether a map with a type of the form package/Class stands at the top of some parameters."""
-    kinds = (parameters.value(f"{child.name}.type") for child in parameters.below())
+    """Whether the top-level parameters contain a map with a type of the form package/Class."""
+    own = [
+        each for each in parameters.below() if not any(f"{each.name}.{key}" in parameters for key in _OF_OTHER_STACKS)
+    ]
+    kinds = (parameters.value(f"{child.name}.type") for child in own)
     return any(kind is not None and kind.kind is Kind.STRING and _is_class(kind.text) for kind in kinds)
 
 
 def _is_manager(section: Section) -> bool:
-    """A manager by its name; under a name of its own, by a rate and controllers."""
+    """Whether a section is a manager's: by its name, or because it has an update rate and declares controllers."""
     if section.name == MANAGER:
         return True
     return "update_rate" in section.parameters and _declares(section.parameters)
@@ -270,18 +315,19 @@ class _Ros1:
             known = self.leaves.get(leaf.path)
             if known is None or known.value.kind is not Kind.MAP or leaf.value.kind is not Kind.MAP:
                 self.leaves[leaf.path] = leaf
+        self.hardware = {(*path[:-1], name) for path in self.leaves for name in self._hardware(path)}
         self.children: dict[tuple[str, ...], list[tuple[str, ...]]] = {}
         for path in self.leaves:
             self.children.setdefault(path[:-1], []).append(path)
         self.started = [(name.startswith("/"), tuple(part for part in name.split("/") if part)) for name in started]
 
-    def made(self) -> _Made:
+    def parts(self) -> _Parts:
         controllers: list[Controller] = []
         others: list[Section] = []
         inside: set[tuple[str, ...]] = set()
         holders = {path[:length] for path in self._controllers() for length in range(len(path))}
         for path, leaf in self.leaves.items():
-            if leaf.value.kind is not Kind.MAP or any(path[:n] in inside for n in range(1, len(path))):
+            if leaf.value.kind is not Kind.MAP or any(path[:length] in inside for length in range(1, len(path))):
                 continue
             if self._is_controller(path):
                 controllers.append(self._controller(path, leaf))
@@ -289,13 +335,13 @@ class _Ros1:
             elif path not in holders:
                 others.append(self._section(path, leaf))
                 inside.add(path)
-        found = {(*_parts(controller.namespace), controller.name) for controller in controllers}
+        known = {(*_parts_of(controller.namespace), controller.name) for controller in controllers}
         controllers += [
-            _missing("/" * full + "/".join(name))
+            _undeclared("/" * full + "/".join(name))
             for full, name in self.started
-            if not any(_is_meant(path, name, full=full) for path in found)
+            if not any(_is_meant(path, name, full=full) for path in known)
         ]
-        return _Made([], controllers, others)
+        return _Parts([], controllers, others)
 
     def _controllers(self) -> list[tuple[str, ...]]:
         return [path for path, leaf in self.leaves.items() if leaf.value.kind is Kind.MAP and self._is_controller(path)]
@@ -303,10 +349,17 @@ class _Ros1:
     def _is_controller(self, path: tuple[str, ...]) -> bool:
         if any(_is_meant(path, name, full=full) for full, name in self.started):
             return True
+        if any((*path, key) in self.leaves for key in _OF_OTHER_STACKS):
+            return False
         kind = self._type(path)
-        return (
+        return path not in self.hardware and (
             kind is not None and kind.kind is Kind.STRING and (_is_class(kind.text) or kind.text.endswith("Controller"))
         )
+
+    def _hardware(self, path: tuple[str, ...]) -> Iterator[str]:
+        """The sections that combined_robot_hw reads as hardware."""
+        if path[-1:] == (_COMBINED,):
+            yield from (name for name, _ in self.leaves[path].value.strings)
 
     def _type(self, path: tuple[str, ...]) -> Value | None:
         leaf = self.leaves.get((*path, "type"))
@@ -324,21 +377,34 @@ class _Ros1:
         section = self._section(path, leaf)
         parameters = section.parameters
         return Controller(
-            section.name, section.namespace, self._type(path), leaf.key, parameters, parameters, (section,)
+            name=section.name,
+            namespace=section.namespace,
+            type=self._type(path),
+            declared_at=leaf.key,
+            parameters=parameters,
+            own=parameters,
+            sections=(section,),
         )
 
 
-def _parts(namespace: str | None) -> tuple[str, ...]:
+def _parts_of(namespace: str | None) -> tuple[str, ...]:
     return tuple(part for part in (namespace or "").split("/") if part)
 
 
 def _is_meant(path: tuple[str, ...], name: tuple[str, ...], *, full: bool) -> bool:
-    """Whether a name that is started means a path: all of it where it is a full name."""
+    """Whether the name of a started controller matches a path: completely if it is a full name, otherwise its end."""
     return path == name if full else path[-len(name) :] == name
 
 
-def _missing(name: str) -> Controller:
-    """A controller that is started, and in no file."""
+def _undeclared(name: str) -> Controller:
+    """A controller that is started, but that no file declares."""
     namespace, slash, last = name.rpartition("/")
     known = f"/{namespace.strip('/')}" if namespace.strip("/") else "" if name.startswith("/") else None
-    return Controller(last, known if slash else None, None, None, Parameters(), Parameters())
+    return Controller(
+        name=last,
+        namespace=known if slash else None,
+        type=None,
+        declared_at=None,
+        parameters=Parameters(),
+        own=Parameters(),
+    )

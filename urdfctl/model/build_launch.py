@@ -1,4 +1,4 @@
-"""Builds the model of a launch file: roslaunch's XML, with what it includes."""
+"""Build the model of a ROS 1 launch file (roslaunch XML), together with the files that it includes."""
 
 from __future__ import annotations
 
@@ -20,24 +20,29 @@ from urdfctl.model.launch import (
 )
 from urdfctl.model.substitutions import Substitutions
 from urdfctl.model.xacro_command import of_command
-from urdfctl.record import NamedTuple
 from urdfctl.source.dom import Document, Element
 from urdfctl.source.opaque import UNKNOWN, if_known
 from urdfctl.source.span import Place
+from urdfctl.startup.records import NamedTuple
 
 _DESCRIPTION = "robot_description"
 _MOST_DEPTH = 16
 _MOST_INCLUDES = 200
 _SIMULATOR_ALONE = ("gazebo_ros", "gazebo_worlds")
-"""Packages whose launch files start a simulator, and no controllers."""
+"""Packages whose launch files start a simulator, but no controllers."""
 _OPTIONS_WITH_VALUE = ("--namespace", "--timeout", "--wait-for", "--shutdown-timeout")
 _SPAWNING = {"spawn": True, "load": False, "start": True}
+"""The verbs of the program `controller_manager` that load controllers, and whether they start them."""
 
 
 class Sources(NamedTuple):
-    """Where a launch file's texts come from: the tree of a file (None where it cannot be read), where a file lies in
-    the sources and whether it is there (None where nobody may look), the folder of a package (None where it is not
-    known), and the environment."""
+    """Access to files, packages and the environment for a launch file.
+
+    read: returns the tree of a file; None if it cannot be read.
+    locate: returns the source path of a file, and whether it exists; None if that cannot be checked.
+    find: returns the folder of a package; None if unknown.
+    environ: the environment variables.
+    """
 
     read: Callable[[str], Document | None]
     locate: Callable[[str], tuple[str, bool | None]]
@@ -46,8 +51,16 @@ class Sources(NamedTuple):
 
 
 class _Scope(NamedTuple):
-    """What holds for the elements of a launch, group or include: their namespace (UNKNOWN where it is not known); not
-    `held` where they would be come to only with other arguments."""
+    """The state for the elements of a launch file or group.
+
+    file: path of the launch file.
+    namespace: their namespace; UNKNOWN if unknown.
+    arguments: the launch arguments by name.
+    sure: False if an unknown condition decides whether they are used.
+    depth: depth of nested includes.
+    in_node: whether they are in a node.
+    held: False if they are used only with other launch arguments.
+    """
 
     file: str
     namespace: str
@@ -62,7 +75,7 @@ class _Scope(NamedTuple):
 
 
 def launch_of(path: str, arguments: Mapping[str, str], sources: Sources) -> Launch | None:
-    """The facts of a launch file of ROS 1 that is started with some arguments; None where it is no such file."""
+    """Return the model of a ROS 1 launch file that is started with these arguments; None if it is not such a file."""
     document = sources.read(path)
     root = document.documentElement if document else None
     if root is None or root.tagName != "launch" or is_of_ros2(root):
@@ -82,11 +95,12 @@ def launch_of(path: str, arguments: Mapping[str, str], sources: Sources) -> Laun
         references=tuple(builder.references),
         packages=tuple(builder.packages),
         strays=tuple(builder.strays),
+        arguments=tuple(builder.arguments.items()),
     )
 
 
 def is_of_ros2(root: Element) -> bool:
-    """Whether a launch file is one of ROS 2: its nodes have an `exec`, its substitutions another form."""
+    """Return whether a launch file in XML is for ROS 2, by its attributes, `<let>` elements or substitutions."""
     for element in _all(root):
         if "exec" in element.attrs or "namespace" in element.attrs or element.tagName == "let":
             return True
@@ -108,7 +122,7 @@ class _Builder:
         self.sources = sources
         self.descriptions: list[Description] = []
         self.others: list[Description] = []
-        """Those under another name than robot_description; they count where none has that."""
+        """Descriptions with a name other than robot_description; used only if nothing has that name."""
         self.loads: list[ParameterLoad] = []
         self.spawns: list[Spawn] = []
         self.elsewhere: list[Spawn] = []
@@ -117,6 +131,7 @@ class _Builder:
         self.references: list[Reference] = []
         self.packages: list[Word] = []
         self.strays: list[Word] = []
+        self.arguments: dict[str, str | None] = {}
         self.complete = True
         self._includes = 0
         self._remapped = False
@@ -129,7 +144,8 @@ class _Builder:
             self._packages(element)
             namespace = texts.resolve(element.attrs.get("ns", "")).strip()
             if element.tagName == "arg":
-                self._argument(element, inner, texts)
+                if held is not False:
+                    self._argument(element, inner, texts)
             elif element.tagName == "group":
                 own = {**inner.arguments}
                 self.walk(element, inner._replace(namespace=inner.joined(namespace), arguments=own))
@@ -154,7 +170,7 @@ class _Builder:
 
     @staticmethod
     def _held(element: Element, texts: Substitutions) -> bool | None:
-        """Whether an element's conditions let it count; None where that is not known."""
+        """Whether the condition of an element is true; None if unknown."""
         if "if" in element.attrs:
             return texts.truth(element.attrs["if"])
         if "unless" in element.attrs:
@@ -164,9 +180,10 @@ class _Builder:
 
     # -- elements ----------------------------------------------------------------------------------------------------
 
-    @staticmethod
-    def _argument(element: Element, scope: _Scope, texts: Substitutions) -> None:
+    def _argument(self, element: Element, scope: _Scope, texts: Substitutions) -> None:
         name = element.attrs.get("name", "")
+        if scope.depth == 0 and not scope.in_node and "value" not in element.attrs:
+            self.arguments.setdefault(name, element.attrs.get("default"))
         given = element.attrs.get("value")
         if given is None and name in scope.arguments:
             return
@@ -194,7 +211,7 @@ class _Builder:
         if document is None or document.documentElement is None:
             self.complete = self.complete and not scope.held
             return
-        declared = {one.attrs.get("name") for one in _all(document.documentElement) if one.tagName == "arg"}
+        declared = {each.attrs.get("name") for each in _all(document.documentElement) if each.tagName == "arg"}
         for child in element.elements():
             if child.tagName == "arg" and child.attrs.get("name") not in declared and scope.held:
                 self.strays.append(Word(child.attrs.get("name", ""), child.at["name"]))
@@ -204,7 +221,8 @@ class _Builder:
     def _simulation(self, element: Element, scope: _Scope, texts: Substitutions) -> None:
         if not scope.held or "world" not in element.attrs.get("file", ""):
             return
-        given = [c for c in element.elements() if c.tagName == "arg" and c.attrs.get("name") == "paused"]
+        arguments = (child for child in element.elements() if child.tagName == "arg")
+        given = [argument for argument in arguments if argument.attrs.get("name") == "paused"]
         paused = texts.truth(given[-1].attrs.get("value", "")) if given else False
         at = given[-1].at if given else element.at
         self.simulations.append(Simulation("gazebo-classic", at, paused, scope.sure))
@@ -223,10 +241,19 @@ class _Builder:
         elif written:
             path = if_known(texts.resolve(written))
         reference = self._reference(written, element.at[source], path, "description", sure=scope.sure)
-        names = tuple(Word(one, element.at[source]) for one in re.findall(r"(\w+):=", written))
+        names = tuple(Word(argument, element.at[source]) for argument in re.findall(r"(\w+):=", written))
         namespace = if_known(name.rpartition("/")[0])
-        made = Description(reference, arguments, namespace, element.at, scope.sure, names, written)
-        (self.descriptions if last == _DESCRIPTION else self.others).append(made)
+        description = Description(
+            file=reference,
+            arguments=arguments,
+            namespace=namespace,
+            at=element.at,
+            sure=scope.sure,
+            names=names,
+            command=written,
+            in_node=scope.in_node,
+        )
+        (self.descriptions if last == _DESCRIPTION else self.others).append(description)
 
     def _rosparam(self, element: Element, scope: _Scope, texts: Substitutions) -> None:
         if "file" not in element.attrs or element.attrs.get("command", "load") != "load":
@@ -234,6 +261,10 @@ class _Builder:
         below = "/".join(texts.resolve(element.attrs[name]) for name in ("ns", "param") if element.attrs.get(name))
         namespace = joined(scope.namespace, below)
         self._load(element.attrs["file"], element.at["file"], namespace, scope, texts)
+        if texts.truth(element.attrs.get("subst_value", "")):
+            known = (pair for pair in scope.arguments.items() if if_known(pair[1]) is not None)
+            replaced = tuple((f"$(arg {name})", value) for name, value in known)
+            self.loads[-1] = self.loads[-1]._replace(replaced=replaced)
 
     def _load(self, written: str, at: Place, namespace: str, scope: _Scope, texts: Substitutions) -> None:
         reference = self._reference(written, at, if_known(texts.resolve(written)), "parameters", sure=scope.sure)
@@ -242,7 +273,7 @@ class _Builder:
     def _reference(self, written: str, at: Place, path: str | None, use: str, *, sure: bool) -> FileReference:
         located, exists = self.sources.locate(path) if path else (None, None)
         if path and not path.startswith("/"):
-            exists = None  # where it lies hangs on the folder that roslaunch is started in
+            exists = None  # depends on the folder that roslaunch is started in
         reference = FileReference(written, at, located, exists)
         if located is not None:
             self.references.append(Reference(reference, use, None, sure))
@@ -271,27 +302,29 @@ class _Builder:
         at = element.at["args"]
         given = tuple(Word(word, at.word(word)) for word in words)
         namespace = if_known(scope.namespace)
-        inside = list(element.elements())
-        parameters = tuple(Word(one.attrs["name"], one.at["name"]) for one in inside if "name" in one.attrs)
-        parameters += tuple(Word(one.attrs["param"], one.at["param"]) for one in inside if "param" in one.attrs)
-        remaps = tuple(
-            (texts.resolve(one.attrs.get("from", "")), texts.resolve(one.attrs.get("to", "")))
-            for one in inside
-            if one.tagName == "remap"
+        children = list(element.elements())
+        parameters = tuple(Word(child.attrs["name"], child.at["name"]) for child in children if "name" in child.attrs)
+        parameters += tuple(
+            Word(child.attrs["param"], child.at["param"]) for child in children if "param" in child.attrs
         )
-        plain = any(one.tagName == "rosparam" and "param" not in one.attrs for one in inside)
+        remaps = tuple(
+            (texts.resolve(child.attrs.get("from", "")), texts.resolve(child.attrs.get("to", "")))
+            for child in children
+            if child.tagName == "remap"
+        )
+        loads_files = any(child.tagName == "rosparam" and "param" not in child.attrs for child in children)
         self.nodes.append(
             Node(
-                package,
-                program,
-                if_known(name),
-                namespace,
-                element.at,
-                given,
-                parameters,
-                remaps,
-                scope.sure,
-                not plain and not self._remapped,
+                package=package,
+                executable=program,
+                name=if_known(name),
+                namespace=namespace,
+                at=element.at,
+                words=given,
+                parameters=parameters,
+                remaps=remaps,
+                sure=scope.sure,
+                complete=not loads_files and not self._remapped,
             )
         )
 
@@ -319,11 +352,19 @@ class _Builder:
             elif not word.startswith("-"):
                 names.append((word, at.word(word)))
         program = Word(element.attrs.get("type", ""), element.at["type"])
-        spawn = Spawn(tuple(names), if_known(namespace), at, active, scope.sure, complete, program=program)
+        spawn = Spawn(
+            names=tuple(names),
+            namespace=if_known(namespace),
+            at=at,
+            active=active,
+            sure=scope.sure,
+            complete=complete,
+            program=program,
+        )
         (self.spawns if scope.held else self.elsewhere).append(spawn._replace(options=tuple(options)))
 
 
 def _makes_urdf(element: Element) -> bool:
-    """Whether a parameter's value comes from xacro, or a URDF file."""
+    """Whether the value of a parameter comes from xacro or a URDF file."""
     command = element.attrs.get("command", "")
     return "xacro" in command or element.attrs.get("textfile", "").endswith(".urdf")

@@ -1,16 +1,15 @@
-"""Builds the model of a launch file of ROS 2, with what it includes, from the terms that it builds itself of."""
+"""Build the model of a ROS 2 launch file from its terms, together with the files that it includes."""
 
 from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 
 from urdfctl.model.descriptions import content_of, moveit_builder, moveit_folder
 from urdfctl.model.launch import Launch, Simulation, Spawn, Word, joined
 from urdfctl.model.launch_nodes import Gathered, Nodes
 from urdfctl.model.launch_texts import Scope, Texts, table_of
-from urdfctl.record import NamedTuple
 from urdfctl.source.launch.terms import (
     Called,
     Constant,
@@ -24,6 +23,7 @@ from urdfctl.source.launch.terms import (
 )
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
+from urdfctl.startup.records import NamedTuple
 
 _MOST_DEPTH = 16
 _MOST_INCLUDES = 200
@@ -39,7 +39,7 @@ _WITHOUT_CONTROLLERS = frozenset(
     "teleop_twist_joy robot_localization turtlebot3_navigation2 velodyne usb_cam moveit_servo rviz2 depthai_ros_driver "
     "sick_scan_xd ldlidar_stl_ros2 urg_node micro_ros_agent urdf_launch launch_testing_ament_cmake".split()
 )
-"""Packages, besides those of simulators, whose launch files start no controllers."""
+"""Packages whose launch files start no controllers, in addition to the simulators."""
 _HARMLESS = frozenset(
     (
         "LogInfo Shutdown EmitEvent SetEnvironmentVariable AppendEnvironmentVariable UnsetEnvironmentVariable "
@@ -49,8 +49,9 @@ _HARMLESS = frozenset(
         "RosGzBridge AppendEnvironment"
     ).split()
 )
+"""Actions that have no effect on a robot and its controllers."""
 _ALTERING = frozenset({"SetParameter", "SetParametersFromFile", "SetRemap", "SetUseSimTime"})
-"""Actions that hold for all nodes behind them."""
+"""Actions that change the parameters or remappings of all following nodes."""
 _NODES = frozenset({"Node", "LifecycleNode"})
 _PROCESSES = frozenset({"ExecuteProcess", "ExecuteLocal"})
 _HANDLERS = {"OnProcessExit": "on_exit", "OnProcessStart": "on_start", "OnExecutionComplete": "on_completion"}
@@ -64,9 +65,13 @@ _SPAWNING = frozenset(
 
 
 class Sources(NamedTuple):
-    """Where the texts of launch files come from: what the file at a path builds (None where it cannot be read), where
-    a file lies in the sources and whether it is there (None where nobody may look), the folder of a package that is
-    named at a place (None where it is not among the sources), and the environment."""
+    """Access to files, packages and the environment for a launch file.
+
+    read: returns the launch description of a file; None if it cannot be read.
+    locate: returns the source path of a file, and whether it exists; None if that cannot be checked.
+    find: returns the folder of a package that is used at a place; None if it is not among the sources.
+    environ: the environment variables.
+    """
 
     read: Callable[[str], Term | None]
     locate: Callable[[str], tuple[str, bool | None]]
@@ -75,8 +80,13 @@ class Sources(NamedTuple):
 
 
 class _State(NamedTuple):
-    """How sure it is that an action is come to; not `held`: it is not, but would be with other arguments. `after` are
-    the controllers whose spawner ends first."""
+    """The state for an action.
+
+    sure: False if an unknown condition decides whether it runs.
+    held: False if it runs only with other launch arguments.
+    after: controllers whose spawner exits before it runs.
+    depth: depth of nested actions and includes.
+    """
 
     sure: bool = True
     held: bool = True
@@ -85,42 +95,44 @@ class _State(NamedTuple):
 
 
 def launch_of_ros2(path: str, arguments: Mapping[str, str], sources: Sources) -> Launch | None:
-    """The facts of a launch file of ROS 2 that is started with some arguments; None where it is no such file."""
+    """Return the model of a ROS 2 launch file that is started with these arguments; None if it is not such a file."""
     term = sources.read(path)
     if term is None:
         return None
     walk = _Walk(sources)
     walk.action(term, Scope(path, arguments), _State())
-    found = walk.found
-    order = {name: index for index, spawn in enumerate(found.spawns) for name, _ in spawn.names}
-    spawns = sorted(found.spawns, key=lambda spawn: _turn(spawn, found.spawns, order))
+    facts = walk.facts
+    order = {name: index for index, spawn in enumerate(facts.spawns) for name, _ in spawn.names}
+    spawns = sorted(facts.spawns, key=lambda spawn: _turn(spawn, facts.spawns, order))
     return Launch(
         path,
         2,
-        tuple(found.descriptions),
-        tuple(found.loads),
+        tuple(facts.descriptions),
+        tuple(facts.loads),
         tuple(spawns),
         complete=walk.complete,
-        elsewhere=tuple(found.elsewhere),
-        nodes=tuple(found.nodes),
+        elsewhere=tuple(facts.elsewhere),
+        nodes=tuple(facts.nodes),
         simulations=tuple(walk.simulations),
-        references=tuple(found.references.values()),
+        references=tuple(facts.references.values()),
+        arguments=tuple(walk.arguments.items()),
     )
 
 
 def _turn(spawn: Spawn, spawns: list[Spawn], order: Mapping[str, int], depth: int = 0) -> int:
-    """How many spawners end before this one begins."""
+    """The number of spawners in a row that must exit before this one starts."""
     if depth > len(spawns):
         return depth
     before = (spawns[order[name]] for name in spawn.after if name in order)
-    return max((1 + _turn(one, spawns, order, depth + 1) for one in before if one is not spawn), default=0)
+    return max((1 + _turn(earlier, spawns, order, depth + 1) for earlier in before if earlier is not spawn), default=0)
 
 
 class _Walk:
     def __init__(self, sources: Sources) -> None:
         self.sources = sources
-        self.found = Gathered()
+        self.facts = Gathered()
         self.simulations: list[Simulation] = []
+        self.arguments: dict[str, str | None] = {}
         self.complete = True
         self._includes = self._actions = 0
 
@@ -128,7 +140,7 @@ class _Walk:
         return Texts(scope, self.sources.find, self.sources.environ)
 
     def nodes(self, scope: Scope) -> Nodes:
-        return Nodes(self.found, self.texts(scope), self.sources.locate)
+        return Nodes(self.facts, self.texts(scope), self.sources.locate)
 
     def _exists(self, path: str) -> bool:
         return bool(self.sources.locate(path)[1])
@@ -136,7 +148,7 @@ class _Walk:
     # -- actions -----------------------------------------------------------------------------------------------------
 
     def action(self, term: Term | None, scope: Scope, state: _State) -> None:
-        """Follow an action, or a list of them."""
+        """Follow an action or a list of actions."""
         self._actions += 1
         if self._actions > _MOST_ACTIONS or state.depth > _MOST_DEPTH * 4:
             self.complete = False
@@ -144,23 +156,36 @@ class _Walk:
             for value in term.values:
                 self.action(value, scope, state._replace(depth=state.depth + 1))
         elif isinstance(term, Perhaps):
-            self.action(term.term, scope, state._replace(sure=False, depth=state.depth + 1))
+            self._apart((term.term,), scope, state)
         elif isinstance(term, OneOf):
-            for option in term.options:
-                self.action(option, scope.copy(), state._replace(sure=False, depth=state.depth + 1))
+            self._apart(term.options, scope, state)
         elif isinstance(term, Called):
             self._called(term, scope, state)
         elif not (term is None or isinstance(term, Constant)):
             self.complete = False
+
+    def _apart(self, terms: Sequence[Term], scope: Scope, state: _State) -> None:
+        """Follow actions each of which may run or not: what they set is known among themselves, and not after them."""
+        scopes = [scope.copy() for _ in terms]
+        for term, inner in zip(terms, scopes, strict=True):
+            self.action(term, inner, state._replace(sure=False, depth=state.depth + 1))
+        for inner in scopes:
+            scope.blur(inner)
 
     def _called(self, term: Called, scope: Scope, state: _State) -> None:
         held = self.texts(scope).condition(term.keywords.get("condition"))
         if held is False:
             scope = scope.copy()
             state = state._replace(sure=False, held=False)
-        elif held is None:
-            state = state._replace(sure=False)
-        state = state._replace(depth=state.depth + 1)
+        outer = scope
+        if held is None:
+            scope, state = scope.copy(), state._replace(sure=False)
+        self._act(term, scope, state._replace(depth=state.depth + 1))
+        if held is None:
+            outer.blur(scope)
+
+    def _act(self, term: Called, scope: Scope, state: _State) -> None:
+        """Follow an action whose condition may be true."""
         if term.short in _ACTIONS:
             _ACTIONS[term.short](self, term, scope, state)
         elif term.short in _NODES:
@@ -170,30 +195,32 @@ class _Walk:
         elif term.short in _SPAWNING:
             self.nodes(scope).helper(term, sure=state.sure, held=state.held)
         elif term.short in _ALTERING:
-            self.found.altered = True
+            self.facts.altered = True
         elif term.short not in _HARMLESS and state.held:
             self.complete = False
 
     def description(self, term: Called, scope: Scope, state: _State) -> None:
-        """A launch description: its actions, one by one, and what was added to it."""
+        """Follow the actions of a launch description, including those added later."""
         self.action(term.given("initial_entities", 0), scope, state)
         for added in term.added:
             self.action(added, scope, state)
 
-    def declared(self, term: Called, scope: Scope, state: _State) -> None:
-        """An argument of the launch file: its default holds where nothing was given."""
+    def declared(self, term: Called, scope: Scope, _: _State) -> None:
+        """Declare a launch argument: set its default if no value was given."""
         texts = self.texts(scope)
         name = texts.of(term.given("name", 0))
+        default = term.given("default_value", 1)
+        if self._includes == 0:
+            self.arguments.setdefault(name, None if default is None else texts.of(default))
         if UNKNOWN in name or name in scope.settings:
             return
-        default = term.given("default_value", 1)
         if default is None and "default_value" in term.keywords:
             return
-        scope.settings[name] = texts.of(default) if default is not None and state.sure else UNKNOWN
+        scope.settings[name] = texts.of(default) if default is not None else UNKNOWN
         self._described(name, default, scope)
 
     def set(self, term: Called, scope: Scope, state: _State) -> None:
-        """SetLaunchConfiguration, and `let` of XML."""
+        """Set a launch configuration (`let` in XML)."""
         texts = self.texts(scope)
         name = texts.of(term.given("name", 0))
         value = term.given("value", 1)
@@ -202,7 +229,7 @@ class _Walk:
         if UNKNOWN in name:
             self.complete = False
         else:
-            scope.settings[name] = texts.of(value) if state.sure else UNKNOWN
+            scope.settings[name] = texts.of(value)
             self._described(name, value, scope)
 
     def _described(self, name: str, value: Term | None, scope: Scope) -> None:
@@ -211,7 +238,7 @@ class _Walk:
             scope.contents[name] = content
 
     def group(self, term: Called, scope: Scope, state: _State) -> None:
-        """A group: what it sets is forgotten behind it, unless it says otherwise."""
+        """Follow a group. Its settings end with it, unless it is not scoped."""
         texts = self.texts(scope)
         inner = scope if texts.truth(term.keywords.get("scoped")) is False else scope.copy()
         settings = table_of(term.keywords.get("launch_configurations"))
@@ -220,13 +247,13 @@ class _Walk:
         self.action(term.given("actions", 0), inner, state)
 
     def namespace(self, term: Called, scope: Scope, state: _State) -> None:
-        """PushRosNamespace: for what follows."""
+        """Change the namespace of the following nodes (PushRosNamespace)."""
         if state.held:
             pushed = self.texts(scope).of(term.given("namespace", 0))
-            scope.namespace = joined(scope.namespace, pushed) if state.sure else UNKNOWN
+            scope.namespace = joined(scope.namespace, pushed)
 
     def opaque(self, term: Called, scope: Scope, state: _State) -> None:
-        """A function that makes actions when the launch runs: it is called with its context."""
+        """Follow an OpaqueFunction: call the function with the launch context, and follow the actions it returns."""
         function = term.given("function", 0)
         if not isinstance(function, Function):
             self.complete = False
@@ -235,30 +262,29 @@ class _Walk:
         arguments = given.values if isinstance(given, Items) else []
         keywords = table_of(term.given("kwargs"))
         context = Missing(term.at)
-        made = function.call([context, *arguments], keywords.entries if keywords else {}, self.texts(scope).context)
-        self.action(made, scope, state)
+        actions = function.call([context, *arguments], keywords.entries if keywords else {}, self.texts(scope).context)
+        self.action(actions, scope, state)
 
     def timer(self, term: Called, scope: Scope, state: _State) -> None:
-        """A timer: its actions run later."""
+        """Follow the actions of a timer."""
         self.action(term.given("actions"), scope, state)
 
     def handler(self, term: Called, scope: Scope, state: _State) -> None:
-        """An event's handler: what it does when a process ends or starts."""
+        """Follow the actions of an event handler for the start or the exit of a process."""
         event = term.given("event_handler", 0)
         if not isinstance(event, Called) or event.short not in _HANDLERS:
             return
         target = event.given("target_action", 0)
         if isinstance(target, Called) and event.short != "OnProcessStart":
-            told = self.nodes(scope).told(target)
-            state = state._replace(after=tuple(word.text for word in told.names) if told else ())
-        done = event.given(_HANDLERS[event.short], 1)
-        if isinstance(done, Function):
-            done = done.call([Missing(term.at), Missing(term.at)], {}, self.texts(scope).context)
-        self.action(done, scope, state)
+            arguments = self.nodes(scope).spawner_arguments(target)
+            state = state._replace(after=tuple(word.text for word in arguments.names) if arguments else ())
+        actions = event.given(_HANDLERS[event.short], 1)
+        if isinstance(actions, Function):
+            actions = actions.call([Missing(term.at), Missing(term.at)], {}, self.texts(scope).context)
+        self.action(actions, scope, state)
 
     def demo(self, term: Called, scope: Scope, state: _State) -> None:
-        """MoveIt's demo: a controller manager with ros2_controllers.yaml, and the spawners of all controllers that
-        MoveIt uses."""
+        """Add MoveIt's demo: a controller manager with ros2_controllers.yaml, and spawners of MoveIt's controllers."""
         builder, _ = moveit_builder(term.given("moveit_config", 0))
         folder = moveit_folder(builder, self.texts(scope)) if builder else UNKNOWN
         self.nodes(scope).moveit_demo(term, f"{folder}/config/ros2_controllers.yaml", sure=state.sure, held=state.held)
@@ -266,7 +292,7 @@ class _Walk:
     # -- included files ----------------------------------------------------------------------------------------------
 
     def include(self, term: Called, scope: Scope, state: _State) -> None:
-        """Another launch file: what it sets stays set behind it."""
+        """Follow an included launch file. Its settings stay in effect after it."""
         texts = self.texts(scope)
         source = term.given("launch_description_source", 0)
         if isinstance(source, Called) and source.short.endswith("LaunchDescriptionSource"):
@@ -281,23 +307,30 @@ class _Walk:
             self._described(name, value, scope)
         package = package_outside(path) or _package_in(path)
         if package in _SIMULATORS:
-            self._simulation(_SIMULATORS[package], os.path.basename(path), texts, given, term.at, state)
+            self._simulation(
+                simulator=_SIMULATORS[package],
+                file=os.path.basename(path),
+                texts=texts,
+                given=given,
+                at=term.at,
+                state=state,
+            )
         elif package_outside(path) not in _WITHOUT_CONTROLLERS:
             at = source.at if source is not None else term.at
             self._follow(path, Word(path, at), scope, state)
 
     def _follow(self, path: str, written: Word, scope: Scope, state: _State) -> None:
         self._includes += 1
-        found = None
+        included = None
         if UNKNOWN not in path:
             self.nodes(scope).reference(path, written.at, "include", sure=state.sure)
             if self._includes <= _MOST_INCLUDES and state.depth < _MOST_DEPTH * 4:
-                found = self.sources.read(path)
-        if found is None:
+                included = self.sources.read(path)
+        if included is None:
             self.complete = self.complete and not state.held
             return
         outer, scope.file = scope.file, path
-        self.action(found, scope, state)
+        self.action(included, scope, state)
         scope.file = outer
 
     # -- simulators --------------------------------------------------------------------------------------------------
@@ -349,18 +382,18 @@ _ACTIONS: dict[str, Callable[[_Walk, Called, Scope, _State], None]] = {
 
 
 def paused_by(arguments: str) -> bool | None:
-    """Whether gz begins paused with some arguments: it does without `-r`; None where they are not all known."""
+    """Return whether gz starts paused, which it does without `-r`; None if its arguments are not fully known."""
     if any(re.fullmatch(r"-[a-zA-Z]*r\w*", word) for word in arguments.split()):
         return False
     return None if UNKNOWN in arguments else True
 
 
 def package_outside(path: str) -> str | None:
-    """The package, not among the sources, that a path lies in."""
-    found = re.match(rf"{UNKNOWN}\(([^)]*)\)", path)
-    return found.group(1) if found else None
+    """Return the package that contains a path, if it is not among the sources; None otherwise."""
+    match = re.match(rf"{UNKNOWN}\(([^)]*)\)", path)
+    return match.group(1) if match else None
 
 
 def _package_in(path: str) -> str | None:
-    """A simulator's package by the folder's name, though it is among the sources."""
+    """The simulator package that contains a path, by the name of the folder."""
     return next((part for part in reversed(path.split("/")) if part in _SIMULATORS), None)

@@ -1,4 +1,4 @@
-"""Reads what a package's manifest and build files say of it."""
+"""Build the model of a package from its manifest and build files."""
 
 from __future__ import annotations
 
@@ -20,7 +20,11 @@ _COMMENT = re.compile(r"(?s)<!--.*?-->")
 
 
 def package_around(packages: Packages, tree: Callable[[str], Document | None]) -> Package | None:
-    """The package that a file lies in; None where it lies in none whose manifest can be read."""
+    """Return the package that contains a file; None if there is none, or its manifest cannot be read.
+
+    packages: the packages as the file sees them.
+    tree: returns the tree of an XML file; None if it cannot be read.
+    """
     folder = packages.own()
     document = tree(os.path.join(folder, "package.xml")) if folder else None
     root = document.documentElement if document else None
@@ -29,19 +33,19 @@ def package_around(packages: Packages, tree: Callable[[str], Document | None]) -
     name = next(_texts(root, "name"), "")
     running = frozenset(text for tag in _RUNNING for text in _texts(root, tag))
     built = " ".join(_texts(root, "buildtool_depend"))
-    exported = (inner for one in root.elements() if one.tagName == "export" for inner in one.elements())
-    kind = " ".join(text_of(one).value for one in exported if one.tagName == "build_type")
+    exports = (element for export in root.elements() if export.tagName == "export" for element in export.elements())
+    kind = " ".join(text_of(element).value for element in exports if element.tagName == "build_type")
     ros = 2 if "ament" in built + kind else 1 if "catkin" in built + kind else None
     return Package(
-        name,
-        folder,
-        root.at,
-        ros,
-        running,
-        partial(_reaches, packages, running),
-        partial(_installs, packages, folder, name),
-        "setup.py" if "python" in kind else "CMakeLists.txt",
-        "run_depend" if root.attrs.get("format", "1") == "1" else "exec_depend",
+        name=name,
+        folder=folder,
+        at=root.at,
+        ros=ros,
+        dependencies=running,
+        reaches=partial(_reaches, packages, running),
+        installs=partial(_installs, packages, folder, name),
+        build_file="setup.py" if "python" in kind else "CMakeLists.txt",
+        tag="run_depend" if root.attrs.get("format", "1") == "1" else "exec_depend",
     )
 
 
@@ -52,12 +56,13 @@ def _texts(root: Element, tag: str) -> Iterator[str]:
 
 
 def _installs(packages: Packages, folder: str, name: str, path: str) -> bool | None:
+    """Whether a file of the package is installed; None if unknown."""
     relative = os.path.relpath(path, folder)
     return packages.install_map(folder, name).installs(relative) if not relative.startswith(os.pardir) else None
 
 
 def _reaches(packages: Packages, running: frozenset[str], name: str) -> bool:
-    """Whether some packages need another, by those among the sources."""
+    """Whether a package is among the run dependencies, directly or through other source packages."""
     seen = set(running)
     pending = sorted(running)
     while pending and len(seen) < _MOST_MANIFESTS:

@@ -1,4 +1,4 @@
-"""Makes typed parameters of located YAML, as ROS 1 and ROS 2 read them, and notes what their readers refuse."""
+"""Build typed parameters from located YAML, as ROS 1 and ROS 2 read it, and record what their readers reject."""
 
 from __future__ import annotations
 
@@ -7,10 +7,10 @@ from collections.abc import Callable, Iterable, Iterator
 
 from urdfctl.model.controllers import Fault, FaultKind, Key, Section
 from urdfctl.model.parameters import Kind, Parameter, Parameters, Value
-from urdfctl.record import NamedTuple
 from urdfctl.source.span import Place
 from urdfctl.source.yaml import Entry, Mapping, Node, Scalar, Sequence, YamlFile
 from urdfctl.source.yaml_types import Typed, is_literal, typed_by_pyyaml, typed_by_rcl
+from urdfctl.startup.records import NamedTuple
 
 PARAMETERS_KEY = "ros__parameters"
 _INT32 = range(-(1 << 31), 1 << 31)
@@ -18,7 +18,12 @@ _TEXT_KEYS = (Kind.STRING, Kind.UNKNOWN)
 
 
 class Leaf(NamedTuple):
-    """A parameter or a map with the keys that lead to it."""
+    """A parameter or a map of parameters in a ROS 1 file.
+
+    path: the keys that lead to it, including its own.
+    key: the place of its own key.
+    value: the value.
+    """
 
     path: tuple[str, ...]
     key: Place
@@ -26,7 +31,7 @@ class Leaf(NamedTuple):
 
 
 class Flat(NamedTuple):
-    """What a file holds, without its nesting: ROS 2's sections, or ROS 1's leaves; and its faults."""
+    """The flattened content of a file: sections (ROS 2) or leaves (ROS 1), and faults."""
 
     sections: list[Section]
     leaves: list[Leaf]
@@ -34,7 +39,7 @@ class Flat(NamedTuple):
 
 
 def value_of(node: Node, typed: Callable[[Scalar], Typed]) -> Value:
-    """The value that a node is to its reader."""
+    """Return the value of a YAML node; `typed` types a scalar as the reader does."""
     if isinstance(node, Scalar):
         kind, value = typed(node)
         return Value(kind, value, node.text, node.at)
@@ -52,26 +57,29 @@ def _element(node: Node, typed: Callable[[Scalar], Typed]) -> Value:
 
 
 def parameters_of(leaves: Iterable[Leaf], base: int = 0) -> Parameters:
-    """Parameters of the leaves, named without the first `base` keys, with the maps that dotted keys stand for."""
-    found: dict[str, Parameter] = {}
+    """Return the parameters for some leaves, including the maps that dotted keys imply.
+
+    base: number of leading keys that are left out of the names.
+    """
+    by_name: dict[str, Parameter] = {}
     for leaf in leaves:
         path = leaf.path[base:]
         for length in range(1, len(path)):
             name = ".".join(path[:length])
-            if name not in found:
-                found[name] = Parameter(name, leaf.key, Value(Kind.MAP, None, "", leaf.key))
+            if name not in by_name:
+                by_name[name] = Parameter(name, leaf.key, Value(Kind.MAP, None, "", leaf.key))
         name = ".".join(path)
-        if name in found and leaf.value.kind is Kind.MAP and found[name].value.kind is Kind.MAP:
+        if name in by_name and leaf.value.kind is Kind.MAP and by_name[name].value.kind is Kind.MAP:
             continue
-        found[name] = Parameter(name, leaf.key, leaf.value)
-    return Parameters(found.values())
+        by_name[name] = Parameter(name, leaf.key, leaf.value)
+    return Parameters(by_name.values())
 
 
 # -- ROS 2 -----------------------------------------------------------------------------------------------------------
 
 
 def read_by_rcl(file: YamlFile) -> Flat:
-    """The sections of a parameter file, as rcl_yaml_param_parser's parse.c collects them; all documents are one."""
+    """Return the sections of a parameter file, as parse.c of rcl_yaml_param_parser reads them: all documents as one."""
     flat = Flat([], [], [Fault(FaultKind.ALIAS, at) for at in file.aliases])
     for document in file.documents:
         if isinstance(document, Mapping):
@@ -83,7 +91,7 @@ def read_by_rcl(file: YamlFile) -> Flat:
 
 def _nodes(mapping: Mapping, keys: tuple[Key, ...], flat: Flat) -> None:
     for key, value in mapping.entries:
-        if not key.text.startswith(PARAMETERS_KEY):  # rcl compares no more than these letters
+        if not key.text.startswith(PARAMETERS_KEY):  # rcl compares only this many characters
             if isinstance(value, Mapping):
                 _nodes(value, (*keys, Key(key.text, key.at)), flat)
             else:
@@ -93,16 +101,16 @@ def _nodes(mapping: Mapping, keys: tuple[Key, ...], flat: Flat) -> None:
         if not keys or not _is_node(name):
             flat.faults.append(Fault(FaultKind.NODE_NAME, at, name, keys))
         elif isinstance(value, Mapping):
-            found: list[Fault] = []
-            leaves = list(_leaves_of_rcl(value, (), found))
-            flat.faults.extend(fault._replace(keys=keys) for fault in found)
+            faults: list[Fault] = []
+            leaves = list(_leaves_of_rcl(value, (), faults))
+            flat.faults.extend(fault._replace(keys=keys) for fault in faults)
             flat.sections.append(Section(name, at, parameters_of(leaves), key.at))
         else:
             flat.faults.append(Fault(FaultKind.PARAMETERS_NOT_A_MAP, key.at, name, keys))
 
 
 def _is_node(path: str) -> bool:
-    """Whether rcl's __validate_name takes a path: parts of letters, digits and underscores, or whole wildcards."""
+    """Whether rcl's __validate_name accepts a path: parts of letters, digits and underscores, or whole wildcards."""
     if not is_literal(path) or "<" in path:
         return True
     return all(part in ("*", "**") or _is_name(part) for part in path.removeprefix("/").split("/"))
@@ -117,7 +125,7 @@ def _leaves_of_rcl(mapping: Mapping, path: tuple[str, ...], faults: list[Fault])
         here, node = (*path, *key.text.split(".")), written
         if isinstance(written, Sequence) and written.items and isinstance(written.items[0], Mapping):
             faults.extend(Fault(FaultKind.MAP_IN_LIST, item.at, key.text) for item in written.items[1:2])
-            node = written.items[0]  # rcl takes the first map of a list for the map itself
+            node = written.items[0]  # rcl reads the first map of a list instead of the list
         value = value_of(node, typed_by_rcl)
         yield Leaf(here, key.at, value)
         if not isinstance(node, Scalar) and not value.items and not (isinstance(node, Mapping) and node.entries):
@@ -150,7 +158,7 @@ def _faults_of_list(node: Sequence, value: Value, name: str) -> Iterator[Fault]:
 
 
 def read_by_rosparam(file: YamlFile, prefix: tuple[str, ...] = ()) -> Flat:
-    """The parameters of a file, as roslaunch's `<rosparam>` uploads them below a namespace."""
+    """Return the parameters of a file, as roslaunch's `<rosparam>` uploads them into the namespace `prefix`."""
     flat = Flat([], [], [])
     if len(file.documents) > 1:
         flat.faults.append(Fault(FaultKind.DOCUMENTS, file.documents[1].at))
@@ -176,8 +184,8 @@ def _leaves_of_rosparam(mapping: Mapping, path: tuple[str, ...], faults: list[Fa
 
 
 def _merged(mapping: Mapping) -> list[Entry]:
-    """The entries with those that `<<` brings: PyYAML lets the map's own win, and of a key given twice the last."""
-    brought: list[Entry] = []
+    """The entries of a map with `<<` merged; as in PyYAML, own entries take precedence, then the last of duplicates."""
+    inherited: list[Entry] = []
     own: list[Entry] = []
     for entry in mapping.entries:
         if entry.key.text != "<<" or entry.key.style:
@@ -186,8 +194,8 @@ def _merged(mapping: Mapping) -> list[Entry]:
         sources = entry.value.items if isinstance(entry.value, Sequence) else (entry.value,)
         for source in reversed(sources):
             if isinstance(source, Mapping):
-                brought += _merged(source)
-    return list({entry.key.text: entry for entry in brought + own}.values())
+                inherited += _merged(source)
+    return list({entry.key.text: entry for entry in inherited + own}.values())
 
 
 def _faults_of_value(value: Value, key: Scalar) -> Iterator[Fault]:

@@ -1,4 +1,4 @@
-"""Builds the model of a robot from its expanded tree."""
+"""Build the model of a robot from its expanded tree."""
 
 from __future__ import annotations
 
@@ -27,16 +27,20 @@ _READ_OF_AN_END = {"role", "hardwareInterface", "mechanicalReduction", "offset"}
 TOP_LEVEL = {"link", "joint", "transmission", "gazebo", "ros2_control"}
 
 MeshFinder = Callable[[str], MeshFile | None]
-"""Tells of a mesh's file by the address that the description gives; None where nothing can be told."""
+"""Looks up the file of a mesh by its address in the description; None if nothing is known about it."""
 
 
 def robot_of(root: dom.Element, find_mesh: MeshFinder | None = None, *, whole: bool = True) -> Robot:
-    """The robot that a root element describes. Where it is not `whole`, parts with a hole in them are left out: nothing
-    may be claimed of what is not known to be there."""
+    """Return the robot that a root element describes.
+
+    find_mesh: looks up the files of meshes.
+    whole: False if part of the robot could not be expanded. Then top-level elements with unknown content are left out,
+        so that no rule reports anything about them.
+    """
     by_name: dict[str, list[dom.Element]] = {name: [] for name in TOP_LEVEL}
     others = []
     for child in root.elements():
-        if not whole and _has_hole(child):
+        if not whole and _has_unknown_content(child):
             continue
         if child.tagName in by_name:
             by_name[child.tagName].append(child)
@@ -45,31 +49,33 @@ def robot_of(root: dom.Element, find_mesh: MeshFinder | None = None, *, whole: b
     nested = list(_nested(root, {"transmission", "ros2_control"}))
     links = tuple(_link(child) for child in by_name["link"])
     return Robot(
-        root.attrs.get("name"),
-        root.at,
-        links,
-        tuple(_joint(child) for child in by_name["joint"]),
-        tuple(_transmission(child, root.tagName) for child in by_name["transmission"]),
-        tuple(_transmission(child, parent) for child, parent in nested if child.tagName == "transmission"),
-        (
+        name=root.attrs.get("name"),
+        at=root.at,
+        links=links,
+        joints=tuple(_joint(child) for child in by_name["joint"]),
+        transmissions=tuple(_transmission(child, root.tagName) for child in by_name["transmission"]),
+        nested_transmissions=tuple(
+            _transmission(child, parent) for child, parent in nested if child.tagName == "transmission"
+        ),
+        ros2_controls=(
             *(ros2_control_of(child, root.tagName) for child in by_name["ros2_control"]),
             *(ros2_control_of(child, parent) for child, parent in nested if child.tagName == "ros2_control"),
         ),
-        tuple(_gazebo(child) for child in by_name["gazebo"]),
-        tuple(others),
-        root.tagName,
-        root.attrs.get("version"),
-        tuple(_meshes(links, find_mesh)),
-        Tag(root),
+        gazebos=tuple(_gazebo(child) for child in by_name["gazebo"]),
+        others=tuple(others),
+        element=root.tagName,
+        version=root.attrs.get("version"),
+        meshes=tuple(_meshes(links, find_mesh)),
+        tag=Tag(root),
     )
 
 
-def _has_hole(element: dom.Element) -> bool:
-    return element.tagName == UNKNOWN or any(_has_hole(child) for child in element.elements())
+def _has_unknown_content(element: dom.Element) -> bool:
+    return element.tagName == UNKNOWN or any(_has_unknown_content(child) for child in element.elements())
 
 
 def _nested(root: dom.Element, names: set[str]) -> Iterator[tuple[dom.Element, str]]:
-    """The elements of some names below the children of the root, with the name of what they stand in."""
+    """The elements with these names below the children of the root, each with the name of its parent."""
     pending = [child for child in root.elements() if child.tagName != "ros2_control"]
     while pending:
         parent = pending.pop()
@@ -130,15 +136,15 @@ def _inertial(element: dom.Element) -> Inertial:
 
 def _joint(element: dom.Element) -> Joint:
     return Joint(
-        element.attrs.get("name"),
-        element.attrs.get("type"),
-        element.at,
-        _reference(element, "parent"),
-        _reference(element, "child"),
-        _number(_first(element, "axis"), "xyz"),
-        _limit(_first(element, "limit")),
-        _mimic(_first(element, "mimic")),
-        Tag(element),
+        name=element.attrs.get("name"),
+        type=element.attrs.get("type"),
+        at=element.at,
+        parent=_reference(element, "parent"),
+        child=_reference(element, "child"),
+        axis=_number(_first(element, "axis"), "xyz"),
+        limit=_limit(_first(element, "limit")),
+        mimic=_mimic(_first(element, "mimic")),
+        tag=Tag(element),
     )
 
 
@@ -176,27 +182,27 @@ def _transmission(element: dom.Element, parent: str) -> Transmission:
         else:
             others.append(Tag(child))
     return Transmission(
-        element.attrs.get("name"),
-        element.at,
-        kind,
-        element.attrs.get("type"),
-        tuple(joints),
-        tuple(actuators),
-        tuple(others),
-        parent,
+        name=element.attrs.get("name"),
+        at=element.at,
+        type=kind,
+        type_attribute=element.attrs.get("type"),
+        joints=tuple(joints),
+        actuators=tuple(actuators),
+        others=tuple(others),
+        parent=parent,
     )
 
 
 def _end(element: dom.Element) -> TransmissionEnd:
     role = _first(element, "role")
     return TransmissionEnd(
-        element.attrs.get("name"),
-        element.at,
-        text_of(role) if role is not None else None,
-        texts_of(element, "hardwareInterface"),
-        texts_of(element, "mechanicalReduction"),
-        texts_of(element, "offset"),
-        tuple(Tag(child) for child in element.elements() if child.tagName not in _READ_OF_AN_END),
+        name=element.attrs.get("name"),
+        at=element.at,
+        role=text_of(role) if role is not None else None,
+        interfaces=texts_of(element, "hardwareInterface"),
+        reductions=texts_of(element, "mechanicalReduction"),
+        offsets=texts_of(element, "offset"),
+        others=tuple(Tag(child) for child in element.elements() if child.tagName not in _READ_OF_AN_END),
     )
 
 

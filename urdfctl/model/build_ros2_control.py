@@ -1,4 +1,4 @@
-"""Builds the `<ros2_control>` components of a robot from its expanded tree."""
+"""Build the model of a `<ros2_control>` component from its element."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _INTERFACES = {"command_interface": "command", "state_interface": "state"}
 
 
 def ros2_control_of(element: dom.Element, parent: str) -> Ros2Control:
-    """The component that an element describes, which stands in one named `parent`."""
+    """Return the component that an element describes; `parent` is the name of its parent element."""
     hardware, parts, transmissions, others = [], [], [], []
     for child in element.elements():
         if child.tagName == "hardware":
@@ -31,15 +31,15 @@ def ros2_control_of(element: dom.Element, parent: str) -> Ros2Control:
         else:
             others.append(Tag(child))
     return Ros2Control(
-        element.attrs.get("name"),
-        element.attrs.get("type"),
-        element.at,
-        tuple(hardware),
-        tuple(parts),
-        tuple(transmissions),
-        tuple(others),
-        parent,
-        Tag(element),
+        name=element.attrs.get("name"),
+        type=element.attrs.get("type"),
+        at=element.at,
+        hardware=tuple(hardware),
+        parts=tuple(parts),
+        transmissions=tuple(transmissions),
+        others=tuple(others),
+        parent=parent,
+        tag=Tag(element),
     )
 
 
@@ -67,37 +67,37 @@ def _part(element: dom.Element) -> Part:
         elif child.tagName != "param":
             others.append(Tag(child))
     return Part(
-        element.tagName,
-        element.attrs.get("name"),
-        element.at,
-        tuple(interfaces["command"]),
-        tuple(interfaces["state"]),
-        _parameters(element),
-        tuple(others),
-        Tag(element),
+        kind=element.tagName,
+        name=element.attrs.get("name"),
+        at=element.at,
+        commands=tuple(interfaces["command"]),
+        states=tuple(interfaces["state"]),
+        parameters=_parameters(element),
+        others=tuple(others),
+        tag=Tag(element),
     )
 
 
 def _transmission(element: dom.Element) -> ControlTransmission:
     ends = [_end(child) for child in element.elements() if child.tagName in ("joint", "actuator")]
     return ControlTransmission(
-        element.attrs.get("name"),
-        element.at,
-        texts_of(element, "plugin"),
-        tuple(end for end in ends if end.kind == "joint"),
-        tuple(end for end in ends if end.kind == "actuator"),
-        _parameters(element),
-        Tag(element),
+        name=element.attrs.get("name"),
+        at=element.at,
+        plugins=texts_of(element, "plugin"),
+        joints=tuple(end for end in ends if end.kind == "joint"),
+        actuators=tuple(end for end in ends if end.kind == "actuator"),
+        parameters=_parameters(element),
+        tag=Tag(element),
     )
 
 
 def _end(element: dom.Element) -> ControlTransmissionEnd:
     return ControlTransmissionEnd(
-        element.tagName,
-        element.attrs.get("name"),
-        element.attrs.get("role"),
-        element.at,
-        texts_of(element, "mechanical_reduction"),
-        texts_of(element, "offset"),
-        Tag(element),
+        kind=element.tagName,
+        name=element.attrs.get("name"),
+        role=element.attrs.get("role"),
+        at=element.at,
+        reductions=texts_of(element, "mechanical_reduction"),
+        offsets=texts_of(element, "offset"),
+        tag=Tag(element),
     )

@@ -1,4 +1,4 @@
-"""The controllers that YAML files configure: ROS 1 and ROS 2, several files together, each part with its place."""
+"""The model of controllers in YAML files, for ROS 1 and ROS 2. Several files are combined; each part has its place."""
 
 from __future__ import annotations
 
@@ -6,52 +6,56 @@ import re
 from enum import Enum, auto
 
 from urdfctl.model.parameters import Parameters, Value
-from urdfctl.record import NamedTuple
 from urdfctl.source.span import Place
+from urdfctl.startup.records import NamedTuple
 
 
 class FaultKind(Enum):
-    """What keeps the real reader from taking a file, or part of it, though it is good YAML."""
+    """Reasons why ROS rejects a valid YAML file, or loses part of it."""
 
     ALIAS = auto()
-    """ROS 2: rcl ends the process, 'Will not support aliasing'."""
+    """ROS 2: an alias; rcl ends the process with 'Will not support aliasing'."""
     EMPTY = auto()
-    """ROS 2: a key or an element without a value, 'No value at line'; ROS 1: null cannot be uploaded."""
+    """A key or an element without a value. ROS 2: 'No value at line'; ROS 1: null cannot be uploaded."""
     EMPTY_COLLECTION = auto()
-    """ROS 2: an empty list or map: 'No parameter value set', the node that reads it fails."""
+    """ROS 2: an empty list or map; the node that reads it fails with 'No parameter value set'."""
     MIXED_LIST = auto()
-    """ROS 2: 'Sequence should be of same type'."""
+    """ROS 2: a list with elements of several types; 'Sequence should be of same type'."""
     NESTED_LIST = auto()
-    """ROS 2: 'Sequences cannot be key'."""
+    """ROS 2: a list in a list; 'Sequences cannot be key'."""
     MAP_IN_LIST = auto()
-    """ROS 2: rcl takes a list of maps for its first map, and what stands behind that is lost."""
+    """ROS 2: a list of maps; rcl reads the first map instead of the list, and loses the others."""
     OUTSIDE_PARAMETERS = auto()
-    """ROS 2: 'Cannot have a value before ros__parameters'; `subject` is the key."""
+    """ROS 2: a value outside ros__parameters; 'Cannot have a value before ros__parameters'; `subject` is the key."""
     PARAMETERS_NOT_A_MAP = auto()
-    """ROS 2: what stands under ros__parameters is a list or a text."""
+    """ROS 2: ros__parameters is a list or a scalar."""
     NODE_NAME = auto()
-    """ROS 2: a node's name that rmw refuses, or ros__parameters without one; `subject` is the name."""
+    """ROS 2: a node name that rmw rejects, or ros__parameters without a node name; `subject` is the name."""
     ROOT = auto()
-    """The document is no map."""
+    """The root of the document is not a map."""
     DOCUMENTS = auto()
-    """ROS 1: roslaunch reads one document, 'expected a single document in the stream'."""
+    """ROS 1: several documents; roslaunch reads one, 'expected a single document in the stream'."""
     OVERFLOW = auto()
-    """ROS 1: 'int exceeds XML-RPC limits': more than 32 bits."""
+    """ROS 1: an integer of more than 32 bits; 'int exceeds XML-RPC limits'."""
     UNUSABLE = auto()
     """ROS 1: a date, or a tag that PyYAML's safe loader does not know."""
     KEY = auto()
-    """ROS 1: a key that is no text: a number, a bool."""
+    """ROS 1: a key that is not a string, such as a number or a bool."""
 
 
 class Key(NamedTuple):
-    """A key of a file."""
+    """A key or name in a file, with its place."""
 
     text: str
     at: Place
 
 
 class Fault(NamedTuple):
-    """One of those, with the name it is about, and of ROS 2 the keys above it: as far as ros__parameters."""
+    """A fault in a file.
+
+    subject: the name that it is about, if any.
+    keys: ROS 2: the keys above it, down to ros__parameters.
+    """
 
     kind: FaultKind
     at: Place
@@ -60,10 +64,14 @@ class Fault(NamedTuple):
 
 
 class Section(NamedTuple):
-    """The parameters that the files give to one node, or in ROS 1 to one name.
+    """The parameters that the files give to one node (ROS 2) or one name (ROS 1).
 
-    `path` is as the files write it, joined with slashes: `/**/arm`, `robot/arm`. `at` is the key before the parameters,
-    `parameters_at` the `ros__parameters` of ROS 2. Sections of one path in one or several files are one.
+    Sections with the same path, in one or several files, are combined.
+
+    path: the path as the files write it, joined with slashes: `/**/arm`, `robot/arm`.
+    at: the last key of the path.
+    parameters: the parameters.
+    parameters_at: ROS 2: the key `ros__parameters`.
     """
 
     path: str
@@ -73,38 +81,51 @@ class Section(NamedTuple):
 
     @property
     def name(self) -> str:
-        """The last part of the path."""
-        return self.path.rpartition("/")[2]
+        """The last part of the path, without a placeholder before it."""
+        last = self.path.rpartition("/")[2]
+        return _PLACEHOLDER.sub("", last) or last
 
     @property
     def namespace(self) -> str | None:
-        """Empty at the root, else with a leading slash; None where wildcards stand in it."""
+        """The namespace: empty at the root, otherwise with a leading slash; None if it contains wildcards, or
+        placeholders that a launch file replaces."""
         before = self.path.rpartition("/")[0].strip("/")
-        return None if "*" in before else f"/{before}" if before else ""
+        return None if "*" in before or _PLACEHOLDER.search(self.path) else f"/{before}" if before else ""
 
     @property
     def is_shared(self) -> bool:
-        """Whether it names no node, but is meant for many."""
+        """Whether the last part of the path is a wildcard, so that the section is for several nodes."""
         return "*" in self.name
 
     def names(self, node: str) -> bool:
-        """Whether it speaks of a node: by its full name, or by its name alone where its namespace is not known."""
+        """Return whether the section applies to a node.
+
+        node: the full name with a leading slash; the name alone if the namespace is unknown.
+        """
         if not node.startswith("/"):
             return self.is_shared or self.name == node
         return re.fullmatch(_pattern("/" + self.path.lstrip("/")), node) is not None
 
 
 def _pattern(path: str) -> str:
-    """The regular expression that rclcpp's parameter_map.cpp makes of a path."""
-    parts = re.split(r"(/\*\*|/\*)", path)
+    """The regular expression for a path, as in rclcpp's parameter_map.cpp."""
+    parts = re.split(rf"(/\*\*|/\*|/?{_PLACEHOLDER.pattern})", path)
     wild = {"/**": r"(/\w+)*", "/*": r"(/\w+)"}
-    return "".join(wild.get(part) or re.escape(part) for part in parts)
+    return "".join(wild.get(part) or (r"[\w/]*" if _PLACEHOLDER.search(part) else re.escape(part)) for part in parts)
+
+
+_PLACEHOLDER = re.compile(r"<[A-Za-z_][\w.-]*>|\{\{[^{}]*\}\}")
+"""A text that a launch file replaces before the file is read."""
 
 
 class Manager(NamedTuple):
-    """A controller manager of ROS 2 as the files know it: `namespace` is None where they do not tell it.
+    """A ROS 2 controller manager that the files configure.
 
-    `parameters` are all that reach it, `own` those of the sections that name it.
+    namespace: None if the files do not say; empty at the root.
+    at: the key of its section.
+    parameters: all parameters that it gets, including those from wildcards.
+    own: the parameters from the sections that name it.
+    sections: the sections that name it.
     """
 
     name: str
@@ -119,11 +140,16 @@ class Controller(NamedTuple):
     """A controller that is declared (ROS 2: under the manager; ROS 1: by its type), has a section with a type, or is
     started.
 
-    `namespace` is None where the files do not tell it, and empty at the root. `type` is None where none is given.
-    `declared_at` is the key under the manager, else that of its section; None where it is started, and in no file.
-    `parameters` are all that reach it, with those of wildcards; `own` those of the `sections` that name it.
-    `under_manager` is what else stands at its name under the manager, where the controller never looks:
-    all but type, params_file and fallback_controllers.
+    namespace: None if the files do not say; empty at the root.
+    type: None if not given.
+    declared_at: the key under the manager, otherwise that of its section; None if it is started, but in no file.
+    parameters: all parameters that it gets, including those from wildcards.
+    own: the parameters from the sections that name it.
+    sections: the sections that name it.
+    under_manager: other parameters under its name in the manager's section, which the controller never reads: all
+        except type, params_file and fallback_controllers.
+    parameter_files: the values of `params_file`.
+    manager: its manager; None if unknown.
     """
 
     name: str
@@ -139,13 +165,20 @@ class Controller(NamedTuple):
 
     @property
     def full_name(self) -> str:
-        """The name with its namespace, as far as it is known."""
+        """The name with its namespace; the name alone if the namespace is unknown."""
         return self.name if self.namespace is None else f"{self.namespace}/{self.name}"
 
 
 class MoveItController(NamedTuple):
-    """A controller that moveit_controllers.yaml names: its `section`, None where nothing describes it, and what is
-    `lacking` of what MoveIt needs to know; `joints` are those that it is sent; `first` is its first setting."""
+    """A controller in moveit_controllers.yaml.
+
+    name: its entry in `controller_names`.
+    section: the key of its section; None if it has none.
+    lacking: required settings that are missing.
+    type: None if missing.
+    joints: the joints that MoveIt sends to it.
+    first: place of its first setting; None if it has none.
+    """
 
     name: Key
     section: Key | None
@@ -156,16 +189,23 @@ class MoveItController(NamedTuple):
 
 
 class MoveItList(NamedTuple):
-    """The joints that ROS 1's MoveIt is told of: those of a controller in `controller_list`, or, where that is None,
-    those that have limits for planning."""
+    """A list of joints in a MoveIt file for ROS 1.
+
+    controller: the entry of `controller_list` that has the joints; None for the joints in `joint_limits`.
+    joints: the joints.
+    """
 
     controller: str | None
     joints: tuple[Key, ...]
 
 
 class FileReference(NamedTuple):
-    """A controllers' file that something names: `path` is where it lies, None where only the running system can tell;
-    `exists` whether a file is there, None where nobody looked."""
+    """A reference to a file.
+
+    text: the reference as written.
+    path: path of the file; None if only the running system knows it.
+    exists: whether the file exists; None if it was not looked up.
+    """
 
     text: str
     at: Place
@@ -174,9 +214,14 @@ class FileReference(NamedTuple):
 
 
 class ControllersFile(NamedTuple):
-    """One YAML file. `form` is 1 or 2 for the generation of ROS that it is written for, None where nothing tells;
-    `told_by` are the keys that tell it: ros__parameters, the manager's, those of typed controllers of ROS 1.
-    `is_moveit` tells that it lists controllers for MoveIt, and is not judged. Not `readable`: no YAML at all."""
+    """One YAML file.
+
+    form: the ROS generation that it is written for, 1 or 2; None if unknown.
+    is_moveit: it lists controllers for MoveIt, and is not checked as a controller file.
+    readable: False if it is not valid YAML.
+    faults: reasons why ROS rejects it, or loses part of it.
+    told_by: the keys that show its form: ros__parameters, the manager's, or typed controllers of ROS 1.
+    """
 
     path: str
     at: Place
@@ -188,12 +233,14 @@ class ControllersFile(NamedTuple):
 
 
 class Controllers(NamedTuple):
-    """What all files of a robot say together; later ones win.
+    """The combined content of all controller files of a robot. Later files override earlier ones.
 
-    `others` are sections that no manager and no controller of these files reads: other nodes, other settings, or a name
-    that is misspelt. `references` are the files that the robot itself or a launch file names. Not `whole`: other files
-    may be loaded too, by a launch file whose conditions are not known. `moveit` are those that MoveIt, configured
-    beside one of the files, sends trajectories to; `moveit_lists` what ROS 1's is told of joints.
+    others: sections that no manager or controller in these files reads: other nodes, or a misspelt name.
+    references: the files that the robot or a launch file names.
+    whole: False if a launch file may load files that could not be determined.
+    moveit: controllers that MoveIt sends trajectories to, from a MoveIt file beside one of the files.
+    moveit_lists: joints that MoveIt files for ROS 1 list.
+    nodes: other nodes whose parameters the user defines.
     """
 
     files: tuple[ControllersFile, ...]
@@ -204,10 +251,11 @@ class Controllers(NamedTuple):
     whole: bool = True
     moveit: tuple[MoveItController, ...] = ()
     moveit_lists: tuple[MoveItList, ...] = ()
+    nodes: tuple[Controller, ...] = ()
 
     @property
     def complete(self) -> bool:
-        """Whether every file is known and could be read: else nothing may be claimed to be absent."""
+        """Whether every file is known and readable. If not, no rule may report that something is missing."""
         return self.whole and all(file.readable for file in self.files) and all(r.exists for r in self.references)
 
     @property
@@ -216,11 +264,14 @@ class Controllers(NamedTuple):
         return tuple(fault for file in self.files for fault in file.faults)
 
     def controller(self, name: str) -> Controller | None:
-        """The controller of a name, which may have a namespace before it; of a full name where a slash begins it."""
+        """Return the first controller with a name, if any.
+
+        name: the name, with or without its namespace; with a leading slash, the full name.
+        """
         if name.startswith("/"):
             return next((c for c in self.controllers if c.full_name == name), None)
         return next((c for c in self.controllers if f"/{c.full_name}".endswith(f"/{name}")), None)
 
     def other(self, name: str) -> Section | None:
-        """The first other section of a name."""
+        """Return the first of the `others` with a name, if any."""
         return next((section for section in self.others if section.name == name), None)

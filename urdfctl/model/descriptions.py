@@ -1,4 +1,4 @@
-"""Which file a robot description of ROS 2 is made of: by xacro's command or its Python, as text, or by MoveIt."""
+"""Find the file of a robot description in a ROS 2 launch file: a xacro command, xacro in Python, text, or MoveIt."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Iterator
 
 from urdfctl.model.launch_texts import Content, Texts, table_of
-from urdfctl.model.xacro_command import known_path, of_command
+from urdfctl.model.xacro_command import is_of_parameter, known_path, of_command
 from urdfctl.source.launch.terms import Called, Items, Member, OneOf, Term, outside
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
@@ -15,15 +15,18 @@ from urdfctl.source.span import Place
 _ARGUMENT = r"(\w+):="
 _TEXTS = frozenset({"toxml", "toprettyxml"})
 _READING = frozenset({"read", "read_text"})
+_CHANGING = frozenset("replace strip lstrip rstrip encode decode".split())
 _DEEPEST = 30
+_MOST_CHOICES = 4
 
 
 def content_of(term: Term | None, texts: Texts, exists: Callable[[str], bool]) -> Content | None:  # noqa: PLR0911
-    """The content that a term stands for; None where it is no robot description that is known."""
+    """Return the robot description of a term; None if it is not a known form of a robot description."""
     if isinstance(term, Items) and len(term.values) == 1:
         return content_of(term.values[0], texts, exists)
     if isinstance(term, Member):
         return _of_moveit(term, texts, exists)
+    term = _unchanged(term)
     if not isinstance(term, Called):
         return None
     if term.short == "ParameterValue":
@@ -41,15 +44,55 @@ def content_of(term: Term | None, texts: Texts, exists: Callable[[str], bool]) -
     return None
 
 
+def is_of_other_node(term: Term | None, texts: Texts) -> bool:
+    """Return whether a term is the robot description that another node has, e.g. by `ros2 param get`."""
+    while isinstance(term, Called) and term.short == "ParameterValue":
+        term = term.given("value", 0)
+    return isinstance(term, Called) and term.short == "Command" and is_of_parameter(texts.of(term.given("command", 0)))
+
+
+def _unchanged(term: Term | None) -> Term | None:
+    """The text that functions such as `re.sub` change only in its form."""
+    for _ in range(_DEEPEST):
+        if not isinstance(term, Called):
+            break
+        if term.name == "re.sub":
+            term = term.given("string", 2)
+        elif term.name in _CHANGING and term.of is not None:
+            term = term.of
+        elif term.name in {"str", "Text"}:
+            term = term.given("value", 0)
+        else:
+            break
+    return term
+
+
 def _of_substitution(term: Called, texts: Texts) -> Content:
     given = term.given("command", 0)
-    command = texts.of(given)
+    choices = [texts.of(_chosen(given, index)) for index in range(_MOST_CHOICES if _is_open(given) else 1)]
+    command = choices[0]
     path, arguments = of_command(command)
-    return Content(path, arguments, term.at, tuple(_named(given, texts)), command)
+    others = dict.fromkeys(other for choice in choices[1:] if (other := of_command(choice)[1]) not in {None, arguments})
+    names = tuple(_named(given, texts))
+    alternatives = tuple(other for other in others if other)
+    return Content(path, arguments, term.at, names=names, command=command, alternatives=alternatives)
+
+
+def _is_open(term: Term | None) -> bool:
+    return isinstance(term, OneOf) or (isinstance(term, Items) and any(map(_is_open, term.values)))
+
+
+def _chosen(term: Term | None, index: int) -> Term | None:
+    """A term with one option of each choice in it."""
+    if isinstance(term, OneOf):
+        return term.options[min(index, len(term.options) - 1)]
+    if isinstance(term, Items):
+        return Items([_chosen(value, index) or value for value in term.values], term.at)
+    return term
 
 
 def _named(given: Term | None, texts: Texts, depth: int = 0) -> Iterator[tuple[str, Place]]:
-    """The arguments that the pieces of a command name, each with the place of its piece."""
+    """The names of the xacro arguments in the parts of a command, each with the place of its part."""
     if isinstance(given, Items) and depth < _DEEPEST:
         for item in given.values:
             yield from _named(item, texts, depth + 1)
@@ -59,15 +102,16 @@ def _named(given: Term | None, texts: Texts, depth: int = 0) -> Iterator[tuple[s
 
 
 def _of_process(term: Term | None, texts: Texts, at: Place) -> Content | None:
-    """What `xacro.process_file(...)`, or `xacro.parse(open(...))` and `xacro.process_doc`, gives."""
+    """The description from `xacro.process_file(...)`, or from `xacro.parse(open(...))` and `xacro.process_doc`."""
     if not isinstance(term, Called) or not term.name.startswith("xacro."):
         return None
     file = term.given("input_file_name", 0) or term.given("inp", 0)
     if isinstance(file, Called) and file.short == "open":
         file = file.given("file", 0)
-    mappings = table_of(term.given("mappings")) or next((t for one in term.added if (t := table_of(one))), None)
+    added = (table_of(argument) for argument in term.added)
+    mappings = table_of(term.given("mappings")) or next((table for table in added if table), None)
     values = {name: texts.of(value) for name, value in mappings.entries.items()} if mappings else {}
-    whole = (mappings is None or mappings.whole) and not any(UNKNOWN in value for value in values.values())
+    whole = mappings is None or mappings.whole
     if term.given("mappings") is not None and mappings is None:
         whole = False
     names = tuple(mappings.keys.items()) if mappings else ()
@@ -75,7 +119,7 @@ def _of_process(term: Term | None, texts: Texts, at: Place) -> Content | None:
 
 
 def _of_moveit(term: Member, texts: Texts, exists: Callable[[str], bool]) -> Content | None:
-    """What `MoveItConfigsBuilder` takes for the description: a file below its package."""
+    """The description that `MoveItConfigsBuilder` uses: a file in its package."""
     if term.name not in {"robot_description", "[robot_description]"}:
         return None
     builder, described = moveit_builder(term.of)
@@ -90,16 +134,17 @@ def _of_moveit(term: Member, texts: Texts, exists: Callable[[str], bool]) -> Con
     given = described.given("mappings", 1) if described else None
     mappings = table_of(given)
     values = {key: texts.of(value) for key, value in mappings.entries.items()} if mappings else {}
-    whole = given is None or (
-        mappings is not None and mappings.whole and not any(UNKNOWN in v for v in values.values())
-    )
+    whole = given is None or (mappings is not None and mappings.whole)
     known = known_path(path) if file or exists(path) else None
     names = tuple(mappings.keys.items()) if mappings else ()
     return Content(known, tuple(values.items()) if whole else None, term.at, names)
 
 
 def moveit_builder(term: Term | None) -> tuple[Called | None, Called | None]:
-    """The MoveItConfigsBuilder that a chain of calls begins with, and the call that names its robot description."""
+    """Return the MoveItConfigsBuilder at the start of a chain of calls, and the call of its `robot_description`.
+
+    Each is None if there is none.
+    """
     described: Called | None = None
     for _ in range(_DEEPEST):
         if isinstance(term, Called) and term.short == "MoveItConfigsBuilder":
@@ -113,7 +158,7 @@ def moveit_builder(term: Term | None) -> tuple[Called | None, Called | None]:
 
 
 def moveit_folder(builder: Called, texts: Texts) -> str:
-    """The folder of the package whose configuration MoveItConfigsBuilder reads; UNKNOWN in it where it is not known."""
+    """Return the folder of the package that a MoveItConfigsBuilder reads; contains UNKNOWN if it is unknown."""
     given = builder.given("package_name") or builder.given("robot_name", 0)
     name = texts.of(given)
     if given is None or UNKNOWN in name:

@@ -1,4 +1,4 @@
-"""The nodes and commands of ROS 2's launch files: what they are given, and which of them load controllers."""
+"""The nodes and commands of ROS 2 launch files: their arguments and parameters, and which of them load controllers."""
 
 from __future__ import annotations
 
@@ -7,10 +7,10 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 
 from urdfctl.model.controllers import FileReference
-from urdfctl.model.descriptions import content_of, moveit_builder
+from urdfctl.model.descriptions import content_of, is_of_other_node, moveit_builder
 from urdfctl.model.launch import Description, Node, ParameterLoad, Reference, Spawn, Word, joined
-from urdfctl.model.launch_texts import Content, Texts
-from urdfctl.model.spawner import Told, manager_of, told, told_by_command
+from urdfctl.model.launch_texts import Content, Texts, replaced_by
+from urdfctl.model.spawner import SpawnerArguments, command_arguments, manager_of, spawner_arguments
 from urdfctl.source.launch.terms import Called, Constant, Items, Member, Missing, OneOf, Perhaps, Table, Term
 from urdfctl.source.opaque import UNKNOWN, if_known
 from urdfctl.source.span import Place
@@ -23,10 +23,11 @@ _FILE_OPTIONS = ("-file", "--file")
 _SUFFIXES = (".yaml", ".yml", ".urdf", ".xacro", ".rviz", ".sdf", ".world", ".srdf")
 _NAMING = ("controller_name", "controller_names", "controller_info_dict")
 _ALTERNATIVE = {"package": "node_package", "executable": "node_executable", "name": "node_name"}
+"""The keywords of a node with their names in older distros."""
 
 
 class Gathered:
-    """What is found while a launch file is followed."""
+    """The facts that are collected while a launch file is followed."""
 
     def __init__(self) -> None:
         self.descriptions: list[Description] = []
@@ -36,39 +37,48 @@ class Gathered:
         self.nodes: list[Node] = []
         self.references: dict[tuple[str, int], Reference] = {}
         self.altered = False
-        """Whether something renames topics, or gives parameters, of all nodes that follow."""
+        """Whether an action changes the parameters or remappings of all following nodes."""
 
 
 class Nodes:
-    """Adds what single actions do to what was found."""
+    """Adds the effects of single actions to the collected facts."""
 
-    def __init__(self, found: Gathered, texts: Texts, locate: Callable[[str], tuple[str, bool | None]]) -> None:
-        self.found = found
+    def __init__(self, facts: Gathered, texts: Texts, locate: Callable[[str], tuple[str, bool | None]]) -> None:
+        self.facts = facts
         self.texts = texts
         self._locate = locate
 
     # -- nodes -------------------------------------------------------------------------------------------------------
 
     def node(self, term: Called, *, sure: bool, held: bool, after: tuple[str, ...] = ()) -> None:
-        """A node: a controller's spawner, a manager, or another."""
+        """Add a node: a spawner, a controller manager or another node."""
         package, executable = self._word(term, "package"), self._word(term, "executable")
         if not held:
             if self._is_spawner(package, executable):
-                self.found.elsewhere.append(self._spawn(term, executable, sure=sure, after=after))
+                self.facts.elsewhere.append(self._spawn(term, executable, sure=sure, after=after))
             return
         parameters = _Parameters(self, term, executable.text, sure=sure)
         words, complete = self._words(term.keywords.get("arguments"))
         name = self._word(term, "name").known if _given(term, "name") is not None else None
         namespace = if_known(self._namespace(term))
         remaps = tuple(self._remaps(term.keywords.get("remappings")))
-        whole = parameters.complete and complete and not self.found.altered
-        given = tuple(parameters.names), remaps
-        files = tuple(parameters.files)
-        self.found.nodes.append(
-            Node(package, executable, name, namespace, term.at, words, *given, sure=sure, complete=whole, files=files)
+        self.facts.nodes.append(
+            Node(
+                package=package,
+                executable=executable,
+                name=name,
+                namespace=namespace,
+                at=term.at,
+                words=words,
+                parameters=tuple(parameters.names),
+                remaps=remaps,
+                sure=sure,
+                complete=parameters.complete and complete and not self.facts.altered,
+                files=tuple(parameters.files),
+            )
         )
         if self._is_spawner(package, executable):
-            self.found.spawns.append(self._spawn(term, executable, sure=sure, after=after))
+            self.facts.spawns.append(self._spawn(term, executable, sure=sure, after=after))
         else:
             self._described_by(words, executable.text, namespace, sure=sure)
 
@@ -76,26 +86,26 @@ class Nodes:
     def _is_spawner(package: Word, executable: Word) -> bool:
         return package.text == "controller_manager" and executable.text in SPAWNERS
 
-    def told(self, term: Called) -> Told | None:
-        """What an action tells the controller manager to load; None where it is no spawner."""
+    def spawner_arguments(self, term: Called) -> SpawnerArguments | None:
+        """Return the spawner's arguments of an action; None if it is not a spawner."""
         if term.short in {"Node", "LifecycleNode"}:
             if not self._is_spawner(self._word(term, "package"), self._word(term, "executable")):
                 return None
             words, complete = self._words(term.keywords.get("arguments"))
-            return told(words, complete=complete)
-        found = told_by_command(self._command_words(term)[0])
-        return found[1] if found else None
+            return spawner_arguments(words, complete=complete)
+        command = command_arguments(self._command_words(term)[0])
+        return command[1] if command else None
 
     def _spawn(self, term: Called, program: Word, *, sure: bool, after: tuple[str, ...]) -> Spawn:
         words, complete = self._words(term.keywords.get("arguments"))
-        said = told(words, complete=complete)
-        files = [*said.values("-p", "--param-file"), *self._files(term.keywords.get("parameters"))]
+        parsed = spawner_arguments(words, complete=complete)
+        files = [*parsed.values("-p", "--param-file"), *self._files(term.keywords.get("parameters"))]
         at = term.keywords["arguments"].at if "arguments" in term.keywords else term.at
-        return self._made(said, program, at, self._namespace(term), files, sure=sure, after=after)
+        return self._spawn_with(parsed, program, at, self._namespace(term), files, sure=sure, after=after)
 
-    def _made(
+    def _spawn_with(
         self,
-        said: Told,
+        parsed: SpawnerArguments,
         program: Word,
         at: Place,
         namespace: str,
@@ -104,51 +114,61 @@ class Nodes:
         sure: bool,
         after: tuple[str, ...] = (),
     ) -> Spawn:
-        for given in said.values("-n", "--namespace"):
+        for given in parsed.values("-n", "--namespace"):
             namespace = joined("", given.text)
-        manager, of_manager = manager_of(said.manager, namespace)
-        references = tuple(self.load(word, program.text, sure=sure) for word in files)
-        names = tuple((word.text, word.at) for word in said.names)
+        manager, manager_namespace = manager_of(parsed.manager, namespace)
+        references = tuple(self.load(word, program.text, sure=sure, of=if_known(namespace)) for word in files)
+        names = tuple((word.text, word.at) for word in parsed.names)
         return Spawn(
-            names, of_manager, at, said.active, sure, said.complete, manager, program, said.options, references, after
+            names=names,
+            namespace=manager_namespace,
+            at=at,
+            active=parsed.active,
+            sure=sure,
+            complete=parsed.complete,
+            manager=manager,
+            program=program,
+            options=parsed.options,
+            files=references,
+            after=after,
         )
 
     def helper(self, term: Called, *, sure: bool, held: bool) -> None:
-        """A spawner that controller_manager's launch_utils make."""
-        names = next((one for key in _NAMING if (one := term.given(key))), None) or term.given("", 0)
+        """Add a spawner from a function of controller_manager's launch_utils."""
+        names = next((given for key in _NAMING if (given := term.given(key))), None) or term.given("", 0)
         files = term.given("controller_params_file") or term.given("controller_params_files")
         table = names if isinstance(names, Table) else None
-        listed: list[Term] = [*table.entries.values()] if table else []
+        file_lists: list[Term | None] = [files, *table.entries.values()] if table else [files]
         keys = Items([Constant(key, place) for key, place in table.keys.items()], table.at) if table else None
         words, complete = self._words(keys or _as_list(names))
         more, known = self._words(term.given("extra_spawner_args"))
-        said = told([*words, *more], complete=complete and known and (table is None or table.whole))
-        given = [*self._words(_as_list(files))[0], *(w for one in listed for w in self._words(_as_list(one))[0])]
+        parsed = spawner_arguments([*words, *more], complete=complete and known and (table is None or table.whole))
         manager = self.texts.scope.settings.get("controller_manager_name", "controller_manager")
-        said = said._replace(manager=said.manager or manager)
+        parsed = parsed._replace(manager=parsed.manager or manager)
+        paths = [word for file_list in file_lists for word in self._words(_as_list(file_list))[0] if word.text]
         program = Word("spawner", term.at)
-        spawn = self._made(said, program, term.at, self.texts.scope.namespace, [w for w in given if w.text], sure=sure)
-        (self.found.spawns if held else self.found.elsewhere).append(spawn)
+        spawn = self._spawn_with(parsed, program, term.at, self.texts.scope.namespace, paths, sure=sure)
+        (self.facts.spawns if held else self.facts.elsewhere).append(spawn)
 
     def moveit_demo(self, term: Called, controllers: str, *, sure: bool, held: bool) -> None:
-        """MoveIt's demo, which starts a manager and spawners of controllers that only its configuration knows."""
+        """Add MoveIt's demo: a controller manager, and spawners of the controllers in MoveIt's configuration."""
         spawn = Spawn((), if_known(self.texts.scope.namespace), term.at, sure=sure, complete=False)
         if held:
-            self.load(Word(controllers, term.at), MANAGERS[0], sure=sure)
-            self.found.spawns.append(spawn)
+            self.load(Word(controllers, term.at), MANAGERS[0], sure=sure, of=spawn.namespace)
+            self.facts.spawns.append(spawn)
 
     # -- commands ----------------------------------------------------------------------------------------------------
 
     def command(self, term: Called, *, sure: bool, held: bool, after: tuple[str, ...]) -> tuple[Word, ...]:
-        """A process: `ros2 control`, or another. Gives its words."""
+        """Add a process, which may load controllers. Return the words of its command line."""
         words, complete = self._command_words(term)
-        found = told_by_command(words)
-        if found is not None:
-            said = found[1]._replace(complete=found[1].complete and complete)
-            spawn = self._made(
-                said, found[0], term.at, "", list(said.values("-p", "--param-file")), sure=sure, after=after
-            )
-            (self.found.spawns if held else self.found.elsewhere).append(spawn)
+        command = command_arguments(words)
+        if command is not None:
+            program, parsed = command
+            parsed = parsed._replace(complete=parsed.complete and complete)
+            files = list(parsed.values("-p", "--param-file"))
+            spawn = self._spawn_with(parsed, program, term.at, "", files, sure=sure, after=after)
+            (self.facts.spawns if held else self.facts.elsewhere).append(spawn)
         return words
 
     def _command_words(self, term: Called) -> tuple[tuple[Word, ...], bool]:
@@ -168,7 +188,7 @@ class Nodes:
         return joined(self.texts.scope.namespace, self.texts.of(given) if given is not None else "")
 
     def _words(self, term: Term | None) -> tuple[tuple[Word, ...], bool]:
-        """The words of a list, and whether it is known that these are all."""
+        """The words of a list, and whether the list is fully known."""
         if term is None:
             return (), True
         if not isinstance(term, Items):
@@ -187,41 +207,58 @@ class Nodes:
                 yield self.texts.of(pair.values[0]), self.texts.of(pair.values[1])
 
     def _files(self, term: Term | None) -> Iterator[Word]:
-        """The files among a node's parameters."""
+        """The parameter files among a node's `parameters`."""
         for value in term.values if isinstance(term, Items) else ():
             if isinstance(value, (Constant, Called)) and (text := self.texts.of(value)):
                 yield Word(text, value.at)
 
     # -- files -------------------------------------------------------------------------------------------------------
 
-    def load(self, file: Word, node: str, *, sure: bool) -> FileReference:
-        """A parameter file that is given to a manager or a spawner."""
+    def load(self, file: Word, node: str, *, sure: bool, of: str | None, term: Term | None = None) -> FileReference:
+        """Add a parameter file of a controller manager or a spawner, and return the reference to it.
+
+        of: the node's namespace; None if unknown.
+        term: the file as the launch file gives it; None if it is a plain path.
+        """
         reference = self.reference(file.text, file.at, "parameters", sure=sure)
-        self.found.loads.append(ParameterLoad(reference, "", file.at, sure, node=node))
+        replaced = replaced_by(term, self.texts)
+        self.facts.loads.append(ParameterLoad(reference, "", file.at, sure, node=node, of=of, replaced=replaced))
         return reference
 
     def reference(self, path: str, at: Place, use: str, *, sure: bool) -> FileReference:
-        """A file that is used, noted where it is known which."""
+        """Add a reference to a file, if its path is known, and return it."""
         known = if_known(path)
         located, exists = self._locate(known) if known else (None, None)
         if known and not os.path.isabs(known):
-            located, exists = None, None  # where it lies hangs on the folder that the launch is started in
+            located, exists = None, None  # depends on the folder that the launch is started in
         reference = FileReference(path, at, located, exists)
         if located is not None:
-            self.found.references.setdefault((located, at.start), Reference(reference, use, None, sure))
+            self.facts.references.setdefault((located, at.start), Reference(reference, use, None, sure))
         return reference
 
     def described(self, content: Content, node: str, namespace: str | None, *, sure: bool) -> None:
-        """A robot description that a node is given."""
+        """Add a robot description that is passed to a node."""
         file = self.reference(content.path or UNKNOWN, content.at, "description", sure=sure)
         names = tuple(Word(name, at) for name, at in content.names)
-        self.found.descriptions.append(
-            Description(file, content.arguments, namespace, content.at, sure, names, content.command, node)
+        self.facts.descriptions.append(
+            Description(
+                file=file,
+                arguments=content.arguments,
+                namespace=namespace,
+                at=content.at,
+                sure=sure,
+                names=names,
+                command=content.command,
+                node=node,
+                alternatives=content.alternatives,
+            )
         )
 
     def _described_by(self, words: Sequence[Word], executable: str, namespace: str | None, *, sure: bool) -> None:
-        """A description that a node is given as a file: the old way of robot_state_publisher, and of a spawner of
-        models."""
+        """Add the files in a node's arguments.
+
+        A URDF file is a description for robot_state_publisher (its old form), or for a program that spawns models.
+        """
         for index, word in enumerate(words):
             if word.known is None:
                 continue
@@ -233,8 +270,12 @@ class Nodes:
 
 
 class _Parameters:
-    """What a node's `parameters` hold: the names of those that are given one by one, and files, which are loaded where
-    the node is a controller manager."""
+    """The `parameters` of a node: names of single parameters, and files. A controller manager's files are loaded.
+
+    names: the names of single parameters.
+    files: the files.
+    complete: False if some of them are unknown.
+    """
 
     def __init__(self, nodes: Nodes, term: Called, executable: str, *, sure: bool) -> None:
         self.nodes = nodes
@@ -247,18 +288,18 @@ class _Parameters:
         given = term.keywords.get("parameters")
         if isinstance(given, Items):
             for value in given.values:
-                self._one(value)
+                self._add(value)
         elif given is not None:
             self.complete = False
 
-    def _one(self, term: Term) -> None:
+    def _add(self, term: Term) -> None:
         if isinstance(term, Perhaps):
             self.complete = False
-            self._one(term.term)
+            self._add(term.term)
         elif isinstance(term, OneOf):
             self.complete = False
             for option in term.options:
-                self._one(option)
+                self._add(option)
         elif isinstance(term, Table):
             self._table(term)
         elif isinstance(term, Member) and moveit_builder(term)[0] is not None:
@@ -267,7 +308,7 @@ class _Parameters:
             self._file(term)
         elif isinstance(term, Items):
             for value in term.values:
-                self._one(value)
+                self._add(value)
         else:
             self.complete = False
 
@@ -288,6 +329,8 @@ class _Parameters:
         if self.executable not in _DESCRIBED:
             return
         nodes = self.nodes
+        if is_of_other_node(value, nodes.texts):
+            return
         content = content_of(value, nodes.texts, lambda path: bool(nodes._locate(path)[1]))
         content = content or Content(None, None, value.at)
         nodes.described(content, self.executable, self.namespace, sure=self.sure)
@@ -299,14 +342,14 @@ class _Parameters:
             return
         self.files.append(Word(text, term.at))
         if re.search(_OF_MANAGERS, self.executable):
-            self.nodes.load(Word(text, term.at), self.executable, sure=self.sure)
+            self.nodes.load(Word(text, term.at), self.executable, sure=self.sure, of=self.namespace, term=term)
         elif text:
             self.nodes.reference(text, term.at, "parameters", sure=self.sure)
 
 
 def _given(term: Called, keyword: str) -> Term | None:
-    found = term.keywords.get(keyword) or term.keywords.get(_ALTERNATIVE[keyword])
-    return None if isinstance(found, Constant) and found.value is None else found
+    argument = term.keywords.get(keyword) or term.keywords.get(_ALTERNATIVE[keyword])
+    return None if isinstance(argument, Constant) and argument.value is None else argument
 
 
 def _as_list(term: Term | None) -> Term | None:

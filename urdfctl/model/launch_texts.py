@@ -1,15 +1,15 @@
-"""What the substitutions of ROS 2's launch files stand for, as far as nothing has to be run for it."""
+"""Perform the substitutions of ROS 2 launch files, as far as possible without running anything."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Mapping
 
-from urdfctl.record import NamedTuple
 from urdfctl.source.launch.python import evaluated
 from urdfctl.source.launch.terms import Called, Constant, Context, Items, Table, Term, outside
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
+from urdfctl.startup.records import NamedTuple
 
 _TRUTH = {"true": True, "1": True, "false": False, "0": False}
 _DEEPEST = 40
@@ -17,19 +17,31 @@ _MOST_CHARACTERS = 1 << 16
 
 
 class Content(NamedTuple):
-    """The text of a robot description: the file it is made of, the arguments for xacro (None where one is not known),
-    their names with their places, and the command that makes it."""
+    """A robot description.
+
+    path: its URDF or xacro file; None if unknown.
+    arguments: the arguments for xacro, whose values may be unknown; None if it is unknown which ones are given.
+    names: the names of the arguments with their places.
+    command: the command that prints it; None if there is none.
+    alternatives: other arguments, where an unknown condition decides.
+    """
 
     path: str | None
     arguments: tuple[tuple[str, str], ...] | None
     at: Place
     names: tuple[tuple[str, Place], ...] = ()
     command: str | None = None
+    alternatives: tuple[tuple[tuple[str, str], ...], ...] = ()
 
 
 class Scope:
-    """What holds while a launch file is followed: its arguments by name, those of them that are a robot description,
-    and the namespace that nodes come into (UNKNOWN where it is not known)."""
+    """The state of a launch file while its actions are followed.
+
+    file: path of the file.
+    settings: the launch configurations by name.
+    contents: those launch configurations that are a robot description.
+    namespace: the namespace of nodes; UNKNOWN if unknown.
+    """
 
     __slots__ = ("contents", "file", "namespace", "settings")
 
@@ -40,15 +52,28 @@ class Scope:
         self.namespace = namespace
 
     def copy(self) -> Scope:
-        """The same, to be changed by itself."""
+        """Return an independent copy."""
         copied = Scope(self.file, self.settings, self.namespace)
         copied.contents = dict(self.contents)
         return copied
 
+    def blur(self, other: Scope) -> None:
+        """Forget what is different in another scope, which may be in effect instead."""
+        for name, value in other.settings.items():
+            if self.settings.get(name) != value:
+                self.settings[name] = UNKNOWN
+        for name in [name for name, content in other.contents.items() if self.contents.get(name) != content]:
+            self.contents.pop(name, None)
+        if other.namespace != self.namespace:
+            self.namespace = UNKNOWN
+
 
 class Texts:
-    """Performs substitutions in a scope. `find` gives the folder of a package, None where it is not among the
-    sources."""
+    """Performs substitutions in a scope.
+
+    find: returns the folder of a package that is used at a place; None if it is not among the sources.
+    environ: the environment variables.
+    """
 
     def __init__(self, scope: Scope, find: Callable[[str, Place], str | None], environ: Mapping[str, str]) -> None:
         self.scope = scope
@@ -58,11 +83,11 @@ class Texts:
 
     @property
     def context(self) -> Context:
-        """For functions that are called with the launch's context."""
+        """The launch context for functions that get one."""
         return Context(self.of)
 
     def of(self, term: Term | None) -> str:
-        """The text that a term stands for, with UNKNOWN for what is not known of it."""
+        """Return the text of a term, with UNKNOWN for its unknown parts."""
         if term is None or self._depth > _DEEPEST:
             return UNKNOWN
         self._depth += 1
@@ -78,17 +103,18 @@ class Texts:
             self._depth -= 1
 
     def truth(self, term: Term | None) -> bool | None:
-        """Whether launch takes a text for true; None where that is not known."""
+        """Return the boolean value of a text in a launch file; None if unknown."""
         return _TRUTH.get(self.of(term).strip().lower())
 
     def condition(self, term: Term | None) -> bool | None:
-        """Whether a condition holds; None where that is not known. Without a condition it does."""
+        """Return whether a condition is true; None if unknown. No condition counts as true."""
         if term is None:
             return True
         if not isinstance(term, Called):
             return None
         if term.short in {"IfCondition", "UnlessCondition"}:
-            held = self.truth(term.given("predicate_expression", 0))
+            predicate = term.given("predicate_expression", 0)
+            held = None if _is_of_environment(predicate) else self.truth(predicate)
             return None if held is None else held is (term.short == "IfCondition")
         if term.short in {"LaunchConfigurationEquals", "LaunchConfigurationNotEquals"}:
             value = self.setting(self.of(term.given("launch_configuration_name", 0)), None)
@@ -99,18 +125,27 @@ class Texts:
         return None
 
     def setting(self, name: str, default: Term | None) -> str:
-        """The value of an argument of the launch file."""
+        """Return the value of a launch configuration, otherwise its default; UNKNOWN if it has neither."""
         if name in self.scope.settings:
             return self.scope.settings[name]
         return self.of(default) if default is not None else UNKNOWN
 
 
+def _is_of_environment(term: Term | None) -> bool:
+    """Whether an environment variable decides about a condition: then neither branch is certain."""
+    if isinstance(term, Items):
+        return any(map(_is_of_environment, term.values))
+    return isinstance(term, Called) and (
+        term.short == "EnvironmentVariable" or any(map(_is_of_environment, term.arguments))
+    )
+
+
 def _joined(texts: Iterable[str]) -> str:
-    made = "".join(texts)
-    return made if len(made) <= _MOST_CHARACTERS else UNKNOWN
+    text = "".join(texts)
+    return text if len(text) <= _MOST_CHARACTERS else UNKNOWN
 
 
-# -- what each substitution stands for -------------------------------------------------------------------------------
+# -- substitutions ---------------------------------------------------------------------------------------------------
 
 
 def _setting(texts: Texts, term: Called) -> str:
@@ -174,6 +209,8 @@ _PERFORMED: dict[str, Callable[[Texts, Called], str]] = {
     "ParameterValue": _only("value"),
     "ParameterFile": _only("param_file"),
     "PathSubstitution": _only("path"),
+    "ReplaceString": _only("source_file"),
+    "RewrittenYaml": _only("source_file"),
     "FindExecutable": _only("name"),
     "FindPackageShare": _package,
     "PathJoinSubstitution": _path,
@@ -192,8 +229,22 @@ _PERFORMED: dict[str, Callable[[Texts, Called], str]] = {
 }
 
 
+def replaced_by(term: Term | None, texts: Texts) -> tuple[tuple[str, str], ...]:
+    """Return the texts that a launch file replaces in a parameter file, with what replaces them."""
+    if not isinstance(term, Called):
+        return ()
+    if term.short == "ParameterFile":
+        inner = replaced_by(term.given("param_file", 0), texts)
+        if not texts.truth(term.given("allow_substs", 1) or Constant("false", term.at)):
+            return inner
+        settings = ((name, value) for name, value in texts.scope.settings.items() if UNKNOWN not in value)
+        return (*inner, *((f"$(var {name})", value) for name, value in settings))
+    table = table_of(term.given("replacements", 1)) if term.short == "ReplaceString" else None
+    return tuple((old, texts.of(new)) for old, new in table.entries.items()) if table else ()
+
+
 def table_of(term: Term | None) -> Table | None:
-    """The dict that a term is, or that the pairs of a list make: `{...}.items()`."""
+    """Return a term as a dict, if it is a dict or a list of pairs, such as `{...}.items()`; None otherwise."""
     if isinstance(term, Table):
         return term
     if not isinstance(term, Items):

@@ -1,20 +1,22 @@
-"""A package as its manifest and its build files tell of it."""
+"""The model of a package, from its manifest and its build files."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
-from urdfctl.record import NamedTuple
 from urdfctl.source.span import Place
+from urdfctl.startup.records import NamedTuple
 
 
 class Package(NamedTuple):
-    """The package that a launch file lies in; `at` is its manifest's root element, `build_file` what tells what it
-    installs. `ros` is the generation of ROS that builds it, None where it does not tell.
+    """The package that contains a launch file.
 
-    `dependencies` are those that its manifest names for running. `reaches` tells whether it needs a package, itself or
-    by others among the sources; `installs` whether a file of it, by its path in the sources, comes to its share folder,
-    None where the build files do not surely tell.
+    at: the root element of the manifest.
+    ros: the ROS generation of its build system; None if unknown.
+    dependencies: its run dependencies, as the manifest lists them.
+    reaches: returns whether a package is among its run dependencies, directly or through other source packages.
+    installs: returns whether a source file, by its path, is installed to the share folder; None if unknown.
+    build_file: the file with the install rules.
     """
 
     name: str
@@ -26,8 +28,8 @@ class Package(NamedTuple):
     installs: Callable[[str], bool | None]
     build_file: str
     tag: str = "exec_depend"
-    """The element that names what is needed for running, in the format of the manifest."""
+    """The element for a run dependency in the manifest's format."""
 
     def holds(self, place: Place) -> bool:
-        """Whether a place is in a file of the package."""
+        """Return whether a place is in a file of the package."""
         return place.source.path.startswith(f"{self.folder}/")

@@ -1,17 +1,23 @@
-"""Parameters as YAML gives them: typed, located, and found by their dotted names."""
+"""Parameters from YAML files: typed, located, and looked up by dotted name."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 
-from urdfctl.record import NamedTuple
 from urdfctl.source.kinds import Kind
 from urdfctl.source.span import Place
+from urdfctl.startup.records import NamedTuple
 
 
 class Value(NamedTuple):
-    """A value with its place. `value` is None for lists, maps, and what cannot be told; `text` is what is written,
-    without its quotes; `items` are the elements of a list, `fields` what a map in a list holds."""
+    """A value with its place.
+
+    kind: the type that the reader gives it.
+    value: the typed value; None for lists, maps, null and unknown values.
+    text: the text in the file, without quotes.
+    items: the elements of a list.
+    fields: the entries of a map that is an element of a list.
+    """
 
     kind: Kind
     value: bool | int | float | str | None
@@ -22,18 +28,23 @@ class Value(NamedTuple):
 
     @property
     def is_known(self) -> bool:
-        """Whether it stands there as it will be read: neither it nor an element waits for a substitution."""
+        """Whether the value is literal: neither it nor an element contains a substitution."""
         return self.kind is not Kind.UNKNOWN and all(item.is_known for item in self.items)
 
     @property
     def strings(self) -> tuple[tuple[str, Place], ...]:
-        """The texts in it that are strings to their reader: its own, or those of its elements."""
-        found = [item for item in (self, *self.items) if item.kind is Kind.STRING]
-        return tuple((item.text, item.at) for item in found)
+        """The text of the value or of its elements, as far as their reader types them as strings, with places."""
+        strings = [item for item in (self, *self.items) if item.kind is Kind.STRING]
+        return tuple((item.text, item.at) for item in strings)
 
 
 class Parameter(NamedTuple):
-    """A parameter, or a map of them (`Kind.MAP`): its dotted name, where its own key stands, and its value."""
+    """A parameter, or a map of parameters (`Kind.MAP`).
+
+    name: the dotted name.
+    key: the place of its own key, the last one.
+    value: the value.
+    """
 
     name: str
     key: Place
@@ -46,7 +57,7 @@ class Parameter(NamedTuple):
 
 
 class Parameters:
-    """Parameters by their dotted names, in the order of the files; of a name given twice the last one."""
+    """Parameters by dotted name, in the order of the files. Of duplicate names, the last one is kept."""
 
     __slots__ = ("_by_name", "_leaves")
 
@@ -64,28 +75,28 @@ class Parameters:
         return name in self._by_name
 
     def get(self, name: str) -> Parameter | None:
-        """The parameter or map of a dotted name."""
+        """Return the parameter or map with a dotted name, if any."""
         return self._by_name.get(name)
 
     def value(self, name: str) -> Value | None:
-        """The value of a dotted name."""
+        """Return the value of a dotted name, if any."""
         parameter = self._by_name.get(name)
         return parameter.value if parameter else None
 
     @property
     def leaves(self) -> tuple[Parameter, ...]:
-        """The parameters that are no maps; an empty map counts as one."""
+        """The parameters that are not maps, and empty maps."""
         if self._leaves is None:
             parents = {name.rpartition(".")[0] for name in self._by_name}
             self._leaves = tuple(p for p in self if p.value.kind is not Kind.MAP or p.name not in parents)
         return self._leaves
 
     def below(self, name: str = "") -> tuple[Parameter, ...]:
-        """What stands directly in a map, or at the top: with its whole dotted name."""
+        """Return the direct children of a map, or the top-level parameters, with their full dotted names."""
         return tuple(parameter for parameter in self if parameter.name.rpartition(".")[0] == name)
 
     def under(self, name: str) -> Parameters:
-        """What stands in a map at any depth, named as seen from there."""
+        """Return all parameters in a map, at any depth, with names relative to the map."""
         start = f"{name}."
         return Parameters(p._replace(name=p.name[len(start) :]) for p in self if p.name.startswith(start))
 

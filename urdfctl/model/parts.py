@@ -1,4 +1,4 @@
-"""The small parts that the model is made of, each with its place."""
+"""Small located parts of the model: texts, references, numbers, comments and generic elements."""
 
 from __future__ import annotations
 
@@ -6,20 +6,22 @@ import re
 from collections.abc import Iterator, Mapping
 from functools import lru_cache
 
-from urdfctl.record import NamedTuple
 from urdfctl.source.dom import COMMENT, Element
 from urdfctl.source.dom import Text as Characters
 from urdfctl.source.span import Place
+from urdfctl.startup.records import NamedTuple
 
 _NUMBER = r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?"
 _LEADING_NUMBER = r"(?i)\s*[+-]?((\d+\.?\d*|\.\d+)([eE][+-]?\d+)?|inf(inity)?|nan)"
 
 
 class Text(NamedTuple):
-    """An element that is read for its text.
+    """The text of an element.
 
-    `value` is the text as ROS's XML readers give it: blanks around it are cut, and there is none where a comment stands
-    before it (then `hidden` is the text that nobody reads). `padded` tells that blanks stand around it.
+    value: the text as ROS's XML readers return it, without surrounding blanks; empty if a comment precedes it.
+    at: the element.
+    hidden: the text after a comment, which these readers miss.
+    padded: whether blanks surround the text.
     """
 
     value: str
@@ -29,12 +31,17 @@ class Text(NamedTuple):
 
     @property
     def past_comments(self) -> str:
-        """The text as ROS 2's reader gives it, which passes over comments before it (tinyxml2 from 9 on)."""
+        """The text as ROS 2's reader returns it: tinyxml2 from version 9 on skips comments before the text."""
         return self.value or self.hidden
 
 
 class Reference(NamedTuple):
-    """The name of another part, as an element gives it in an attribute; None where the attribute is missing."""
+    """A reference to another part by name, in an attribute.
+
+    name: the name; None if the attribute is missing.
+    element: the element with the attribute.
+    attribute: name of the attribute.
+    """
 
     name: str | None
     element: Place
@@ -42,12 +49,17 @@ class Reference(NamedTuple):
 
     @property
     def at(self) -> Place:
-        """Where the name stands; the element where it is missing."""
+        """The place of the name; the element if the attribute is missing."""
         return self.element[self.attribute]
 
 
 class Number(NamedTuple):
-    """A number, or several, as an attribute gives them."""
+    """A number or several numbers in an attribute.
+
+    text: the value of the attribute.
+    element: the element with the attribute.
+    attribute: name of the attribute.
+    """
 
     text: str
     element: Place
@@ -55,36 +67,36 @@ class Number(NamedTuple):
 
     @property
     def at(self) -> Place:
-        """Where the attribute's value stands."""
+        """The place of the attribute's value."""
         return self.element[self.attribute]
 
     @property
     def value(self) -> float | None:
-        """The number, if all of the text is one: decimal, without units, commas, inf or nan."""
+        """The number, if the whole text is one decimal number; None for units, commas, inf or nan."""
         return _number(self.text)
 
 
 @lru_cache(8192)
 def _number(text: str) -> float | None:
-    """Robots say the same few numbers again and again, and rules ask for each more than once."""
+    """The number, cached: robots repeat a few numbers many times, and several rules ask for each."""
     return float(text) if re.fullmatch(_NUMBER, text.strip()) else None
 
 
 def leading_number(text: str) -> float | None:
-    """What C++'s std::stod reads: the number at the start of a text, whatever follows; None where it throws."""
-    found = re.match(_LEADING_NUMBER, text)
-    return float(found.group(0)) if found else None
+    """Return the number at the start of a text, whatever follows, like C++'s std::stod; None where that throws."""
+    match = re.match(_LEADING_NUMBER, text)
+    return float(match.group(0)) if match else None
 
 
 class Comment(NamedTuple):
-    """A comment; where the source does not write it literally, `at` is the element that it stands in."""
+    """A comment; `at` is the preceding or enclosing element if the source does not contain the comment literally."""
 
     text: str
     at: Place
 
 
 class Tag:
-    """An element that the model has no type of its own for: a view of the tree, which is never changed through it."""
+    """A read-only view of any element, for elements without a type of their own in the model."""
 
     __slots__ = ("_children", "_element", "attributes", "name")
 
@@ -96,37 +108,37 @@ class Tag:
 
     @property
     def at(self) -> Place:
-        """Where the element stands."""
+        """The place of the element."""
         return self._element.at
 
     @property
     def text(self) -> str:
-        """The text, as `Text.value` has it."""
+        """The text, like `Text.value`."""
         return text_of(self._element).value
 
     @property
     def past_comments(self) -> str:
-        """The text, as `Text.past_comments` has it."""
+        """The text, like `Text.past_comments`."""
         return text_of(self._element).past_comments
 
     @property
     def children(self) -> tuple[Tag, ...]:
-        """The elements in it, in order."""
+        """The child elements, in order."""
         if self._children is None:
             self._children = tuple([Tag(child) for child in self._element.elements()])
         return self._children
 
     def comments(self) -> Iterator[Comment]:
-        """The comments below it, in order."""
+        """Return the comments in the element, at any depth, in order."""
         return _comments(self._element)
 
     def named(self, name: str) -> Iterator[Tag]:
-        """The children of a name."""
+        """Return the children with a name."""
         return (child for child in self.children if child.name == name)
 
 
 def text_of(element: Element) -> Text:
-    """The text of an element, as ROS's XML readers give it."""
+    """Return the text of an element, as ROS's XML readers see it."""
     first, comment = element.firstChild, False
     while isinstance(first, Characters):
         if first.nodeType == COMMENT:
@@ -140,7 +152,7 @@ def text_of(element: Element) -> Text:
 
 
 def texts_of(element: Element, name: str) -> tuple[Text, ...]:
-    """The texts of an element's children of one name."""
+    """Return the texts of an element's children with a name."""
     return tuple(text_of(child) for child in element.elements() if child.tagName == name)
 
 
@@ -157,7 +169,7 @@ def _comments(element: Element) -> Iterator[Comment]:
 
 
 def _place_of(comment: str, after: Element) -> Place:
-    """Where a comment stands that follows the start tag of an element."""
+    """The place of a comment that follows the start tag of an element."""
     written = f"<!--{comment}-->".encode()
     start = after.source.data.find(written, after.start)
     return Place(after.source, start, after.call, end=start + len(written)) if start >= 0 else after.at

@@ -1,4 +1,4 @@
-"""What the rules look at: one robot in one variant, with what belongs to it."""
+"""The input of the rules: one robot in one variant, with everything that belongs to it."""
 
 from __future__ import annotations
 
@@ -6,29 +6,44 @@ from collections.abc import Callable
 
 from urdfctl.catalog.additions import NO_ADDITIONS, Additions
 from urdfctl.catalog.distros import ALL
-from urdfctl.hints import TYPE_CHECKING
+from urdfctl.model.own_types import NO_OWN_TYPES, OwnTypes
 from urdfctl.model.robot import Robot
-from urdfctl.record import NamedTuple
-from urdfctl.source.influence import Influence, no_influence
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import Place
+from urdfctl.source.xacro.influence import Influence, no_influence
+from urdfctl.startup.hints import TYPE_CHECKING
+from urdfctl.startup.records import NamedTuple
 
 if TYPE_CHECKING:
     from urdfctl.catalog.catalog import Catalog
     from urdfctl.model.controllers import Controllers
+    from urdfctl.model.evidence import Evidence
     from urdfctl.model.launch import Launch
 
 
 class Project(NamedTuple):
-    """One robot in one variant; a run has several.
+    """One robot in one variant. A run has several projects.
 
-    `distro` is None where neither the user nor the files tell it; `distros` are those that it may be. `started` are the
-    controllers started together, None where nothing tells; `in_order` where their order is known. `complete` is False
-    where a part of the robot could not be expanded: then nothing may be claimed to be absent. In a macro `library` what
-    conditions guard stands side by side: then nothing may be claimed to be there twice. `controllers` is None where no
-    controllers' file belongs to the robot; a controllers' file without a robot is a project too. `launch` is the launch
-    file that told which belong together. `simulator_from` tells what named the simulator, `influence` what the values
-    at a place hang on. `listed` are the joints that the package lists for drivers of industrial robots.
+    robot: None for controller files without a robot.
+    path: the file that was linted.
+    distro: the ROS distro; None if neither the user nor the files name one.
+    distros: the distros that are possible.
+    distro_from: what named the distro.
+    simulator: the simulator; `none` for real hardware only, None if unknown.
+    started: the controllers that are started together; None if unknown.
+    problems: the problems in reading the files.
+    complete: False if part of the robot could not be expanded. Then no rule may report that something is missing.
+    library: True for a macro library, in which the branches of all conditions are expanded side by side. Then no rule
+        may report duplicates.
+    controllers: None if the robot has no controller files.
+    additions: the user's additions to the catalogue.
+    launch: the launch file that combines the robot and its controllers.
+    simulator_from: what named the simulator.
+    influence: returns the YAML files and the arguments that the values at a place depend on.
+    in_order: whether the order of `started` is known.
+    listed: the joints that the package lists for drivers of industrial robots.
+    evidence: everything that indicates the distro; None if nobody looked.
+    own: the types that packages of the workspace define themselves, if the catalogue does not have some type.
     """
 
     robot: Robot | None
@@ -48,10 +63,12 @@ class Project(NamedTuple):
     influence: Callable[[Place], Influence] = no_influence
     in_order: bool = False
     listed: tuple[tuple[str, Place], ...] = ()
+    evidence: Evidence | None = None
+    own: OwnTypes = NO_OWN_TYPES
 
     @property
     def ros(self) -> int | None:
-        """1 or 2, None where not known."""
+        """The ROS generation, 1 or 2; None if unknown."""
         from urdfctl.catalog.distros import generation
 
         generations = {generation(distro) for distro in self.distros}
@@ -59,21 +76,21 @@ class Project(NamedTuple):
 
     @property
     def catalog(self) -> Catalog:
-        """What the world offers, with what the user adds; read when it is first asked for."""
+        """The catalogue with the user's additions, loaded on first use."""
         from urdfctl.catalog.catalog import catalog_with
 
         return catalog_with(self.additions)
 
     @property
     def may_be_simulated(self) -> bool:
-        """Whether Gazebo may run it: not known to run on real hardware alone."""
+        """Whether it may run in a simulator: it is not known to run on real hardware only."""
         return self.simulator != "none"
 
     @property
     def named_simulator(self) -> str | None:
-        """The simulator that the user names; None where only a plugin does: such a robot may be real all the same."""
+        """The simulator, unless only a plugin names it: such a robot may also run on real hardware."""
         return None if (self.simulator_from or "").startswith("the plugin ") else self.simulator
 
     def of_kind(self, kind: ProblemKind) -> tuple[Problem, ...]:
-        """The problems of a kind that reading met."""
+        """Return the problems of one kind."""
         return tuple(problem for problem in self.problems if problem.kind is kind)

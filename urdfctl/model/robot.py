@@ -1,4 +1,4 @@
-"""The robot that a description describes: links, joints, transmissions, ros2_control components, Gazebo's elements."""
+"""The model of a robot description: links, joints, transmissions, ros2_control components and Gazebo elements."""
 
 from __future__ import annotations
 
@@ -7,14 +7,19 @@ from collections.abc import Mapping
 from urdfctl.model.parts import Number, Reference, Tag
 from urdfctl.model.ros2_control import Ros2Control
 from urdfctl.model.transmission import Transmission
-from urdfctl.record import NamedTuple
 from urdfctl.source.span import Place
+from urdfctl.startup.records import NamedTuple
 
 MOVING_TYPES = frozenset({"revolute", "continuous", "prismatic", "floating", "planar"})
 
 
 class Inertial(NamedTuple):
-    """An `<inertial>`: mass in kg, the six moments (`ixx` to `izz`) in kg m²; None where not written."""
+    """An `<inertial>` element.
+
+    mass: mass in kg; None if missing.
+    inertia: the moments `ixx` to `izz` in kg m², by name; None if the element is missing.
+    inertia_at: the `<inertia>` element.
+    """
 
     at: Place
     mass: Number | None
@@ -23,7 +28,11 @@ class Inertial(NamedTuple):
 
 
 class Geometry(NamedTuple):
-    """The shape of a `<visual>` or `<collision>` (`role`): its element, None where it has none."""
+    """A `<visual>` or `<collision>` element.
+
+    role: `visual` or `collision`.
+    shape: the element in `<geometry>`; None if missing.
+    """
 
     role: str
     at: Place
@@ -31,7 +40,7 @@ class Geometry(NamedTuple):
 
 
 class Link(NamedTuple):
-    """A `<link>`; a second `<inertial>` is never read."""
+    """A `<link>` element. ROS reads only the first of its `inertials`."""
 
     name: str | None
     at: Place
@@ -41,7 +50,12 @@ class Link(NamedTuple):
 
 
 class Limit(NamedTuple):
-    """A `<limit>`: rad or m, N m or N, rad/s or m/s; None where not written."""
+    """A `<limit>` element. Missing attributes are None.
+
+    lower, upper: position in rad or m.
+    effort: in N m or N.
+    velocity: in rad/s or m/s.
+    """
 
     at: Place
     lower: Number | None
@@ -51,7 +65,7 @@ class Limit(NamedTuple):
 
 
 class Mimic(NamedTuple):
-    """A `<mimic>`."""
+    """A `<mimic>` element; `joint` is the mimicked joint. Missing attributes are None."""
 
     joint: str | None
     at: Place
@@ -60,7 +74,7 @@ class Mimic(NamedTuple):
 
 
 class Joint(NamedTuple):
-    """A `<joint>` of the robot."""
+    """A `<joint>` element of the robot. Missing attributes and child elements are None."""
 
     name: str | None
     type: str | None
@@ -74,12 +88,16 @@ class Joint(NamedTuple):
 
     @property
     def moves(self) -> bool:
-        """Whether its type is one that moves."""
+        """Whether joints of this type can move."""
         return self.type in MOVING_TYPES
 
 
 class Plugin(NamedTuple):
-    """A `<plugin>` of a `<gazebo>` element, with the settings in it."""
+    """A `<plugin>` in a `<gazebo>` element.
+
+    name, filename: the attributes; None if missing.
+    tag: the element with its settings.
+    """
 
     name: str | None
     filename: str | None
@@ -87,12 +105,16 @@ class Plugin(NamedTuple):
     tag: Tag
 
     def setting(self, name: str) -> Tag | None:
-        """The first child of a name."""
+        """Return the first child element with a name, if any."""
         return next(self.tag.named(name), None)
 
 
 class Gazebo(NamedTuple):
-    """A `<gazebo>` element; `reference` names a link or joint, None where it speaks of the whole robot."""
+    """A `<gazebo>` element.
+
+    reference: name of a link or joint; None if the element is about the whole robot.
+    plugins: the `<plugin>` elements in it.
+    """
 
     reference: str | None
     at: Place
@@ -101,10 +123,14 @@ class Gazebo(NamedTuple):
 
 
 class MeshFile(NamedTuple):
-    """What was learned of the file that a mesh names.
+    """The result of looking up the file of a mesh.
 
-    `package` is the one that its address names, None where it names none; `nearest` the known package or file that is
-    most like the one that was not found; `address` the package:// address that means the same file.
+    exists: whether the file exists.
+    package: the package in its address; None if the address has none.
+    package_found: whether that package was found.
+    nearest: the known package or file with the most similar name, if the named one was not found.
+    address: the package:// address of the same file.
+    package_declared: whether the package was not found, although package.xml declares it.
     """
 
     exists: bool
@@ -112,10 +138,16 @@ class MeshFile(NamedTuple):
     package_found: bool = True
     nearest: str | None = None
     address: str | None = None
+    package_declared: bool = False
 
 
 class Mesh(NamedTuple):
-    """A `<mesh>` of a visual or collision; `file` is None where nobody looked for it."""
+    """A `<mesh>` element in a visual or collision.
+
+    filename: the address of the file.
+    link: name of the link.
+    file: the result of looking up the file; None if it was not looked up.
+    """
 
     filename: str
     element: Place
@@ -124,15 +156,23 @@ class Mesh(NamedTuple):
 
     @property
     def at(self) -> Place:
-        """Where the filename stands."""
+        """The place of the filename."""
         return self.element["filename"]
 
 
 class Robot(NamedTuple):
-    """A whole description, each part in the order in which it is written.
+    """A robot description. All parts are in the order of the source.
 
-    `transmissions` stand directly in the root, `nested_transmissions` elsewhere, but for the ones
-    in `<ros2_control>`. `element` is the root element's name: nothing but `robot` makes a robot of it.
+    name: the robot's name; None if missing.
+    at: the root element.
+    transmissions: the `<transmission>` elements directly in the root element.
+    nested_transmissions: the `<transmission>` elements in other places, except those in `<ros2_control>`.
+    ros2_controls: all `<ros2_control>` elements, wherever they are.
+    others: the remaining children of the root element.
+    element: name of the root element; ROS reads only `robot`.
+    version: the version attribute of the root element.
+    meshes: the meshes of all links.
+    tag: the root element.
     """
 
     name: str | None
@@ -150,7 +190,7 @@ class Robot(NamedTuple):
     tag: Tag | None = None
 
     def joint(self, name: str) -> Joint | None:
-        """The first joint of a name."""
+        """Return the first joint with a name, if any."""
         return next((joint for joint in self.joints if joint.name == name), None)
 
     @property

@@ -1,16 +1,16 @@
-"""The `<ros2_control>` components of ROS 2."""
+"""The model of `<ros2_control>` components (ROS 2)."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 from urdfctl.model.parts import Tag, Text
-from urdfctl.record import NamedTuple
 from urdfctl.source.span import Place
+from urdfctl.startup.records import NamedTuple
 
 
 class Parameter(NamedTuple):
-    """A `<param name="...">value</param>`; ros2_control reads the value past a comment."""
+    """A `<param name="...">value</param>`. Like ros2_control, `value` skips comments before the text."""
 
     name: str | None
     value: str
@@ -19,7 +19,7 @@ class Parameter(NamedTuple):
 
 
 class Interface(NamedTuple):
-    """A `<command_interface>` or `<state_interface>` (`kind`: command or state)."""
+    """A `<command_interface>` or `<state_interface>`; `kind` is `command` or `state`."""
 
     kind: str
     name: str | None
@@ -29,16 +29,21 @@ class Interface(NamedTuple):
 
     @property
     def element(self) -> str:
-        """The name of its element."""
+        """The name of the XML element."""
         return self.tag.name
 
     def parameter(self, name: str) -> Parameter | None:
-        """The parameter of a name: of several the last, as the parser has it."""
+        """Return the last parameter with a name, which is the one that ros2_control uses."""
         return _last(self.parameters, name)
 
 
 class Part(NamedTuple):
-    """A `<joint>`, `<sensor>` or `<gpio>` of a component (`kind`)."""
+    """A `<joint>`, `<sensor>` or `<gpio>` of a component.
+
+    kind: `joint`, `sensor` or `gpio`.
+    commands, states: the command and state interfaces.
+    others: the remaining child elements.
+    """
 
     kind: str
     name: str | None
@@ -51,16 +56,20 @@ class Part(NamedTuple):
 
     @property
     def interfaces(self) -> tuple[Interface, ...]:
-        """All its interfaces, command interfaces first, as the parser reads them."""
+        """All interfaces, with the command interfaces first, as the parser reads them."""
         return self.commands + self.states
 
     def parameter(self, name: str) -> Parameter | None:
-        """The parameter of a name: of several the last, as the parser has it."""
+        """Return the last parameter with a name, which is the one that ros2_control uses."""
         return _last(self.parameters, name)
 
 
 class Hardware(NamedTuple):
-    """The `<hardware>` element: every `<plugin>` it names, and its parameters."""
+    """A `<hardware>` element.
+
+    plugins: the texts of all `<plugin>` elements; only the first is used.
+    others: the remaining child elements.
+    """
 
     at: Place
     plugins: tuple[Text, ...]
@@ -70,16 +79,20 @@ class Hardware(NamedTuple):
 
     @property
     def plugin(self) -> str | None:
-        """The class that is loaded: that of the first `<plugin>`; None where there is none."""
+        """The class that is loaded: the first `<plugin>`; None if there is none."""
         return self.plugins[0].past_comments if self.plugins else None
 
     def parameter(self, name: str) -> Parameter | None:
-        """The parameter of a name: of several the last, as the parser has it."""
+        """Return the last parameter with a name, which is the one that ros2_control uses."""
         return _last(self.parameters, name)
 
 
 class ControlTransmissionEnd(NamedTuple):
-    """A `<joint>` or `<actuator>` (`kind`) of a transmission of ROS 2; of its numbers the first is read."""
+    """A `<joint>` or `<actuator>` of a ROS 2 transmission.
+
+    kind: `joint` or `actuator`.
+    reductions, offsets: all `<mechanical_reduction>` and `<offset>` elements; only the first of each is used.
+    """
 
     kind: str
     name: str | None
@@ -91,7 +104,7 @@ class ControlTransmissionEnd(NamedTuple):
 
 
 class ControlTransmission(NamedTuple):
-    """A `<transmission>` inside `<ros2_control>`: the form of ROS 2, or that of ROS 1 at a wrong place."""
+    """A `<transmission>` inside `<ros2_control>`: in the ROS 2 form, or misplaced in the ROS 1 form."""
 
     name: str | None
     at: Place
@@ -103,7 +116,7 @@ class ControlTransmission(NamedTuple):
 
     @property
     def is_ros1(self) -> bool:
-        """Whether it is written as ROS 1 has it: with a `<type>`, or a `<hardwareInterface>` at its ends."""
+        """Whether it has the ROS 1 form: a `<type>`, or a `<hardwareInterface>` in a joint or actuator."""
         if self.plugins:
             return False
         ends = (*self.joints, *self.actuators)
@@ -111,8 +124,14 @@ class ControlTransmission(NamedTuple):
 
 
 class Ros2Control(NamedTuple):
-    """One `<ros2_control>` tag: a hardware component. `others` are the children it does not know; `parent` is the name
-    of the element it stands in."""
+    """A `<ros2_control>` element: one hardware component.
+
+    type: `system`, `actuator` or `sensor`.
+    hardware: all `<hardware>` elements; only the last is used.
+    parts: the joints, sensors and gpios.
+    others: child elements that ros2_control does not know.
+    parent: name of the parent element.
+    """
 
     name: str | None
     type: str | None
@@ -125,12 +144,12 @@ class Ros2Control(NamedTuple):
     tag: Tag
 
     def of_kind(self, kind: str) -> Iterator[Part]:
-        """Its joints, sensors or gpios."""
+        """Return the parts of one kind: `joint`, `sensor` or `gpio`."""
         return (part for part in self.parts if part.kind == kind)
 
     @property
     def plugin(self) -> str | None:
-        """The class that is loaded: a second `<hardware>` replaces the first; None where no element names one."""
+        """The class that is loaded, from the last `<hardware>` element; None if that names none."""
         return self.hardware[-1].plugin if self.hardware else None
 
 

@@ -1,12 +1,12 @@
-"""What the programs that load controllers are told in their arguments: the spawner, and `ros2 control`."""
+"""Parse the arguments of programs that load controllers: the spawner and `ros2 control`."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
 from urdfctl.model.launch import Option, Word
-from urdfctl.record import NamedTuple
 from urdfctl.source.opaque import UNKNOWN
+from urdfctl.startup.records import NamedTuple
 
 WITH_VALUE = frozenset(
     (
@@ -24,14 +24,21 @@ _VERBS = {
     "load_configure_controller": False,
     "set_controller_state": None,
 }
+"""The verbs of `ros2 control` that load a controller, and whether they start it; None if their arguments decide."""
 _ACTIVE = frozenset({"active", "start"})
 _NOT_STARTING = ("--stopped", "--inactive", "--load-only")
 _OF_ROS = "--ros-args"
 
 
-class Told(NamedTuple):
-    """What a spawner is told: the controllers, the options, the manager's name as it is given (None where it is not,
-    UNKNOWN in it where it is not known), whether it starts them, and whether that is all."""
+class SpawnerArguments(NamedTuple):
+    """The parsed arguments of a spawner.
+
+    names: the controllers.
+    options: the options with their values.
+    manager: the manager's name as given; None if not given. Contains UNKNOWN if it is not fully known.
+    active: whether it starts the controllers.
+    complete: False if some of the arguments are unknown.
+    """
 
     names: tuple[Word, ...]
     options: tuple[Option, ...]
@@ -40,14 +47,18 @@ class Told(NamedTuple):
     complete: bool
 
     def values(self, *names: str) -> Iterator[Word]:
-        """The values of all options of some names."""
+        """Yield the values of all options with one of these names."""
         for option in self.options:
             if option.name in names and option.value is not None:
                 yield option.value
 
 
-def told(words: Sequence[Word], *, complete: bool) -> Told:
-    """What the words behind `spawner` say; not `complete` where some of them are not known."""
+def spawner_arguments(words: Sequence[Word], *, complete: bool) -> SpawnerArguments:
+    """Return the parsed arguments of a spawner.
+
+    words: the command line after `spawner`.
+    complete: False if some words are unknown.
+    """
     names: list[Word] = []
     options: list[Option] = []
     rest = iter(words)
@@ -72,40 +83,46 @@ def told(words: Sequence[Word], *, complete: bool) -> Told:
         option.value.text for option in options if option.name in {"-c", "--controller-manager"} and option.value
     ]
     active = not any(option.name in _NOT_STARTING for option in options)
-    return Told(
+    return SpawnerArguments(
         known, tuple(options), managers[-1] if managers else None, active, complete and len(known) == len(names)
     )
 
 
-def told_by_command(words: Sequence[Word]) -> tuple[Word, Told] | None:
-    """What a command line says that loads controllers, with the word that tells which; None where it is another."""
+def command_arguments(words: Sequence[Word]) -> tuple[Word, SpawnerArguments] | None:
+    """Return the word with the program or verb of a command that loads controllers, and its parsed arguments.
+
+    None if it is any other command.
+    """
     texts = [word.text for word in words]
     if texts[:3] == ["ros2", "run", "controller_manager"] and texts[3:4] and texts[3] in {"spawner", "spawner.py"}:
-        return words[3], told(words[4:], complete=True)
+        return words[3], spawner_arguments(words[4:], complete=True)
     if texts[:2] != ["ros2", "control"] or len(texts) < 3 or texts[2] not in _VERBS:  # noqa: PLR2004
         return None
-    verb, found = words[2], told(words[3:], complete=True)
+    verb, parsed = words[2], spawner_arguments(words[3:], complete=True)
     active = _VERBS[verb.text]
-    if verb.text != "set_controller_state" and found.names[1:]:  # newer distros: the controller, then a file
-        given = Option("--param-file", found.names[1], found.names[1].at)
-        found = found._replace(names=found.names[:1], options=(*found.options, given))
+    if verb.text != "set_controller_state" and parsed.names[1:]:  # newer distros: the controller, then a file
+        file = Option("--param-file", parsed.names[1], parsed.names[1].at)
+        parsed = parsed._replace(names=parsed.names[:1], options=(*parsed.options, file))
     if verb.text == "set_controller_state":
-        state = found.names[1:2]
-        return verb, found._replace(names=found.names[:1], active=bool(state) and state[0].text in _ACTIVE)
+        state = parsed.names[1:2]
+        return verb, parsed._replace(names=parsed.names[:1], active=bool(state) and state[0].text in _ACTIVE)
     if active is None:
-        state = tuple(found.values("--set-state", "--set_state"))[-1:]
+        state = tuple(parsed.values("--set-state", "--set_state"))[-1:]
         unknown = any(word.known is None for word in state)
-        found = found._replace(complete=found.complete and not unknown)
+        parsed = parsed._replace(complete=parsed.complete and not unknown)
         active = bool(state) and state[0].text in _ACTIVE
-    return verb, found._replace(active=active)
+    return verb, parsed._replace(active=active)
 
 
 def manager_of(given: str | None, namespace: str) -> tuple[str | None, str | None]:
-    """The name and namespace of the manager that a spawner means: as it is given, else `controller_manager`; both None
-    where it is not known. `namespace` is the spawner's, UNKNOWN where it is not known."""
+    """Return the name and the namespace of a spawner's manager; each None if unknown.
+
+    given: the manager's name in the spawner's arguments; None for the default, `controller_manager`.
+    namespace: the spawner's namespace; UNKNOWN if unknown.
+    """
     name = "controller_manager" if given is None else given.strip("/") if given.startswith("/") else given
-    whole = f"/{name}" if given is not None and given.startswith("/") else f"{namespace}/{name}"
-    if UNKNOWN in whole:
+    full_name = f"/{name}" if given is not None and given.startswith("/") else f"{namespace}/{name}"
+    if UNKNOWN in full_name:
         return (None if UNKNOWN in name else name.rpartition("/")[2]), None
-    parts = [part for part in whole.split("/") if part]
+    parts = [part for part in full_name.split("/") if part]
     return parts[-1] if parts else None, "".join(f"/{part}" for part in parts[:-1])

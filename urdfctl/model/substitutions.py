@@ -1,4 +1,4 @@
-"""roslaunch's `$(...)`: what can be told of it without running anything. What cannot becomes UNKNOWN in the text."""
+"""roslaunch's `$(...)` substitutions, as far as they are known without running anything; the rest becomes UNKNOWN."""
 
 from __future__ import annotations
 
@@ -8,16 +8,18 @@ from collections.abc import Callable, Mapping
 
 from urdfctl.source.opaque import UNKNOWN
 
-_ONE = r"\$\(([^()$]*)\)"
+_INNERMOST = r"\$\(([^()$]*)\)"
 _EVAL = r"\$\(eval (.*)\)"
-_OPERAND = r"""(?:arg\(\s*['"](\w+)['"]\s*\)|(\w+))"""
-_COMPARISON = rf"""\s*{_OPERAND}\s*(==|!=)\s*['"]([^'"]*)['"]\s*"""
-_NEGATION = rf"\s*not\s+{_OPERAND}\s*"
 _TRUTH = {"true": True, "1": True, "false": False, "0": False}
 
 
 class Substitutions:
-    """Resolves the texts of one launch file. `find` gives a package's folder, None where it is not known."""
+    """Resolves substitutions in the texts of one launch file.
+
+    arguments: the launch arguments by name.
+    find: returns the folder of a package; None if unknown.
+    environ: the environment variables.
+    """
 
     def __init__(
         self, file: str, arguments: Mapping[str, str], find: Callable[[str], str | None], environ: Mapping[str, str]
@@ -28,18 +30,18 @@ class Substitutions:
         self.environ = environ
 
     def resolve(self, text: str) -> str:
-        """A text as roslaunch makes it: packages are found after everything else."""
+        """Return a text with its substitutions resolved. Like roslaunch, resolves `$(find ...)` after all others."""
         if "$(" not in text:
             return text
-        whole = re.fullmatch(_EVAL, text.strip(), re.DOTALL)
-        if whole:
-            return self._evaluated(whole.group(1))
-        text = re.sub(_ONE, lambda match: self._value(match.group(0), match.group(1)), text)
-        text = re.sub(_ONE, lambda match: self._found(match.group(1)), text)
+        evaluation = re.fullmatch(_EVAL, text.strip(), re.DOTALL)
+        if evaluation:
+            return self._evaluated(evaluation.group(1))
+        text = re.sub(_INNERMOST, lambda match: self._value(match.group(0), match.group(1)), text)
+        text = re.sub(_INNERMOST, lambda match: self._found(match.group(1)), text)
         return text if "$(" not in text else UNKNOWN
 
     def truth(self, text: str) -> bool | None:
-        """What an `if` says; None where it is not known."""
+        """Return the value of an `if` or `unless` attribute; None if unknown."""
         return _TRUTH.get(self.resolve(text).strip().lower())
 
     def _value(self, whole: str, inside: str) -> str:
@@ -63,14 +65,9 @@ class Substitutions:
         return self.find(name.strip()) or UNKNOWN
 
     def _evaluated(self, expression: str) -> str:
-        """A comparison of an argument with a text, or `not` an argument; no other expression is worked out."""
-        compared = re.fullmatch(_COMPARISON, expression)
-        if compared:
-            called, bare, operator, literal = compared.groups()
-            value = self.arguments.get(called or bare, UNKNOWN)
-            return UNKNOWN if UNKNOWN in value else str((value == literal) is (operator == "=="))
-        negated = re.fullmatch(_NEGATION, expression)
-        if negated:
-            truth = _TRUTH.get(self.arguments.get(negated.group(1) or negated.group(2), UNKNOWN).lower())
-            return UNKNOWN if truth is None else str(not truth)
-        return UNKNOWN
+        """The value of an `eval`: a Python expression with the launch arguments as names; UNKNOWN if it is unknown."""
+        if "__" in expression:
+            return UNKNOWN  # roslaunch refuses it
+        from urdfctl.source.launch.roslaunch_eval import evaluated
+
+        return evaluated(expression, self.arguments, self.environ, self.find, self.folder)

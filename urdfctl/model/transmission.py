@@ -1,17 +1,19 @@
-"""The `<transmission>`s of ROS 1, and the older form of the PR2."""
+"""The model of ROS 1 `<transmission>` elements, including the older PR2 form."""
 
 from __future__ import annotations
 
 from urdfctl.model.parts import Tag, Text
-from urdfctl.record import NamedTuple
 from urdfctl.source.span import Place
+from urdfctl.startup.records import NamedTuple
 
 
 class TransmissionEnd(NamedTuple):
-    """What a transmission's joint and its actuator have in common.
+    """A `<joint>` or `<actuator>` of a transmission.
 
-    `interfaces`, `reductions` and `offsets` hold every such child, empty ones too; `others` the children that no reader
-    asks for.
+    role: text of `<role>`; None if missing.
+    interfaces, reductions, offsets: all `<hardwareInterface>`, `<mechanicalReduction>` and `<offset>` elements,
+        including empty ones.
+    others: child elements that no reader uses.
     """
 
     name: str | None
@@ -24,7 +26,7 @@ class TransmissionEnd(NamedTuple):
 
     @property
     def named_interfaces(self) -> tuple[Text, ...]:
-        """The interfaces that ros_control's parser keeps: those with a text."""
+        """The interfaces that are not empty; ros_control's parser keeps only these."""
         return tuple(interface for interface in self.interfaces if interface.value)
 
 
@@ -33,9 +35,12 @@ Actuator = TransmissionEnd
 
 
 class Transmission(NamedTuple):
-    """One `<transmission>`. `type` is its first `<type>` child; `type_attribute` belongs to the PR2's form.
+    """A `<transmission>` element.
 
-    `parent` is the name of the element it stands in: ros_control reads children of the root element only.
+    type: text of the first `<type>` child; None if missing.
+    type_attribute: the attribute `type`, which the PR2 form uses.
+    others: the remaining child elements.
+    parent: name of the parent element; ros_control reads only children of the root element.
     """
 
     name: str | None
@@ -49,7 +54,7 @@ class Transmission(NamedTuple):
 
     @property
     def is_pr2(self) -> bool:
-        """Whether this is the old form `<transmission type="...">` of pr2_mechanism_model, which ros_control skips."""
+        """Whether it has the form `<transmission type="...">` of pr2_mechanism_model, which ros_control skips."""
         return self.type_attribute is not None and self.type is None and not self._has_interfaces
 
     @property
@@ -58,7 +63,7 @@ class Transmission(NamedTuple):
 
     @property
     def label(self) -> str:
-        """What a message calls it: `transmission 'x'`, or the joint's name where it has none of its own."""
+        """Its name in messages: `transmission 'x'`; the transmission of its joint if it has no name."""
         if self.name:
             return f"transmission '{self.name}'"
         joint = next((joint.name for joint in self.joints if joint.name), None)
@@ -66,5 +71,5 @@ class Transmission(NamedTuple):
 
     @property
     def kept_joints(self) -> tuple[TransmissionJoint, ...]:
-        """The joints that ros_control's parser keeps: named, and with an interface (transmission_parser.cpp)."""
+        """The joints with a name and an interface; ros_control's parser keeps only these (transmission_parser.cpp)."""
         return tuple(joint for joint in self.joints if joint.name and joint.named_interfaces)

@@ -1,4 +1,4 @@
-"""The forms in which a run's findings are told, each a pure function of them."""
+"""Output formats: each renders a report as text, without side effects."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ FORMATS = tuple(_MODULES)
 
 
 def module_of(name: str) -> ModuleType:
-    """What writes one of the forms, loaded when it is asked for."""
+    """Return the module of an output format. It is imported on first use."""
     return import_module(f"{__name__}.{_MODULES[name]}")
 
 
 def render(report: Report, name: str) -> str:
-    """A report in one of the forms."""
-    written: Callable[[Report], str] = module_of(name).render
-    return written(report)
+    """Return a report in an output format."""
+    render_format: Callable[[Report], str] = module_of(name).render
+    return render_format(report)

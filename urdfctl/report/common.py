@@ -1,4 +1,4 @@
-"""What the reports share."""
+"""Helpers for all output formats: paths, escaping, JSON."""
 
 from __future__ import annotations
 
@@ -6,63 +6,74 @@ import os
 import re
 
 from urdfctl.diagnostic import Diagnostic, Location, Severity
-from urdfctl.lint import Linted
-from urdfctl.record import NamedTuple
+from urdfctl.lint.results import TargetResult
 from urdfctl.source.files import is_launch, is_yaml
+from urdfctl.startup.records import NamedTuple
 
 
 class Report(NamedTuple):
     """What a run found: the robots it looked at (and controllers' files and launch files named alone), the findings in
-    their stable order, how many other files it looked at (macro libraries, fragments and controllers' files in folders,
-    which no robot uses), from which severity on findings make it fail, how many more findings the baseline hides, and
-    whether the rules are to be counted."""
+    their stable order, the other files that were linted (macro libraries, fragments and controller files in folders,
+    which no robot uses), from which severity on findings make it fail, how many more findings the baseline hides,
+    whether the rules are to be counted, and the declared packages that are not in the workspace."""
 
-    targets: tuple[Linted, ...]
+    targets: tuple[TargetResult, ...]
     findings: tuple[Diagnostic, ...]
-    others: int = 0
+    unused: tuple[str, ...] = ()
     fail_on: Severity = Severity.ERROR
     known: int = 0
     statistics: bool = False
+    missing_packages: tuple[str, ...] = ()
 
     def count(self, severity: Severity) -> int:
-        """How many findings have a severity."""
+        """Return the number of findings with a severity."""
         return sum(finding.severity is severity for finding in self.findings)
 
 
-def is_robot(target: Linted) -> bool:
-    """Whether a target is a robot, and no controllers' file or launch file alone."""
+def about_missing_packages(names: tuple[str, ...]) -> str:
+    """The line about packages that are not in the workspace; empty where there are none."""
+    if not names:
+        return ""
+    first, last = ", ".join(names[:-1]), names[-1]
+    if not first:
+        return f"1 package is not in this workspace: {last}; what it defines is not checked"
+    return f"{len(names)} packages are not in this workspace: {first} and {last}; what they define is not checked"
+
+
+def is_robot(target: TargetResult) -> bool:
+    """Return whether a target is a robot, not a controller file or launch file without one."""
     return not (is_yaml(target.path) or is_launch(target.path))
 
 
 def shown(path: str) -> str:
-    """A path as reports show it: relative to the current folder where it lies in it, with forward slashes."""
+    """Return a path as reports show it: relative if it is in the current folder, with forward slashes."""
     current = os.getcwd().rstrip(os.sep) + os.sep
     return path.removeprefix(current).replace(os.sep, "/")
 
 
 def visible(text: str) -> str:
-    """A text whose control characters are shown, not obeyed: a stranger's file must not speak to the terminal, and one
-    finding is one line."""
+    """Return a text with its control characters escaped: a file must not control the terminal, and a finding must stay
+    on one line."""
     return text.translate(_ESCAPES) if not text.isprintable() else text
 
 
 def as_json(value: object, indent: int | None = None) -> str:
-    """A value as JSON in which only what is safe to print stands as it is: no control characters, no ends of lines, no
-    halves of characters (which file names that are no text bring in)."""
+    """Return a value as JSON that is safe to print: control characters, line separators and surrogates are escaped.
+    Surrogates come from file names that are not valid UTF-8."""
     import json
 
     text = json.dumps(value, indent=indent, ensure_ascii=False)
-    return text if text.isprintable() else re.sub(_UNSAFE_IN_JSON, lambda found: f"\\u{ord(found[0]):04x}", text)
+    return text if text.isprintable() else re.sub(_UNSAFE_IN_JSON, lambda match: f"\\u{ord(match[0]):04x}", text)
 
 
 def as_text(text: str) -> str:
-    """A text that any encoder takes: halves of characters become question marks in a diamond."""
+    """Return a text that can be encoded: surrogates become U+FFFD, the replacement character."""
     return re.sub("[\ud800-\udfff]", "\ufffd", text)
 
 
 def rebased(path: str, variable: str) -> str:
-    """A path as reports show it, from the root of the checkout instead where a pipeline's variable tells it."""
-    from urdfctl.fingerprint import path_from
+    """Return a path as reports show it, relative to the checkout if the environment variable names its root."""
+    from urdfctl.report.fingerprint import path_from
 
     root = os.environ.get(variable)
     known = root and os.path.abspath(path).startswith(os.path.abspath(root).rstrip(os.sep) + os.sep)
@@ -75,26 +86,26 @@ _ESCAPES = {code: repr(chr(code))[1:-1] for code in _CONTROLS}
 
 
 def relative(diagnostic: Diagnostic) -> Diagnostic:
-    """A diagnostic whose paths are as reports show them."""
+    """Return a diagnostic with paths as reports show them."""
     fix = diagnostic.fix
     if fix:
         edits = tuple(edit._replace(at=_located(edit.at)) for edit in fix.edits)
-        fix = fix._replace(title=said(fix.title), edits=edits)
+        fix = fix._replace(title=relative_message(fix.title), edits=edits)
     chains = diagnostic.expanded_from
     return diagnostic._replace(
-        message=said(diagnostic.message),
+        message=relative_message(diagnostic.message),
         at=_located(diagnostic.at),
         expanded_from=tuple(tuple(step._replace(file=shown(step.file)) for step in chain) for chain in chains),
         notes=tuple(
-            note._replace(message=said(note.message), at=_located(note.at) if note.at else None)
+            note._replace(message=relative_message(note.message), at=_located(note.at) if note.at else None)
             for note in diagnostic.notes
         ),
         fix=fix,
     )
 
 
-def said(message: str) -> str:
-    """A message whose paths are as reports show them."""
+def relative_message(message: str) -> str:
+    """Return a message with paths as reports show them."""
     current = os.getcwd().rstrip(os.sep) + os.sep
     if current == os.sep or current not in message:
         return message

@@ -1,6 +1,6 @@
-"""The report as workflow commands, which GitHub Actions shows as annotations in the code.
+"""Report as workflow commands, which GitHub Actions shows as annotations in the code.
 
-The form is that of docs.github.com, "Workflow commands for GitHub Actions"; what is escaped, that of actions/toolkit.
+Format: docs.github.com, "Workflow commands for GitHub Actions". Escaping: actions/toolkit.
 """
 
 from __future__ import annotations
@@ -13,19 +13,19 @@ _COMMANDS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO
 
 
 def render(report: Report) -> str:
-    """`::error file=…,line=…,col=…,title=…::message`, a line each, with paths from the root of the checkout."""
+    """Return a line `::error file=…,line=…,col=…,title=…::message` for each finding. Paths start at the checkout."""
     return "".join(f"{_command(relative(diagnostic))}\n" for diagnostic in report.findings)
 
 
 def _command(diagnostic: Diagnostic) -> str:
     at = diagnostic.at
     properties = {"file": rebased(at.file, "GITHUB_WORKSPACE"), "line": at.line, "endLine": at.end_line}
-    if at.end_line == at.line:  # columns of different lines are refused
+    if at.end_line == at.line:  # GitHub rejects columns if the lines differ
         properties |= {"col": at.column, "endColumn": at.end_column}
     properties |= {"title": f"{diagnostic.code} {diagnostic.name}"}
-    written = ",".join(f"{name}={_property(visible(str(value)))}" for name, value in properties.items())
-    said = "\n".join(visible(line) for line in paragraph(diagnostic))
-    return f"::{_COMMANDS[diagnostic.severity]} {written}::{_data(said)}"
+    parameters = ",".join(f"{name}={_property(visible(str(value)))}" for name, value in properties.items())
+    text = "\n".join(visible(line) for line in paragraph(diagnostic))
+    return f"::{_COMMANDS[diagnostic.severity]} {parameters}::{_data(text)}"
 
 
 def _data(text: str) -> str:

@@ -1,6 +1,6 @@
-"""The report in GitLab's Code Quality form, which merge requests show beside the code.
+"""Report in GitLab's Code Quality format, which merge requests show beside the code.
 
-The form is that of docs.gitlab.com, "Code Quality report format".
+Format: docs.gitlab.com, "Code Quality report format".
 """
 
 from __future__ import annotations
@@ -8,14 +8,14 @@ from __future__ import annotations
 import os
 
 from urdfctl.diagnostic import Diagnostic, Severity
-from urdfctl.fingerprint import fingerprints
 from urdfctl.report.common import Report, as_json, as_text, rebased, relative, visible
+from urdfctl.report.fingerprint import fingerprints
 
 _SEVERITIES = {Severity.ERROR: "major", Severity.WARNING: "minor", Severity.INFO: "info"}
 
 
 def render(report: Report) -> str:
-    """A JSON array of the findings, with paths from the root of the checkout."""
+    """Return a JSON array of the findings. Paths start at the checkout."""
     prints = fingerprints(report.findings, os.environ.get("CI_PROJECT_DIR") or os.getcwd())
     pairs = zip(report.findings, prints, strict=True)
     return as_json([_issue(relative(diagnostic), mark) for diagnostic, mark in pairs], indent=1) + "\n"

@@ -1,43 +1,56 @@
-"""The report as JSON, version 1; its schema is lint.schema.json beside this file."""
+"""Report as JSON, version 1. Its schema is lint.schema.json in this folder."""
 
 from __future__ import annotations
 
 from urdfctl import __version__
 from urdfctl.diagnostic import Diagnostic, Repair, Severity
-from urdfctl.hints import Any
+from urdfctl.lint.results import TargetResult
+from urdfctl.load.bringup import Bringup
 from urdfctl.report.common import Report, as_json, is_robot, relative, shown
+from urdfctl.startup.hints import Any
 
 
 def render(report: Report) -> str:
-    """The report as one JSON document."""
+    """Return the report as a JSON document."""
     return as_json(document(report), indent=1) + "\n"
 
 
 def document(report: Report) -> dict[str, Any]:
-    """The report as plain data."""
+    """Return the report as plain data."""
     return {
         "version": 1,
         "tool": {"name": "urdfctl", "version": __version__},
-        "targets": [
-            {
-                "robot": shown(target.path) if is_robot(target) else None,
-                "controllers": [shown(path) for path in target.controllers],
-                "launch": shown(target.launch) if target.launch else None,
-                "ros": target.ros,
-                "distro": target.distro,
-                "distro_from": target.distro_from,
-                "simulator": target.simulator,
-                "complete": target.complete,
-            }
-            for target in report.targets
-        ],
+        "targets": [target_document(target) for target in report.targets],
+        "unused": [shown(path) for path in report.unused],
+        "missing_packages": list(report.missing_packages),
         "findings": [finding(relative(diagnostic)) for diagnostic in report.findings],
         "summary": {**{severity.value: report.count(severity) for severity in Severity}, "known": report.known},
     }
 
 
+def target_document(target: TargetResult) -> dict[str, Any]:
+    """Return a target as plain data."""
+    bringup = target.bringup or Bringup()
+    return {
+        "robot": shown(target.path) if is_robot(target) else None,
+        "arguments": dict(target.arguments),
+        "controllers": [shown(path) for path in target.controllers],
+        "launch": shown(target.launch) if target.launch else None,
+        "launch_arguments": dict(bringup.arguments),
+        "includes": [shown(path) for path in bringup.includes],
+        "namespace": bringup.namespace,
+        "spawned": list(bringup.spawned),
+        "moveit": bringup.moveit,
+        "ros": target.ros,
+        "distro": target.distro,
+        "distro_from": target.distro_from,
+        "simulator": target.simulator,
+        "complete": target.complete,
+    }
+
+
 def finding(diagnostic: Diagnostic) -> dict[str, Any]:
-    """One finding as plain data."""
+    """Return a finding as plain data."""
     at = diagnostic.at
     return {
         "code": diagnostic.code,

@@ -1,4 +1,4 @@
-"""The report as JSON Lines: one finding a line, as the JSON report has it; nothing where nothing was found."""
+"""Report as JSON Lines: each finding is a line, as in the JSON report. Empty if there are no findings."""
 
 from __future__ import annotations
 
@@ -7,5 +7,5 @@ from urdfctl.report.json_report import finding
 
 
 def render(report: Report) -> str:
-    """The findings, a line each."""
+    """Return the findings, one on each line."""
     return "".join(f"{as_json(finding(relative(diagnostic)))}\n" for diagnostic in report.findings)

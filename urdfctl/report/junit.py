@@ -1,6 +1,7 @@
-"""The report as JUnit's XML, which every CI system shows: a suite for each file, a test case for each finding.
+"""Report as JUnit XML, which every CI system shows: a suite for each file, a test case for each finding.
 
-What makes the run fail is a failure there, what does not is skipped, and a robot without findings is a passed test.
+A finding that makes the run fail is a failed test. Other findings are skipped tests. A robot without findings is a
+passed test.
 """
 
 from __future__ import annotations
@@ -13,18 +14,21 @@ from urdfctl.report.common import Report, as_text, relative, shown, visible
 from urdfctl.report.concise import place
 from urdfctl.report.words import paragraph
 
-_OURS = "UC000"
+_CRASH = "UC000"
 _NOT_XML = {0xFFFE: "\ufffd", 0xFFFF: "\ufffd"}
 
 
 def render(report: Report) -> str:
-    """One document, whatever texts it holds."""
+    """Return the report as a JUnit document. Characters that XML forbids are replaced."""
     return suites_document(report)
 
 
 def suites_document(report: Report, others: Iterable[str] = (), more: tuple[int, int, int] = (0, 0, 0)) -> str:
-    """One document with further suites before those of the findings: their lines, and how many tests, failures and
-    skipped ones they hold."""
+    """Return a JUnit document with further suites before those of the findings.
+
+    others: the lines of the further suites.
+    more: how many tests, failures and skipped tests they contain.
+    """
     return "\n".join(_lines(report, others, more)) + "\n"
 
 
@@ -66,7 +70,7 @@ def _result(diagnostic: Diagnostic, report: Report) -> str:
 
 
 def _kind(diagnostic: Diagnostic, report: Report) -> str:
-    if diagnostic.code == _OURS:
+    if diagnostic.code == _CRASH:
         return "error"
     return "failure" if diagnostic.severity.weight >= report.fail_on.weight else "skipped"
 
@@ -82,10 +86,10 @@ def _counts(suites: Collection[Sequence[Diagnostic]], report: Report) -> dict[st
 
 
 def attributes_of(**values: str | int) -> str:
-    """The attributes of an element, as it is written."""
+    """Return the attributes of an element as XML, each with a space before it."""
     return "".join(f" {name}={quoteattr(_text(str(value)))}" for name, value in values.items())
 
 
 def _text(text: str) -> str:
-    """A text that XML can hold."""
+    """Return a text that XML can contain."""
     return as_text(visible(text)).translate(_NOT_XML)

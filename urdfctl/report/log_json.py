@@ -1,19 +1,19 @@
-"""The explanation of a log's messages, for programs."""
+"""The JSON explanation of a log's messages."""
 
 from __future__ import annotations
 
 import json
 
 from urdfctl import __version__
-from urdfctl.hints import Any
 from urdfctl.logs.digest import Digest, Known, Unknown
 from urdfctl.logs.pattern import filled
 from urdfctl.report.log_next import next_commands
 from urdfctl.rules import rule_of
+from urdfctl.startup.hints import Any
 
 
 def render_log_json(digest: Digest, *, complete: bool) -> str:
-    """The whole explanation as JSON, version 1."""
+    """Return the explanation as JSON, version 1. complete: whether the whole log was read."""
     plain = {
         "version": 1,
         "tool": {"name": "urdfctl", "version": __version__},

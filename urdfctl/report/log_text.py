@@ -1,4 +1,4 @@
-"""The explanation of a log's messages, for people: the failures first, what is harmless last."""
+"""The readable explanation of a log's messages: failures first, harmless messages last."""
 
 from __future__ import annotations
 
@@ -18,56 +18,59 @@ _LONGEST = 240
 _MOST_OTHERS = 4
 _MOST_UNKNOWN = 5
 _HEADINGS = {
-    "failure": "What fails",
-    "consequence": "What follows from a failure",
-    "warning": "What is taken, but wrong or lost",
-    "harmless": "What is harmless",
+    "failure": "Failures",
+    "consequence": "Consequences of a failure",
+    "warning": "Warnings",
+    "harmless": "Harmless",
 }
 
 
 def render_log(digest: Digest, *, pasted: bool, complete: bool) -> str:
-    """The whole explanation: of a pasted message all that is known, of a log what is needed to go on."""
+    """Return the explanation: everything about a pasted message, or the essentials of a log.
+
+    complete: whether the whole log was read.
+    """
     parts = [] if pasted else [_summary(digest, complete=complete)]
-    told = pasted and len(digest.known) == 1
+    single = pasted and len(digest.known) == 1
     fails = any(known.message.kind == "failure" for known in digest.known)
     for kind, heading in _HEADINGS.items():
         if kind == "harmless" and digest.unknown:
-            parts.append("\n".join(_not_known(digest.unknown, pasted=pasted)))
+            parts.append("\n".join(_unknown_errors(digest.unknown, pasted=pasted)))
         chosen = [known for known in digest.known if known.message.kind == kind]
-        if chosen and not told:
+        if chosen and not single:
             parts.append(f"== {heading} ==")
         brief = not pasted and (kind == "harmless" or (kind == "consequence" and fails))
         parts += ["\n".join([_where(known, pasted=pasted), *_explained(known, brief=brief)]) for known in chosen]
         if pasted:
-            parts += [_source(known) for known in chosen if told]
+            parts += [_source(known) for known in chosen if single]
     commands = next_commands(digest.known)
     if commands:
         width = max(len(command.text) for command in commands)
-        parts.append("\n".join(["Next:", *(f"  {one.text:<{width}}  {one.purpose}" for one in commands)]))
+        parts.append("\n".join(["Next:", *(f"  {command.text:<{width}}  {command.purpose}" for command in commands)]))
     return "\n\n".join(parts) + "\n"
 
 
 def _summary(digest: Digest, *, complete: bool) -> str:
-    """How many lines there were, and of what kinds the messages in them are."""
+    """The number of lines, and of messages of each kind."""
     kinds = [known.message.kind for known in digest.known]
     counts = [
         f"{number} {kind}{'s' if number > 1 and kind != 'harmless' else ''}"
         for kind in _HEADINGS
         if (number := kinds.count(kind))
     ]
-    told = ", ".join(counts) if counts else "no message that is known"
-    more = "" if complete else "; the log is longer, and was not read to its end"
-    return f"{digest.lines} line{'' if digest.lines == 1 else 's'}: {told}{more}"
+    messages = ", ".join(counts) if counts else "no known messages"
+    more = "" if complete else "; the rest of the log was not read"
+    return f"{digest.lines} line{'' if digest.lines == 1 else 's'}: {messages}{more}"
 
 
 def _where(known: Known, *, pasted: bool) -> str:
-    """The message as it stands in the log, with its place there."""
+    """The message as the log has it, with its line and count."""
     times = f" ({known.times} times{_others(known.values)})" if known.times > 1 else ""
     return _short(known.text) if pasted else f"line {known.line}{times}: {_short(known.text)}"
 
 
 def _explained(known: Known, *, brief: bool) -> Iterator[str]:
-    """What it means; unless `brief`, also why it is printed. And what to do."""
+    """The meaning, the causes (unless `brief`) and the fix."""
     message, values = known.message, known.values[0]
     meaning, fix = filled(message.meaning, values), filled(message.fix, values)
     if brief:
@@ -78,7 +81,7 @@ def _explained(known: Known, *, brief: bool) -> Iterator[str]:
     if len(causes) == 1:
         yield from _paragraph(causes[0], "  Likely cause: ", "    ")
     elif causes:
-        yield "  Likely causes, in this order:"
+        yield "  Causes, most likely first:"
         for number, cause in enumerate(causes, 1):
             yield from _paragraph(cause, f"    {number}. ", "       ")
     yield from _paragraph(fix, "  Fix: ", "    ")
@@ -95,24 +98,24 @@ def _rules(cause: Cause) -> str:
 
 
 def _others(values: Sequence[dict[str, str]]) -> str:
-    """What other values the message has in further lines."""
+    """The other values of a message that occurs several times."""
     if len(values) == 1:
         return ""
-    names = [name for name in values[0] if len({one.get(name) for one in values}) > 1]
+    names = [name for name in values[0] if len({occurrence.get(name) for occurrence in values}) > 1]
     if not names:
         return ""
-    others = list(dict.fromkeys(one.get(names[0], "…") for one in values[1:]))
-    shown = ", ".join(f"'{visible(one[:60])}'" for one in others[:_MOST_OTHERS])
+    others = list(dict.fromkeys(occurrence.get(names[0], "…") for occurrence in values[1:]))
+    shown = ", ".join(f"'{visible(value[:60])}'" for value in others[:_MOST_OTHERS])
     return f", also with {shown}" + (f" and {len(others) - _MOST_OTHERS} more" if len(others) > _MOST_OTHERS else "")
 
 
-def _not_known(unknown: Sequence[Unknown], *, pasted: bool) -> Iterator[str]:
-    yield "== What is not known ==" if not pasted or len(unknown) > 1 else "This is no message that urdfctl knows:"
-    for one in unknown[:_MOST_UNKNOWN]:
-        yield _short(one.text) if pasted else f"line {one.line}: {_short(one.text)}"
-        if one.nearest is not None:
-            yield f"  did you mean: {visible(one.nearest.pattern.shown)}"
-            yield from _paragraph(filled(one.nearest.message.meaning, {}))
+def _unknown_errors(unknown: Sequence[Unknown], *, pasted: bool) -> Iterator[str]:
+    yield "== Unknown errors ==" if not pasted or len(unknown) > 1 else "urdfctl does not know this message:"
+    for error in unknown[:_MOST_UNKNOWN]:
+        yield _short(error.text) if pasted else f"line {error.line}: {_short(error.text)}"
+        if error.nearest is not None:
+            yield f"  did you mean: {visible(error.nearest.pattern.shown)}"
+            yield from _paragraph(filled(error.nearest.message.meaning, {}))
     if len(unknown) > _MOST_UNKNOWN:
         yield f"and {len(unknown) - _MOST_UNKNOWN} more"
 

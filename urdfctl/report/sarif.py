@@ -1,6 +1,6 @@
-"""The report as SARIF 2.1.0, for code scanning and editors.
+"""Report as SARIF 2.1.0, for code scanning and editors.
 
-What a comment or a baseline silences is left out: GitHub shows suppressed results as open alerts
+Suppressed findings and those in a baseline are left out: GitHub shows suppressed results as open alerts
 (github/codeql-action issue 1230).
 """
 
@@ -14,12 +14,12 @@ from urllib.parse import quote
 
 from urdfctl import __version__
 from urdfctl.diagnostic import Diagnostic, Location, Repair, Severity, Step
-from urdfctl.fingerprint import fingerprints
-from urdfctl.hints import Any
 from urdfctl.report.common import Report, as_json, as_text, relative
+from urdfctl.report.fingerprint import fingerprints
 from urdfctl.report.words import notes
 from urdfctl.rule import Rule
 from urdfctl.rules import all_rules
+from urdfctl.startup.hints import Any
 
 _SCHEMA = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json"
 _ROOT = "%SRCROOT%"
@@ -30,7 +30,7 @@ Json = dict[str, Any]
 
 
 def render(report: Report) -> str:
-    """The report as one SARIF log with one run."""
+    """Return the report as a SARIF log with one run."""
     return as_json({"$schema": _SCHEMA, "version": "2.1.0", "runs": [_run(report)]}, indent=1) + "\n"
 
 
@@ -50,7 +50,7 @@ def _run(report: Report) -> Json:
 
 
 def _files(report: Report) -> list[str]:
-    """The files that were read, and those that findings stand in, by name."""
+    """Return the files that were read and those with findings, sorted."""
     read = {path for target in report.targets for path in target.files}
     return sorted(read | {diagnostic.at.file for diagnostic in report.findings})
 
@@ -87,8 +87,8 @@ def _rule(rule: Rule) -> Json:
 
 
 def _prose(text: str) -> str:
-    """A text as Markdown, which takes tags outside of code for HTML."""
-    return re.sub(r"(`[^`]*`)|<", lambda found: found[1] or "&lt;", text)
+    """Return a text as Markdown, with `<` escaped outside of code."""
+    return re.sub(r"(`[^`]*`)|<", lambda match: match[1] or "&lt;", text)
 
 
 def _examples(rule: Rule) -> list[str]:
@@ -107,7 +107,7 @@ def _result(diagnostic: Diagnostic, rule: int, mark: str) -> Json:
         "ruleId": diagnostic.code,
         "ruleIndex": rule,
         "level": _LEVELS[diagnostic.severity],
-        "message": _message(_said(diagnostic)),
+        "message": _message(_full_message(diagnostic)),
         "locations": [_location(diagnostic.at)],
         "partialFingerprints": {"urdfctl/v1": mark},
     }
@@ -121,25 +121,25 @@ def _result(diagnostic: Diagnostic, rule: int, mark: str) -> Json:
     return result
 
 
-def _said(diagnostic: Diagnostic) -> str:
-    """The message, with the notes that have no place of their own to be shown at, and the fix."""
+def _full_message(diagnostic: Diagnostic) -> str:
+    """Return the message, the notes without a location, and the fix."""
     bare = diagnostic._replace(expanded_from=(), notes=tuple(note for note in diagnostic.notes if not note.at))
     lines = [diagnostic.message, *(f"note: {note}" for note in notes(bare))]
     return "\n".join([*lines, f"fix: {diagnostic.fix.title}"] if diagnostic.fix else lines)
 
 
 def _flow(chain: Sequence[Step], diagnostic: Diagnostic) -> Json:
-    """The way from the outermost call to the finding."""
-    ways = [
+    """Return the steps from the outermost call to the finding."""
+    steps = [
         {"location": _location(_place(step), _call(step)), "nestingLevel": depth}
         for depth, step in enumerate(reversed(chain))
     ]
     end = {"location": _location(diagnostic.at, diagnostic.message), "nestingLevel": len(chain)}
-    return {"threadFlows": [{"locations": [*ways, end]}]}
+    return {"threadFlows": [{"locations": [*steps, end]}]}
 
 
 def _place(step: Step) -> Location:
-    return Location(step.file, step.line, step.column, 0, 0, 0, 0)
+    return Location(file=step.file, line=step.line, column=step.column, end_line=0, end_column=0, start=0, end=0)
 
 
 def _call(step: Step) -> str:
@@ -147,7 +147,7 @@ def _call(step: Step) -> str:
     if kind == "macro":
         return f"macro '{name}' is called"
     if kind == "uncalled":
-        return f"{name}, which nothing here calls"
+        return f"{name}, which is not called in these files"
     return "a block is inserted" if kind == "block" else f"'{name}' is included"
 
 
@@ -178,12 +178,12 @@ def _location(at: Location, message: str | None = None) -> Json:
 
 
 def _region(at: Location) -> Json:
-    """A region; of a call only its beginning is known."""
-    begins = {"startLine": at.line, "startColumn": at.column}
+    """Return a region. A call has only a start."""
+    start = {"startLine": at.line, "startColumn": at.column}
     if not at.end_line:
-        return begins
-    ends = {"endLine": at.end_line, "endColumn": at.end_column}
-    return {**begins, **ends, "byteOffset": at.start, "byteLength": at.end - at.start}
+        return start
+    end = {"endLine": at.end_line, "endColumn": at.end_column}
+    return {**start, **end, "byteOffset": at.start, "byteLength": at.end - at.start}
 
 
 def _artifact(path: str) -> Json:
@@ -197,7 +197,7 @@ def _is_inside(path: str) -> bool:
 
 @lru_cache
 def _uri(path: str) -> str:
-    """A path as a URI, absolute where the path is."""
+    """Return a path as a URI: absolute if the path is absolute."""
     quoted = quote(os.fsencode(path.replace(os.sep, "/")))
     if not os.path.isabs(path):
         return quoted
@@ -205,5 +205,5 @@ def _uri(path: str) -> str:
 
 
 def _message(text: str) -> Json:
-    """A message of SARIF, in which nothing of a stranger's becomes a link."""
+    """Return a SARIF message. Brackets are escaped, so that names from files do not become links."""
     return {"text": re.sub(_LINK, r"\\[", as_text(text))}

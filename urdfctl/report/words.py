@@ -1,4 +1,4 @@
-"""What people are told of a finding beside its message."""
+"""The notes and the fix of a finding, as sentences."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ _MOST_STEPS = 8
 
 
 def notes(diagnostic: Diagnostic) -> Iterator[str]:
-    """The calls that led to it, of many the first four, and its notes."""
+    """Yield the calls that lead to a finding (the first four of many), then its notes."""
     for chain in diagnostic.expanded_from[:MOST_CHAINS]:
-        yield _way(chain)
+        yield _chain(chain)
     if len(diagnostic.expanded_from) > MOST_CHAINS:
         yield f"and in {len(diagnostic.expanded_from) - MOST_CHAINS} more calls"
     for note in diagnostic.notes:
@@ -21,20 +21,20 @@ def notes(diagnostic: Diagnostic) -> Iterator[str]:
 
 
 def paragraph(diagnostic: Diagnostic) -> list[str]:
-    """The lines of all that is said of it: its message, the notes, the fix."""
-    said = [diagnostic.message, *(f"note: {note}" for note in notes(diagnostic))]
-    return [*said, f"fix: {diagnostic.fix.title}"] if diagnostic.fix else said
+    """Return the lines of a finding: its message, its notes, its fix."""
+    lines = [diagnostic.message, *(f"note: {note}" for note in notes(diagnostic))]
+    return [*lines, f"fix: {diagnostic.fix.title}"] if diagnostic.fix else lines
 
 
 def _where(at: Location, current: str) -> str:
     return f"line {at.line}" if at.file == current else f"{at.file}:{at.line}:{at.column}"
 
 
-def _way(chain: tuple[Step, ...]) -> str:
-    """The steps of a way, innermost first; of a very long one the two ends."""
+def _chain(chain: tuple[Step, ...]) -> str:
+    """Return the calls and includes of a chain, innermost first. The middle of a long chain is left out."""
     steps = [_step(step) for step in chain]
     if len(steps) > _MOST_STEPS:
-        steps[_MOST_STEPS - 1 : -1] = [f"and so on, {len(steps) - _MOST_STEPS} times more"]
+        steps[_MOST_STEPS - 1 : -1] = [f"and {len(steps) - _MOST_STEPS} more calls"]
     return ", ".join(steps)
 
 
@@ -45,7 +45,7 @@ def _step(step: Step) -> str:
         return f"in the call of macro '{name}' at {place}"
     if kind == "uncalled":
         macro = name.removeprefix("macro ")
-        return f"in macro '{macro}' ({place}), which nothing here calls: its parameters are not known"
+        return f"in macro '{macro}' ({place}), which is not called in these files: its parameters are unknown"
     if kind == "block":
         return f"inserted as a block at {place}"
     return f"included at {place}"

@@ -1,92 +1,40 @@
-"""The rules, by families. Each family lists its own in its `family.py`: what is not in a list does not exist.
+"""The rules, by families. Each family lists its rules in its `family.py`; a rule that is not listed does not exist.
 
-A family is loaded when it has something to say of a robot, for the import of a hundred modules shows in the start-up.
+A family is imported when it can find something in a project: importing a hundred modules takes time.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from importlib import import_module
 
 from urdfctl.catalog.distros import ROS1, ROS2
 from urdfctl.model.project import Project
-from urdfctl.record import NamedTuple
+from urdfctl.model.stage import Stage, StageDependsOn
 from urdfctl.rule import Rule
+from urdfctl.startup.records import NamedTuple
 
 Rules = tuple[Rule, ...]
 
 
 class Family(NamedTuple):
-    """The rules whose codes share a beginning, and which projects they can say anything of."""
+    """The rules of one folder.
+
+    prefix: how their codes begin.
+    name: the folder.
+    concerns: returns whether they can find anything in a project.
+    """
 
     prefix: str
-    load: Callable[[], Rules]
+    name: str
     concerns: Callable[[Project], bool]
+    stage: Stage | None = None
+    """The stage that an error of the family's rules stops, unless a rule names another one. None: it stops nothing."""
 
-
-def _reading() -> Rules:
-    from urdfctl.rules.reading.family import RULES
-
-    return RULES
-
-
-def _urdf() -> Rules:
-    from urdfctl.rules.urdf.family import RULES
-
-    return RULES
-
-
-def _transmissions() -> Rules:
-    from urdfctl.rules.transmissions.family import RULES
-
-    return RULES
-
-
-def _ros2_control() -> Rules:
-    from urdfctl.rules.ros2_control.family import RULES
-
-    return RULES
-
-
-def _controllers() -> Rules:
-    from urdfctl.rules.controllers.family import RULES
-
-    return RULES
-
-
-def _claims() -> Rules:
-    from urdfctl.rules.claims.family import RULES
-
-    return RULES
-
-
-def _simulation() -> Rules:
-    from urdfctl.rules.simulation.family import RULES
-
-    return RULES
-
-
-def _launch() -> Rules:
-    from urdfctl.rules.launch.family import RULES
-
-    return RULES
-
-
-def _moveit() -> Rules:
-    from urdfctl.rules.moveit.family import RULES
-
-    return RULES
-
-
-def _migration() -> Rules:
-    from urdfctl.rules.migration.family import RULES
-
-    return RULES
-
-
-def _smoke() -> Rules:
-    from urdfctl.rules.smoke.family import RULES
-
-    return RULES
+    def load(self) -> Rules:
+        """Import the folder and return its rules."""
+        rules: Rules = import_module(f"urdfctl.rules.{self.name}.family").RULES
+        return rules
 
 
 def _has_transmissions(project: Project) -> bool:
@@ -105,7 +53,7 @@ def _is_controlled_by_ros2(project: Project) -> bool:
 
 
 def _is_simulated(project: Project) -> bool:
-    """Whether the robot loads any plugin of a simulator, or its hardware runs in one."""
+    """Whether the robot loads a simulator plugin, or its hardware runs in a simulator."""
     robot = project.robot
     if robot is None or not project.may_be_simulated:
         return False
@@ -115,7 +63,7 @@ def _is_simulated(project: Project) -> bool:
 
 
 def _runs_in_gazebo(project: Project) -> bool:
-    from urdfctl.rules.simulation.common import IN_GAZEBO, components, simulator_of
+    from urdfctl.control.simulator_plugins import IN_GAZEBO, components, simulator_of
 
     return any(simulator_of(project, control) in IN_GAZEBO for control in components(project))
 
@@ -127,40 +75,55 @@ def _may_move_on(project: Project) -> bool:
     return controlled or project.controllers is not None or _is_simulated(project)
 
 
+def _has_controllers(project: Project) -> bool:
+    return project.controllers is not None or bool(project.launch and project.launch.spawns)
+
+
 def _has_moveit(project: Project) -> bool:
-    found = project.controllers
-    return found is not None and bool(found.moveit or found.moveit_lists)
+    controllers = project.controllers
+    return controllers is not None and bool(controllers.moveit or controllers.moveit_lists)
 
 
 FAMILIES = (
-    Family("UC0", _reading, lambda project: bool(project.problems)),
-    Family("UC1", _urdf, lambda project: project.robot is not None),
-    Family("UC2", _transmissions, _has_transmissions),
-    Family("UC3", _ros2_control, _is_controlled_by_ros2),
-    Family("UC4", _controllers, lambda project: project.controllers is not None),
-    Family("UC4", _claims, lambda project: project.controllers is not None),
-    Family("UC5", _simulation, _is_simulated),
-    Family("UC6", _launch, lambda project: project.launch is not None or bool(project.listed)),
-    Family("UC6", _moveit, _has_moveit),
-    Family("UC7", _migration, _may_move_on),
-    Family("UC9", _smoke, lambda _: False),
+    Family("UC0", "reading", lambda project: bool(project.problems), Stage.SPAWN),
+    Family("UC1", "urdf", lambda project: project.robot is not None, Stage.SPAWN),
+    Family("UC2", "transmissions", _has_transmissions, Stage.HARDWARE),
+    Family("UC3", "ros2_control", _is_controlled_by_ros2, Stage.HARDWARE),
+    Family("UC4", "controllers", lambda project: project.controllers is not None, Stage.LOAD),
+    Family("UC4", "claims", _has_controllers, Stage.LOAD),
+    Family("UC5", "simulation", _is_simulated),
+    Family("UC6", "launch", lambda project: project.launch is not None or bool(project.listed)),
+    Family("UC6", "moveit", _has_moveit),
+    Family("UC7", "migration", _may_move_on),
+    Family("UC9", "smoke", lambda _: False),
 )
 
 
 def rules_for(project: Project) -> Iterator[Rule]:
-    """The rules of the families that concern a project, in the order of their codes."""
+    """Yield the rules of the families that concern a project, in the order of their codes."""
     for family in FAMILIES:
         if family.concerns(project):
             yield from family.load()
 
 
 def all_rules() -> Rules:
-    """Every rule, in the order of the codes."""
+    """Return every rule, in the order of the codes."""
     return tuple(rule for family in FAMILIES for rule in family.load())
 
 
 def rule_of(code: str) -> Rule:
-    """The rule of a code that is known to exist."""
+    """Return the rule with a code that exists."""
     return next(
         rule for family in FAMILIES if code.startswith(family.prefix) for rule in family.load() if rule.code == code
+    )
+
+
+def stage_of(code: str) -> Stage | StageDependsOn | None:
+    """Return the stage that an error of a rule stops. None: it stops neither the robot nor a controller."""
+    return next(
+        rule.stage or family.stage
+        for family in FAMILIES
+        if code.startswith(family.prefix)
+        for rule in family.load()
+        if rule.code == code
     )

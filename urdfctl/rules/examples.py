@@ -1,7 +1,7 @@
-"""The examples of the rules: completed to whole robots, written to a folder, and the place that « and » mark in them.
+"""The examples of the rules: complete them to whole robots, and find the place that « and » mark.
 
-An example that is only a part of a robot stands in a small sound arm: links base, upper and fore, revolute joints
-shoulder and elbow. Both the tests and `urdfctl explain` lint them.
+An example with only a part of a robot is put into a small valid arm with links base, upper and fore, and revolute joints
+shoulder and elbow. The tests and `urdfctl explain` lint the examples.
 """
 
 from __future__ import annotations
@@ -10,10 +10,10 @@ import re
 import textwrap
 from collections.abc import Iterable, Mapping
 
-from urdfctl.hints import Any
-from urdfctl.record import NamedTuple
 from urdfctl.rule import Rule
 from urdfctl.source.files import is_launch, is_yaml
+from urdfctl.startup.hints import Any
+from urdfctl.startup.records import NamedTuple
 
 _LINK = """\
 <link name="{name}">
@@ -38,7 +38,7 @@ _ARM = (
 
 
 class Mark(NamedTuple):
-    """Where an example expects its finding: the file, and byte offsets in it without the marks."""
+    """The place where an example expects its finding: the file, and byte offsets that do not count the marks."""
 
     file: str
     start: int
@@ -46,7 +46,7 @@ class Mark(NamedTuple):
 
 
 def completed(name: str, text: str) -> str:
-    """An example's file as a whole one: a part of a robot is put into the arm."""
+    """Return the whole text of an example's file. A part of a robot is put into the arm."""
     if not name.endswith((".urdf", ".xacro")) or re.search(r"<robot[\s>]", text):
         return text
     namespace = ' xmlns:xacro="http://www.ros.org/wiki/xacro"' if name.endswith(".xacro") else ""
@@ -55,7 +55,7 @@ def completed(name: str, text: str) -> str:
 
 
 def options_of(rule: Rule) -> tuple[dict[str, Any], tuple[tuple[str, str], ...]]:
-    """What a rule's examples are linted with: settings by name, and `name:=value` arguments."""
+    """Return the settings by name, and the `name:=value` arguments, that a rule's examples are linted with."""
     settings: dict[str, Any] = {}
     for option in rule.options:
         name, _, value = option.removeprefix("--").partition("=")
@@ -68,14 +68,14 @@ def options_of(rule: Rule) -> tuple[dict[str, Any], tuple[tuple[str, str], ...]]
 
 
 def companions(names: Iterable[str]) -> tuple[tuple[str, ...], str | None]:
-    """The controllers' files and the launch file among an example's files: what is linted together with the first."""
+    """Return the controller files and the launch file of an example, which are linted together with its first file."""
     _, *rest = names
     launches = [name for name in rest if is_launch(name)]
     return tuple(name for name in rest if is_yaml(name)), launches[0] if launches else None
 
 
 def unmarked(files: Mapping[str, str]) -> tuple[dict[str, str], list[Mark]]:
-    """The completed files without their marks, and where the marks were."""
+    """Return the completed files without their marks, and the marked places."""
     plain, marks = {}, []
     for name, text in files.items():
         whole = completed(name, text)

@@ -1,1 +1,1 @@
-"""Spawns a robot without ROS and takes each of its controllers through its life."""
+"""Run a robot without ROS: spawn it and take each controller from loading to deactivation."""

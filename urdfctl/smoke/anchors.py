@@ -1,4 +1,4 @@
-"""Where the findings of the smoke test stand: at a controller's line in its file, at a joint or link, at the robot."""
+"""The places of the smoke test's findings: a controller's line in its file, a joint, a link, or the robot."""
 
 from __future__ import annotations
 
@@ -7,16 +7,15 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from urdfctl.diagnostic import Diagnostic, Finding, Remark, Severity, diagnosed
 from urdfctl.model.project import Project
 from urdfctl.rules import rule_of
-from urdfctl.smoke.results import Trouble
+from urdfctl.smoke.results import ROBOT, Trouble
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.suppressions import Suppressed
 
 Anchors = Mapping[str, Diagnostic]
-ROBOT = "robot"
 
 
 def subjects(project: Project) -> Iterator[tuple[str, Place]]:
-    """What findings may be about, each with its place."""
+    """Yield each subject that a finding can have (see `Trouble`), with its place."""
     robot = project.robot
     yield ROBOT, robot.at if robot else Place(SourceText(project.path, b""), 0, end=0)
     for controller in project.controllers.controllers if project.controllers else ():
@@ -31,38 +30,38 @@ def subjects(project: Project) -> Iterator[tuple[str, Place]]:
 
 
 def anchors_of(
-    project: Project, found: Sequence[Diagnostic], wanted: Iterable[str] | None = None
+    project: Project, findings: Sequence[Diagnostic], wanted: Iterable[str] | None = None
 ) -> dict[str, Diagnostic]:
-    """For each subject, or each of those wanted, a diagnostic that says nothing yet but stands at the right place."""
+    """Return a diagnostic for each subject, or for the wanted ones: at the right place, but still without a message."""
     chosen = None if wanted is None else {*wanted, ROBOT}
-    made = {}
+    anchors = {}
     for subject, place in subjects(project):
-        if subject not in made and (chosen is None or subject in chosen):
-            made[subject] = diagnosed("", "", Severity.ERROR, Finding(place, ""))
-    for one in found:
-        made.setdefault(f"lint:{one.code}", one)
-    return made
+        if subject not in anchors and (chosen is None or subject in chosen):
+            anchors[subject] = diagnosed("", "", Severity.ERROR, Finding(place, ""))
+    for finding in findings:
+        anchors.setdefault(f"lint:{finding.code}", finding)
+    return anchors
 
 
 def silenced(project: Project, sources: Sequence[SourceText]) -> dict[str, list[str]]:
-    """The codes of the smoke test that comments in the files silence at each subject."""
+    """Return the codes of smoke rules that comments in the files suppress, by subject."""
     suppressed = Suppressed(list(sources))
     if not suppressed.all:
         return {}
     from urdfctl.rules.smoke.family import RULES
 
-    found = {}
+    codes_by_subject = {}
     for subject, place in subjects(project):
         codes = [rule.code for rule in RULES if suppressed.covers(rule.code, place)]
         if codes:
-            found[subject] = codes
-    return found
+            codes_by_subject[subject] = codes
+    return codes_by_subject
 
 
 def diagnostics_of(
     troubles: Iterable[Trouble], anchors: Anchors, silent: Mapping[str, Sequence[str]]
 ) -> Iterator[Diagnostic]:
-    """What is told of the troubles, each where its subject stands; of an unknown one at the robot."""
+    """Yield the findings that are not suppressed, each at its subject; at the robot if the subject has no place."""
     for trouble in troubles:
         if trouble.code in silent.get(trouble.subject, ()):
             continue

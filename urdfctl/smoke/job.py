@@ -1,43 +1,50 @@
-"""The smoke test of many robots: each is read and judged in one limited worker, and moved in another, fresh one."""
+"""The smoke test of many robots: each is prepared in one limited worker, and simulated in another, fresh one."""
 
 from __future__ import annotations
 
 import os
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from functools import partial
 
+from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic
-from urdfctl.hints import Any
-from urdfctl.jobs import dead, shared_loader, target_of
-from urdfctl.lint import Selection
-from urdfctl.load import Loader, Target
-from urdfctl.record import NamedTuple
-from urdfctl.serialise import diagnostic_from_json, diagnostic_to_json, linted_from_json, linted_to_json
-from urdfctl.settings import Settings
+from urdfctl.lint.job import Work, Workers, failed, run_on_targets, shared_loader
+from urdfctl.lint.selection import Selection
+from urdfctl.lint.serialising import diagnostic_from_json, diagnostic_to_json, result_from_json, result_to_json
+from urdfctl.lint.target import lint_target
+from urdfctl.load.loader import Loader
+from urdfctl.load.target import Target
+from urdfctl.model.stage import Stage
+from urdfctl.rules import rule_of
+from urdfctl.rules.smoke.engine_died import engine_died
+from urdfctl.rules.smoke.engine_refuses_robot import engine_refuses_robot
+from urdfctl.run.limits import Limits, WorkerFailure, processors
+from urdfctl.run.pool import run_jobs
 from urdfctl.smoke.anchors import diagnostics_of
 from urdfctl.smoke.judgement import changed, judged
 from urdfctl.smoke.picture import picture_of
 from urdfctl.smoke.planning import plan_of
-from urdfctl.smoke.results import ControllerResult, Smoked, Step, Trouble, Verdict
+from urdfctl.smoke.results import ROBOT, ControllerResult, Smoked, Trouble, Verdict, trouble_of
 from urdfctl.smoke.trial import MOTION, Plan, Tried, tried
-from urdfctl.worker import Died, Limits, processors, run
+from urdfctl.startup.hints import Any
+from urdfctl.startup.records import NamedTuple
 
 SECONDS, SECONDS_FOR_JOINT = 30.0, 0.1
-"""How long an engine may take: half a minute, and a second for every ten joints."""
+"""The time limit of an engine, in s: half a minute, and a second for every ten joints."""
 _WATCHED = 600.0
-"""How long, in s, somebody may watch."""
+"""The time limit if a window is shown, in s."""
 _SCREEN = ("DISPLAY", "XAUTHORITY", "WAYLAND_DISPLAY")
-_MOST_SAID = 300
-_LIGHT = "UC918"
-_OF_LIGHT = ("UC930", "UC932", "UC933", "UC934", "UC936", "UC937")
-"""What an engine, which knows no rotors, makes of a joint that is too light for its gains."""
+_MOST_OUTPUT = 300
+"""At most this many characters of an engine's output are shown."""
 
 
 class Wanted(NamedTuple):
-    """What is asked of a smoke test: only the controllers of some names (all where there are none); the engines that
-    move the robots, none for the structural part alone (several: each of them); those to be tried where one dies of a
-    robot or does not take it; for how long each controller moves, in s; a window to watch; the robot's picture."""
+    """The options of a smoke test.
+
+    `only` holds the names of the controllers to test, none for all. Each of the `engines` simulates the robots; without
+    any, nothing moves. The engines of `instead` are tried if an engine crashes or rejects a robot. `duration` is the
+    time for which each controller moves, in s. `gui` shows a window. `picture` asks for a picture of the robot.
+    """
 
     only: tuple[str, ...] = ()
     engines: tuple[str, ...] = ()
@@ -47,37 +54,40 @@ class Wanted(NamedTuple):
     picture: bool = False
 
 
-class Read(NamedTuple):
-    """A robot as its first worker gives it back; `plan` is None where nothing is to be moved. What an engine finds is
-    told at the `anchors`, but for what comments have `silent`."""
+class PreparedRobot(NamedTuple):
+    """A robot as its first worker returns it.
+
+    `plan` is None if nothing should move. The findings of an engine are placed at the `anchors`, except those whose
+    codes are `silent` for a subject. `troubles` holds the findings so far.
+    """
 
     smoked: Smoked
     plan: Plan | None
     anchors: Mapping[str, Diagnostic] = {}
-    told: tuple[Trouble, ...] = ()
+    troubles: tuple[Trouble, ...] = ()
     silent: Mapping[str, Sequence[str]] = {}
 
     @classmethod
-    def from_json(cls, data: dict[str, Any]) -> Read:
-        """From plain data."""
-        results = tuple(ControllerResult.from_json(one) for one in data["controllers"])
+    def from_json(cls, data: dict[str, Any]) -> PreparedRobot:
+        """Return the robot that plain data holds."""
+        results = tuple(ControllerResult.from_json(result) for result in data["controllers"])
         return cls(
-            Smoked(linted_from_json(data["linted"]), results, picture=tuple(map(tuple, data["picture"]))),
+            Smoked(result_from_json(data["linted"]), results, picture=tuple(map(tuple, data["picture"]))),
             Plan.from_json(data["plan"]) if data["plan"] else None,
-            {name: diagnostic_from_json(one) for name, one in data["anchors"].items()},
-            tuple(Trouble.from_json(one) for one in data["told"]),
+            {subject: diagnostic_from_json(anchor) for subject, anchor in data["anchors"].items()},
+            tuple(Trouble.from_json(fields) for fields in data["troubles"]),
             data["silent"],
         )
 
     def to_json(self) -> dict[str, Any]:
-        """As plain data."""
+        """Return the robot as plain data."""
         return {
-            "linted": linted_to_json(self.smoked.linted),
-            "controllers": [one.to_json() for one in self.smoked.controllers],
+            "linted": result_to_json(self.smoked.linted),
+            "controllers": [result.to_json() for result in self.smoked.controllers],
             "picture": self.smoked.picture,
             "plan": self.plan.to_json() if self.plan else None,
-            "anchors": {name: diagnostic_to_json(one) for name, one in self.anchors.items()},
-            "told": self.told,
+            "anchors": {subject: diagnostic_to_json(anchor) for subject, anchor in self.anchors.items()},
+            "troubles": self.troubles,
             "silent": dict(self.silent),
         }
 
@@ -89,52 +99,55 @@ def smoke_all(
     parallel: int | None = None,
     chosen: Callable[[list[Smoked]], Iterable[int]] | None = None,
 ) -> Iterator[Smoked]:
-    """The smoke test of each target, in their order; of those only that are chosen once they are judged, by index."""
+    """Yield the smoke test of each target, in order.
+
+    `chosen` is given all robots before any moves, and returns the indices of those to go on with.
+    """
     parallel = parallel or processors()
-    read = list(_read_all(targets, settings, wanted, parallel))
-    indices = list(range(len(read)) if chosen is None else chosen([one.smoked for one in read]))
-    kept = [read[index] for index in indices]
-    runs = [(n, engine) for n, one in enumerate(kept) if one.plan for engine in wanted.engines]
+    robots = list(_read_all(targets, settings, wanted, parallel))
+    indices = list(range(len(robots)) if chosen is None else chosen([robot.smoked for robot in robots]))
+    kept = [robots[index] for index in indices]
+    runs = [(n, engine) for n, robot in enumerate(kept) if robot.plan for engine in wanted.engines]
     plans = [plan._replace(engine=engine) for n, engine in runs if (plan := kept[n].plan)]
-    found = iter(zip(runs, _try_all(plans, settings, parallel, wanted.instead), strict=True))
-    pending = next(found, None)
-    for n, one in enumerate(kept):
-        smoked = one.smoked
+    results = iter(zip(runs, _try_all(plans, settings, parallel, wanted.instead), strict=True))
+    pending = next(results, None)
+    for n, robot in enumerate(kept):
+        smoked = robot.smoked
         while pending and pending[0][0] == n:
-            smoked = moved(smoked, one, *pending[1])
-            pending = next(found, None)
+            smoked = moved(smoked, robot, *pending[1])
+            pending = next(results, None)
         yield smoked
 
 
-# -- the first worker: read and judged -------------------------------------------------------------------------------
+# -- the first worker: prepare a robot -------------------------------------------------------------------------------
 
 
-def _read_all(targets: Sequence[Target], settings: Settings, wanted: Wanted, parallel: int) -> Iterator[Read]:
-    loader = shared_loader(targets, settings, Selection())
-    jobs = [
-        {"target": target._asdict(), "settings": settings.to_json(), "wanted": wanted._asdict()} for target in targets
-    ]
-    limits = Limits(settings.timeout, settings.memory, settings.environ)
-    results = run(jobs, partial(_perform_with, loader), limits, parallel, fresh="urdfctl.smoke.job:perform")
+def _read_all(targets: Sequence[Target], settings: Settings, wanted: Wanted, parallel: int) -> Iterator[PreparedRobot]:
+    results = run_on_targets(
+        prepare_work,
+        targets,
+        settings,
+        details=[wanted._asdict()] * len(targets),
+        workers=Workers(shared_loader(targets, settings), parallel),
+    )
     for target, result in zip(targets, results, strict=True):
-        yield Read.from_json(result) if isinstance(result, dict) else Read(Smoked(dead(target, settings, result)), None)
+        if isinstance(result, dict):
+            yield PreparedRobot.from_json(result)
+        else:
+            yield PreparedRobot(Smoked(failed(target, settings, result)), None)
 
 
-def perform(job: dict[str, Any]) -> dict[str, Any]:
-    """The structural part of the smoke test of a job that came as JSON, with the plan for the engine."""
-    return _perform_with(Loader(Settings.from_json(job["settings"]), Selection()), job)
+def prepare_work(work: Work) -> dict[str, Any]:
+    """Return the prepared robot of a job, in a worker."""
+    return prepared_robot(work.loader, work.target, Wanted(**work.details)).to_json()
 
 
-def _perform_with(loader: Loader, job: dict[str, Any]) -> dict[str, Any]:
-    return read_of(loader, target_of(job), Wanted(**job["wanted"])).to_json()
-
-
-def read_of(loader: Loader, target: Target, wanted: Wanted) -> Read:
-    """A robot read and judged, with the plan for an engine where one is wanted."""
-    judgement = judged(loader.seen(target), wanted.only)
+def prepared_robot(loader: Loader, target: Target, wanted: Wanted) -> PreparedRobot:
+    """Return a target as a prepared robot, with the plan for an engine if one is wanted."""
+    judgement = judged(lint_target(loader, target, Selection()), wanted.only)
     plan = None
     if wanted.engines:
-        packages = loader.reading(judgement.seen.linted.path)[1]
+        packages = loader.reading(judgement.seen.result.path)[1]
         plan, troubles = plan_of(judgement, packages, wanted.duration, gui=wanted.gui)
         judgement = judgement._replace(troubles=(*judgement.troubles, *troubles))
     smoked = judgement.smoked
@@ -142,23 +155,23 @@ def read_of(loader: Loader, target: Target, wanted: Wanted) -> Read:
     if wanted.picture and robot and mechanism:
         smoked = smoked._replace(picture=picture_of(robot, mechanism))
     if plan is None:
-        return Read(smoked, None)
-    return Read(smoked, plan, judgement.anchors(), judgement.troubles, judgement.silenced())
+        return PreparedRobot(smoked, None)
+    return PreparedRobot(smoked, plan, judgement.anchors(), judgement.troubles, judgement.silenced())
 
 
-# -- the second worker: moved ----------------------------------------------------------------------------------------
+# -- the second worker: simulate it ----------------------------------------------------------------------------------
 
 
 def _try_all(
     plans: Sequence[Plan], settings: Settings, parallel: int, instead: Sequence[str] = ()
-) -> Iterator[tuple[str, Tried | Died]]:
-    """What came of each plan, and in which engine. One whose engine dies is tried once more, without meshes; then, as
-    one that is refused, in other engines."""
+) -> Iterator[tuple[str, Tried | WorkerFailure]]:
+    """The engine and the result of each plan. If an engine crashes, the plan is tried once more without meshes; then,
+    as if it is rejected, in other engines."""
     with tempfile.TemporaryDirectory(prefix="urdfctl-") as folder:
         first = _run(plans, settings, parallel, folder)
         for plan, result in zip(plans, first, strict=True):
             engine, latest = plan.engine, result
-            tries = [without_meshes(plan)] if isinstance(result, Died) and "<mesh" in plan.urdf else []
+            tries = [without_meshes(plan)] if isinstance(result, WorkerFailure) and "<mesh" in plan.urdf else []
             tries += [plan._replace(engine=name) for name in instead if name != plan.engine]
             for other in tries:
                 if isinstance(latest, Tried) and not latest.refused:
@@ -168,44 +181,46 @@ def _try_all(
             yield (engine, latest) if good else (plan.engine, result)
 
 
-def _run(plans: Sequence[Plan], settings: Settings, parallel: int, folder: str) -> Iterator[Tried | Died]:
-    """Each result; of a death with the end of what the engine printed."""
-    jobs = [{"plan": plan.to_json(), "said": os.path.join(folder, f"said-{n}")} for n, plan in enumerate(plans)]
+def _run(plans: Sequence[Plan], settings: Settings, parallel: int, folder: str) -> Iterator[Tried | WorkerFailure]:
+    """Each result; after a crash with the end of the engine's output."""
+    jobs = [{"plan": plan.to_json(), "output": os.path.join(folder, f"output-{n}")} for n, plan in enumerate(plans)]
     joints = max((len(plan.mechanism.hinges) for plan in plans), default=0)
     watched = any(plan.gui for plan in plans)
     screen = {name: os.environ[name] for name in _SCREEN if watched and name in os.environ}
     seconds = _WATCHED if watched else SECONDS + joints * SECONDS_FOR_JOINT
     limits = Limits(seconds, settings.memory, {**settings.environ, **screen})
-    results = run(jobs, perform_trial, limits, parallel, fresh="urdfctl.smoke.job:perform_trial")
+    results = run_jobs(jobs, trial_job, limits, parallel, function_name="urdfctl.smoke.job:trial_job")
     for job, result in zip(jobs, results, strict=True):
-        if isinstance(result, Died):
-            said = _said(str(job["said"]))
-            yield result._replace(why=f"{result.why}{f'; it said: {said}' if said else ''}")
+        if isinstance(result, WorkerFailure):
+            output = _engine_output(str(job["output"]))
+            yield result._replace(reason=f"{result.reason}{f'; its output ends with: {output}' if output else ''}")
         else:
             yield Tried.from_json(result)
 
 
-def perform_trial(job: dict[str, Any]) -> dict[str, Any]:
-    """The trial of a job that came as JSON; what the engine prints, in C, goes to a file, and others that it writes
-    beside that one."""
-    with open(job["said"], "wb") as file:
+def trial_job(job: dict[str, Any]) -> dict[str, Any]:
+    """Return the result of simulating a job that came as JSON.
+
+    What the engine prints from C goes to a file; files that it writes go to the same folder.
+    """
+    with open(job["output"], "wb") as file:
         os.dup2(file.fileno(), 1)
         os.dup2(file.fileno(), 2)
-    os.chdir(os.path.dirname(job["said"]))
+    os.chdir(os.path.dirname(job["output"]))
     return tried(Plan.from_json(job["plan"]))._asdict()
 
 
-def _said(path: str) -> str:
+def _engine_output(path: str) -> str:
     try:
         with open(path, encoding="utf-8", errors="replace") as file:
-            lines = [line for line in file.read()[-_MOST_SAID * 4 :].splitlines() if "build time" not in line]
+            lines = [line for line in file.read()[-_MOST_OUTPUT * 4 :].splitlines() if "build time" not in line]
     except OSError:
         return ""
-    return " ".join(" ".join(lines).split())[-_MOST_SAID:]
+    return " ".join(" ".join(lines).split())[-_MOST_OUTPUT:]
 
 
 def without_meshes(plan: Plan) -> Plan:
-    """A plan whose robot collides with nothing that is a mesh."""
+    """Return a plan without collision meshes."""
     lines = [line for line in plan.urdf.splitlines() if "<mesh" not in line]
     return plan._replace(urdf="\n".join(lines), shapeless=True)
 
@@ -213,37 +228,45 @@ def without_meshes(plan: Plan) -> Plan:
 # -- both together ---------------------------------------------------------------------------------------------------
 
 
-def moved(smoked: Smoked, read: Read, engine: str, result: Tried | Died) -> Smoked:
-    """A smoke test with what an engine made of the robot."""
-    if isinstance(result, Died):
-        troubles: list[Trouble] = [Trouble("UC920", "robot", f"{engine} died of the robot: {result.why}")]
-        result = Tried(unjudged={one.name: f"structural only: {engine} died" for one in smoked.controllers})
+def moved(smoked: Smoked, robot: PreparedRobot, engine: str, result: Tried | WorkerFailure) -> Smoked:
+    """Return a smoke test with the result of an engine."""
+    if isinstance(result, WorkerFailure):
+        troubles = [trouble_of(engine_died, ROBOT, engine=engine, why=result.reason)]
+        result = _not_simulated(smoked, f"{engine} crashed")
     elif result.refused:
-        troubles = [Trouble("UC921", "robot", f"{engine} does not take the robot: {result.refused}")]
-        result = Tried(
-            unjudged={one.name: f"structural only: {engine} refuses the robot" for one in smoked.controllers}
-        )
+        troubles = [trouble_of(engine_refuses_robot, ROBOT, engine=engine, why=result.refused)]
+        result = _not_simulated(smoked, f"{engine} rejects the robot")
     else:
-        calm = {one.controller for one in read.told if one.code == _LIGHT}
-        troubles = [one for one in result.troubles if one.controller not in calm or one.code not in _OF_LIGHT]
-    found = smoked.linted.outcome.diagnostics
-    told = {one.message for one in found}
-    new = [one for one in diagnostics_of(troubles, read.anchors, read.silent) if one.message not in told]
-    outcome = smoked.linted.outcome._replace(diagnostics=[*found, *new])
-    results = tuple(_judged(one, result, troubles) for one in smoked.controllers)
+        troubles = _unexplained(result.troubles, robot.troubles)
+    diagnostics = smoked.linted.outcome.diagnostics
+    messages = {diagnostic.message for diagnostic in diagnostics}
+    found = diagnostics_of(troubles, robot.anchors, robot.silent)
+    new = [diagnostic for diagnostic in found if diagnostic.message not in messages]
+    outcome = smoked.linted.outcome._replace(diagnostics=[*diagnostics, *new])
+    controllers = tuple(_judged(controller, result, troubles) for controller in smoked.controllers)
     name = f"{smoked.engine} and {engine}" if smoked.engine else engine
     seconds = smoked.seconds + result.seconds
     linted = smoked.linted._replace(outcome=outcome)
     return smoked._replace(
-        linted=linted, controllers=results, engine=name, seconds=seconds, curves=smoked.curves or result.curves
+        linted=linted, controllers=controllers, engine=name, seconds=seconds, curves=smoked.curves or result.curves
     )
 
 
-def _judged(one: ControllerResult, result: Tried, troubles: Sequence[Trouble]) -> ControllerResult:
-    """A verdict after moving: only what moved, or commands nothing, has passed."""
-    if one.verdict is Verdict.SKIPPED:
-        if one.name in result.moved:
-            one = one._replace(verdict=Verdict.PASSED, stage=Step.DEACTIVATE, reason="")
+def _not_simulated(smoked: Smoked, why: str) -> Tried:
+    return Tried(unjudged={controller.name: f"not simulated: {why}" for controller in smoked.controllers})
+
+
+def _unexplained(troubles: Sequence[Trouble], known: Sequence[Trouble]) -> list[Trouble]:
+    """The findings of an engine without those that known findings about the same controller explain."""
+    explained = {(trouble.controller, rule.code) for trouble in known for rule in rule_of(trouble.code).explains}
+    return [trouble for trouble in troubles if (trouble.controller, trouble.code) not in explained]
+
+
+def _judged(controller: ControllerResult, result: Tried, troubles: Sequence[Trouble]) -> ControllerResult:
+    """The result after simulating: a controller passes only if it moved its joints, or commands nothing."""
+    if controller.verdict is Verdict.SKIPPED:
+        if controller.name in result.moved:
+            controller = controller._replace(verdict=Verdict.PASSED, stage=Stage.DEACTIVATE, reason="")
         else:
-            one = one._replace(reason=result.unjudged.get(one.name, one.reason))
-    return changed(one, troubles)
+            controller = controller._replace(reason=result.unjudged.get(controller.name, controller.reason))
+    return changed(controller, troubles)

@@ -1,35 +1,39 @@
-"""What can be said of a robot before anything moves: how far each controller gets, and what physics tells without an
-engine."""
+"""The judgement on a robot before anything moves: how far each controller gets, and what needs no physics engine."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
 from urdfctl.diagnostic import Diagnostic, Severity
-from urdfctl.lint import Outcome
-from urdfctl.load import Seen
+from urdfctl.lint.results import Outcome
+from urdfctl.lint.target import LintedTarget
 from urdfctl.model.project import Project
-from urdfctl.record import NamedTuple
+from urdfctl.model.stage import Stage
 from urdfctl.rules import rule_of
+from urdfctl.rules.reading.rule_crashed import rule_crashed
+from urdfctl.rules.smoke.robot_not_spawned import robot_not_spawned
 from urdfctl.smoke.anchors import anchors_of, diagnostics_of, silenced
 from urdfctl.smoke.manager import Cycle, life_cycle
 from urdfctl.smoke.mechanism import Mechanism, mechanism_of
-from urdfctl.smoke.results import ControllerResult, Smoked, Step, Trouble, Verdict
+from urdfctl.smoke.results import ROBOT, ControllerResult, Smoked, Trouble, Verdict, trouble_of
 from urdfctl.smoke.stability import loop_troubles
 from urdfctl.smoke.statics import static_troubles
 from urdfctl.smoke.tasks import Task, task_of
+from urdfctl.startup.records import NamedTuple
 
 RATES = {1: 1000.0, 2: 100.0}
-"""How often a manager updates its controllers, in Hz, where nothing is said: gazebo_ros_control at each step of 1 ms,
-the controller manager of ROS 2 by its own default."""
-_OURS = "UC000"
+"""The default update rate by generation of ROS, in Hz: gazebo_ros_control updates at each step of 1 ms, the controller
+manager of ROS 2 at its own default."""
 
 
 class Judgement(NamedTuple):
-    """A robot with what its controllers are to move (no mechanism where it is not to be moved), how often they are
-    updated, in Hz, and what is wrong so far."""
+    """A robot with what its controllers should move, and what is wrong so far.
 
-    seen: Seen
+    `mechanism` is None if the robot cannot be simulated. `rate` is the update rate of the controllers, in Hz. `only`
+    holds the names of the controllers that were asked for, none for all.
+    """
+
+    seen: LintedTarget
     cycle: Cycle
     mechanism: Mechanism | None
     tasks: tuple[Task, ...]
@@ -38,66 +42,70 @@ class Judgement(NamedTuple):
     only: tuple[str, ...] = ()
 
     def wants(self, name: str | None) -> bool:
-        """Whether a controller was asked for; what is of no controller is always told."""
+        """Return whether a controller was asked for. Findings of no controller are always reported."""
         return name is None or not self.only or name in self.only
 
     @property
     def results(self) -> tuple[ControllerResult, ...]:
-        """The verdicts as far as they are known."""
-        made = (way.result for way in self.cycle.ways if self.wants(way.configured.name))
-        return tuple(changed(result, self.troubles) for result in made)
+        """The results of the controllers, as far as they are known."""
+        results = (way.result for way in self.cycle.ways if self.wants(way.configured.name))
+        return tuple(changed(result, self.troubles) for result in results)
 
     def anchors(self) -> dict[str, Diagnostic]:
-        """Where each thing that may be told of stands."""
-        return anchors_of(self.seen.project, self.seen.linted.outcome.diagnostics)
+        """Return the place of everything that a finding can be about."""
+        return anchors_of(self.seen.project, self.seen.result.outcome.diagnostics)
 
     def silenced(self) -> dict[str, list[str]]:
-        """The codes that comments silence, by what they are about."""
+        """Return the codes that comments suppress, by subject."""
         return silenced(self.seen.project, list(self.seen.sources.values()))
 
     @property
     def smoked(self) -> Smoked:
         """The smoke test, as far as it is known."""
-        linted = self.seen.linted
-        found = linted.outcome.diagnostics
-        told = [one for one in self.troubles if self.wants(one.controller)]
-        anchors = anchors_of(self.seen.project, found, {one.subject for one in told})
-        diagnostics = list(diagnostics_of(told, anchors, self.silenced()))
-        outcome = Outcome([*(one for one in found if one.code == _OURS), *diagnostics], [], linted.outcome.crashed)
+        linted = self.seen.result
+        of_lint = linted.outcome.diagnostics
+        troubles = [trouble for trouble in self.troubles if self.wants(trouble.controller)]
+        anchors = anchors_of(self.seen.project, of_lint, {trouble.subject for trouble in troubles})
+        diagnostics = list(diagnostics_of(troubles, anchors, self.silenced()))
+        crashes = [finding for finding in of_lint if finding.code == rule_crashed.code]
+        outcome = Outcome([*crashes, *diagnostics], [], linted.outcome.crashed)
         return Smoked(linted._replace(outcome=outcome, distro=self.cycle.distro), self.results)
 
 
-def judged(seen: Seen, only: Sequence[str] = ()) -> Judgement:
-    """What can be said of a robot that was linted; of all its controllers, or those of some names."""
+def judged(seen: LintedTarget, only: Sequence[str] = ()) -> Judgement:
+    """Return the judgement on a linted robot; on all its controllers, or on those with some names."""
     project = seen.project
-    cycle = life_cycle(project, seen.linted.outcome.diagnostics)
+    cycle = life_cycle(project, seen.result.outcome.diagnostics)
     rate = _rate(project, cycle.ros)
     robot = project.robot if cycle.spawned and project.complete and not project.library else None
     mechanism = mechanism_of(robot) if robot else None
     tasks = tuple(task_of(way.configured) for way in cycle.ways if not way.refusal)
     troubles = list(cycle.troubles)
     if robot and robot.links and mechanism is None:
-        why = "its links are no tree that hangs on one root: each link but the root is the child of one joint"
-        troubles.append(Trouble("UC901", "robot", f"the robot cannot be spawned: {why}"))
+        why = "its links must form one tree, in which each link but the root is the child of exactly one joint"
+        troubles.append(trouble_of(robot_not_spawned, ROBOT, why=why))
     if mechanism is not None:
         troubles += static_troubles(mechanism, tasks)
         troubles += loop_troubles(mechanism, tasks, rate)
-    return Judgement(seen, cycle, mechanism, tasks, rate, tuple(troubles), tuple(only))
+    return Judgement(
+        seen=seen, cycle=cycle, mechanism=mechanism, tasks=tasks, rate=rate, troubles=tuple(troubles), only=tuple(only)
+    )
 
 
 def _rate(project: Project, ros: int) -> float:
     managers = project.controllers.managers if project.controllers else ()
-    values = (manager.parameters.value("update_rate") for manager in managers)
-    given = next((one.value for one in values if one is not None), None)
-    return float(given) if isinstance(given, int | float) and given > 0 else RATES[ros]
+    parameters = (manager.parameters.value("update_rate") for manager in managers)
+    rate = next((parameter.value for parameter in parameters if parameter is not None), None)
+    return float(rate) if isinstance(rate, int | float) and rate > 0 else RATES[ros]
 
 
 def changed(result: ControllerResult, troubles: Iterable[Trouble]) -> ControllerResult:
-    """A verdict with what was found of its controller: an error makes it fail at moving, a warning makes it warned."""
-    mine = [one for one in troubles if one.controller == result.name]
-    errors = [one for one in mine if rule_of(one.code).severity is Severity.ERROR]
-    if result.verdict is Verdict.FAILED or not mine:
+    """Return a result with the findings about its controller: an error makes it fail at the stage of the error's rule,
+    a warning makes it a warning."""
+    own = [(trouble, rule_of(trouble.code)) for trouble in troubles if trouble.controller == result.name]
+    if result.verdict is Verdict.FAILED or not own:
         return result
-    if errors:
-        return result._replace(verdict=Verdict.FAILED, stage=Step.MOVE, reason=errors[0].message)
-    return result._replace(verdict=Verdict.WARNED, reason=mine[0].message)
+    for trouble, rule in own:
+        if rule.severity is Severity.ERROR and isinstance(rule.stage, Stage):
+            return result._replace(verdict=Verdict.FAILED, stage=rule.stage, reason=trouble.message)
+    return result._replace(verdict=Verdict.WARNED, reason=own[0][0].message)

@@ -1,7 +1,7 @@
-"""The life of each controller as a controller manager would see it, without anything moving: load, configure, activate.
+"""The life of each controller as a controller manager sees it, with nothing moving: load, configure, activate.
 
-What stops a controller comes from two sources: `urdfctl.control.life` for types, claims, chains and conflicts in the
-order in which controllers are started; lint's errors for what is wrong in the files.
+A controller is stopped for one of two reasons. `urdfctl.control.life` finds types, claims, chains and conflicts, in the
+order in which controllers are started. Errors of lint cover what is wrong in the files.
 """
 
 from __future__ import annotations
@@ -11,49 +11,80 @@ from collections.abc import Collection, Iterator, Sequence
 from urdfctl.catalog.distros import generation
 from urdfctl.control.chains import chained_claims
 from urdfctl.control.hardware import Absence
-from urdfctl.control.life import Reason, Stage, Stop, lives
+from urdfctl.control.life import Reason, Stop, lives
 from urdfctl.control.session import Configured, Session, session_of
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.model.project import Project
-from urdfctl.record import NamedTuple
-from urdfctl.smoke.results import STEPS, ControllerResult, Step, Trouble, Verdict
-from urdfctl.smoke.stages import BY_LIFE, OF_FILES, OF_HARDWARE, OF_ROBOT, concerns, step_of
-from urdfctl.smoke.words import told, words_of, words_of_step
+from urdfctl.model.stage import CONTROLLER_STAGES, Stage, StageDependsOn
+from urdfctl.rule import Rule
+from urdfctl.rules.controllers.controller_type_missing import controller_type_missing
+from urdfctl.rules.controllers.controller_type_not_in_distro import controller_type_not_in_distro
+from urdfctl.rules.controllers.controller_type_of_other_ros import controller_type_of_other_ros
+from urdfctl.rules.controllers.controller_type_unknown import controller_type_unknown
+from urdfctl.rules.smoke.family import RULES
+from urdfctl.rules.smoke.hardware_not_started import hardware_not_started
+from urdfctl.rules.smoke.robot_not_spawned import robot_not_spawned
+from urdfctl.smoke.results import ControllerResult, Trouble, Verdict, trouble_of
+from urdfctl.smoke.stages import (
+    concerns,
+    found_by_manager,
+    stage_stopped,
+    stops_controller,
+    stops_hardware,
+    stops_parameters,
+    stops_robot,
+)
+from urdfctl.smoke.words import line_of_stage, line_of_stop, reason_of
+from urdfctl.startup.records import NamedTuple
 
-CODES = {Step.LOAD: "UC903", Step.CONFIGURE: "UC904", Step.ACTIVATE: "UC905"}
-_OF_TYPES = ("UC420", "UC421", "UC422", "UC423")
-"""What lint tells of types that surely do not exist: of others it only knows that they are not in the catalogue."""
-_PAST = {Step.LOAD: "loaded", Step.CONFIGURE: "configured", Step.ACTIVATE: "activated"}
+_RULE_OF_STAGE: dict[Stage | StageDependsOn | None, Rule] = {
+    rule.stage: rule for rule in RULES if rule.stage is not Stage.MOVE
+}
+"""The rule that reports a stage that is not passed, before anything moves."""
+_TYPE_DOES_NOT_EXIST = frozenset(
+    rule.code
+    for rule in (
+        controller_type_missing,
+        controller_type_unknown,
+        controller_type_not_in_distro,
+        controller_type_of_other_ros,
+    )
+)
+"""Lint's rules on types that certainly do not exist. Other unknown types may come from packages outside the catalog."""
 
 
 class Refusal(NamedTuple):
-    """What stops a controller: the step, why in our words, and what the manager prints."""
+    """The stage at which a controller is stopped, why, and the line that the manager prints.
 
-    step: Step
+    `reported_as` is the code under which lint reports it, or empty.
+    """
+
+    stage: Stage
     why: str
-    words: str
-    told_by: str = ""
+    line: str
+    reported_as: str = ""
 
 
 class Way(NamedTuple):
-    """A controller and what stops it, None where it gets to be active."""
+    """A controller and what stops it, None if it becomes active."""
 
     configured: Configured
     refusal: Refusal | None
 
     @property
     def result(self) -> ControllerResult:
-        """The verdict, as long as nothing was moved."""
-        written = self.configured.controller.type
-        kind = written.text if written else None
+        """The result as long as nothing is simulated."""
+        declared = self.configured.controller.type
+        type_name = declared.text if declared else None
         name = self.configured.name
         if self.refusal:
-            return ControllerResult(name, kind, Verdict.FAILED, self.refusal.step, self.refusal.why)
-        return ControllerResult(name, kind, Verdict.SKIPPED, Step.ACTIVATE, "structural only: nothing was moved")
+            return ControllerResult(name, type_name, Verdict.FAILED, self.refusal.stage, self.refusal.why)
+        reason = "not simulated: no physics engine was used"
+        return ControllerResult(name, type_name, Verdict.SKIPPED, Stage.ACTIVATE, reason)
 
 
 class Cycle(NamedTuple):
-    """What one distro's manager makes of a robot: not `spawned` where the robot itself is refused."""
+    """The lives of a robot's controllers under one distro's manager. `spawned` is False if the robot is rejected."""
 
     distro: str
     session: Session
@@ -67,28 +98,28 @@ class Cycle(NamedTuple):
         return generation(self.distro)
 
 
-def life_cycle(project: Project, found: Sequence[Diagnostic]) -> Cycle:
-    """The ways of all controllers of a project, of which lint found something."""
-    errors = [one for one in found if one.severity is Severity.ERROR]
+def life_cycle(project: Project, findings: Sequence[Diagnostic]) -> Cycle:
+    """Return the lives of all controllers of a project, given lint's findings."""
+    errors = [finding for finding in findings if finding.severity is Severity.ERROR]
     session = _best_session(project, errors)
-    of_robot = [one for one in errors if one.code.startswith(OF_ROBOT) and one.code not in OF_FILES]
-    of_hardware = [one for one in errors if one.code.startswith(OF_HARDWARE)]
+    of_robot = [error for error in errors if stops_robot(error)]
+    of_hardware = [error for error in errors if stops_hardware(error)]
     troubles: list[Trouble] = []
     blocked: Refusal | None = None
     if of_robot:
-        blocked = Refusal(Step.LOAD, "the robot's description is refused", "")
-        troubles.append(_refused("UC901", "the robot cannot be spawned", of_robot))
+        blocked = Refusal(Stage.LOAD, "the robot description is rejected", "")
+        troubles.append(_trouble_of_errors(robot_not_spawned, of_robot))
     elif of_hardware:
-        blocked = Refusal(Step.ACTIVATE, "the robot's hardware is refused", "")
-        troubles.append(_refused("UC902", "the hardware cannot be started", of_hardware))
+        blocked = Refusal(Stage.ACTIVATE, "the hardware is rejected", "")
+        troubles.append(_trouble_of_errors(hardware_not_started, of_hardware))
     ways = _cascaded(session, tuple(_ways(session, errors, blocked)))
     troubles += [_trouble(way.configured, way.refusal) for way in ways if way.refusal and way.refusal is not blocked]
     return Cycle(session.distro, session, ways, tuple(troubles), blocked is None)
 
 
 def _best_session(project: Project, errors: Sequence[Diagnostic]) -> Session:
-    """What the project's distro makes of it; where it may be for several, the newest that refuses, or does not know,
-    the fewest of its controllers."""
+    """The session in the project's distro. If several are possible: the newest of those in which the fewest controllers
+    are rejected or unknown."""
     distros = (project.distro,) if project.distro else tuple(reversed(project.distros))
     best, fewest = None, 0
     for distro in distros:
@@ -99,7 +130,7 @@ def _best_session(project: Project, errors: Sequence[Diagnostic]) -> Session:
             best, fewest = session, refused
         if not fewest:
             break
-    assert best is not None  # noqa: S101 (a project has a distro at least)
+    assert best is not None  # noqa: S101 (a project has at least one distro)
     return best
 
 
@@ -107,82 +138,83 @@ def _ways(session: Session, errors: Sequence[Diagnostic], blocked: Refusal | Non
     """First the controllers that are started, in their order; then each of the others, as if it were alone."""
     ros = generation(session.distro)
     started = session.started or ()
-    names = {id(one) for one in started}
-    alone = session._replace(started=None, controllers=tuple(c for c in session.controllers if id(c) not in names))
+    ids_started = {id(configured) for configured in started}
+    others = tuple(configured for configured in session.controllers if id(configured) not in ids_started)
+    alone = session._replace(started=None, controllers=others)
     of_life: dict[int, list[Refusal]] = {}
     for life in (*(lives(session) if started else ()), *lives(alone)):
-        named = any(error.code in _OF_TYPES and concerns(error, life.controller.controller) for error in errors)
-        stops = [stop for stop in life.stops if _is_sure(stop, named=named)]
-        lint_says = {one.code for one in errors if one.code in BY_LIFE and concerns(one, life.controller.controller)}
-        told_by = lint_says.pop() if len(lint_says) == len(stops) == 1 else ""
+        about = [error for error in errors if concerns(error, life.controller.controller)]
+        type_is_wrong = any(error.code in _TYPE_DOES_NOT_EXIST for error in about)
+        stops = [stop for stop in life.stops if _is_certain(stop, type_is_wrong=type_is_wrong)]
+        codes = {error.code for error in about if found_by_manager(error)}
+        code = codes.pop() if len(codes) == len(stops) == 1 else ""
         of_life[id(life.controller)] = [
-            Refusal(Step(stop.stage.value), told(stop), words_of(life.controller, stop, ros), told_by) for stop in stops
+            Refusal(stop.stage, reason_of(stop), line_of_stop(life.controller, stop, ros), code) for stop in stops
         ]
     everyone = (*started, *alone.controllers)
-    of_files = [
-        one for one in errors if one.code in OF_FILES or (one.code.startswith("UC4") and one.code not in BY_LIFE)
-    ]
-    of_all = [error for error in of_files if not any(concerns(error, one.controller) for one in everyone)]
-    for one in everyone:
-        refusals = [*_of_files(one, of_files, of_all, ros), *of_life[id(one)]]
-        first = min(refusals, key=lambda refusal: STEPS.index(refusal.step), default=None)
-        yield Way(one, _in_its_words(first, of_life[id(one)]) if first else blocked)
+    of_files = [error for error in errors if stops_controller(error)]
+    of_all = [error for error in of_files if not any(concerns(error, c.controller) for c in everyone)]
+    for configured in everyone:
+        refusals = [*_of_files(configured, of_files, of_all, ros), *of_life[id(configured)]]
+        first = min(refusals, key=lambda refusal: CONTROLLER_STAGES.index(refusal.stage), default=None)
+        yield Way(configured, _with_line(first, of_life[id(configured)]) if first else blocked)
 
 
 def _cascaded(session: Session, ways: tuple[Way, ...]) -> tuple[Way, ...]:
-    """The ways with those that need an interface of a controller that never becomes active."""
+    """The ways, in which controllers that need an interface of a controller that never becomes active stop too."""
     while True:
         refused = {id(way.configured) for way in ways if way.refusal}
-        found = tuple(way if way.refusal else way._replace(refusal=_starved(session, way, refused)) for way in ways)
-        if found == ways:
+        changed = tuple(way if way.refusal else way._replace(refusal=_starved(session, way, refused)) for way in ways)
+        if changed == ways:
             return ways
-        ways = found
+        ways = changed
 
 
 def _starved(session: Session, way: Way, refused: Collection[int]) -> Refusal | None:
-    for one in chained_claims(session, way.configured):
-        if id(one.following) in refused:
-            stop = Stop(Stage.ACTIVATE, Reason.NOT_OFFERED, one.claim, one.kind)
-            why = f"it needs '{one.claim.name}' of controller '{one.following.name}', which never becomes active"
-            return Refusal(Step.ACTIVATE, why, words_of(way.configured, stop, 2))
+    for chained in chained_claims(session, way.configured):
+        if id(chained.following) in refused:
+            stop = Stop(Stage.ACTIVATE, Reason.NOT_OFFERED, chained.claim, chained.kind)
+            why = (
+                f"it needs '{chained.claim.name}' of controller '{chained.following.name}', which never becomes active"
+            )
+            return Refusal(Stage.ACTIVATE, why, line_of_stop(way.configured, stop, 2))
     return None
 
 
-def _is_sure(stop: Stop, *, named: bool) -> bool:
-    """Whether a stop is one: a driver may offer more than is known, and a type may come from another package."""
-    return stop.absence is Absence.SURE and (stop.reason is not Reason.TYPE_UNKNOWN or named)
+def _is_certain(stop: Stop, *, type_is_wrong: bool) -> bool:
+    """A driver may offer more than is known, and an unknown type may come from another package."""
+    return stop.absence is Absence.SURE and (stop.reason is not Reason.TYPE_UNKNOWN or type_is_wrong)
 
 
-def _in_its_words(first: Refusal, of_life: Sequence[Refusal]) -> Refusal:
-    """A refusal with what the manager prints where it says more than that it did not go well; nothing where its file
-    is refused before the manager is asked."""
-    if first.told_by in OF_FILES:
-        return first._replace(words="")
-    return first._replace(words=next((one.words for one in of_life if one.step is first.step), first.words))
+def _with_line(first: Refusal, of_life: Sequence[Refusal]) -> Refusal:
+    """A refusal with the most specific line that the manager prints, or none if the file is rejected before."""
+    if first.reported_as and stops_parameters(first.reported_as):
+        return first._replace(line="")
+    return first._replace(line=next((refusal.line for refusal in of_life if refusal.stage is first.stage), first.line))
 
 
 def _of_files(
-    one: Configured, errors: Sequence[Diagnostic], of_all: Sequence[Diagnostic], ros: int
+    configured: Configured, errors: Sequence[Diagnostic], of_all: Sequence[Diagnostic], ros: int
 ) -> Iterator[Refusal]:
-    """What lint found wrong in the files: of a controller, or of the file or the manager, which stops all of them."""
+    """Lint's errors about a controller, and those about its file or the manager, which stop all controllers."""
     for error in errors:
-        common = error.code in OF_FILES or error in of_all
-        if common or concerns(error, one.controller):
-            step = Step.LOAD if common else step_of(error, one, ros)
-            yield Refusal(step, error.message, words_of_step(one, step, ros), error.code)
+        common = stops_parameters(error.code) or error in of_all
+        if common or concerns(error, configured.controller):
+            stage = Stage.LOAD if common else stage_stopped(error, configured, ros)
+            yield Refusal(stage, error.message, line_of_stage(configured, stage, ros), error.code)
 
 
-def _trouble(one: Configured, refusal: Refusal) -> Trouble:
-    message = f"controller '{one.name}' is not {_PAST[refusal.step]}: {refusal.why}"
-    notes = [f"the controller manager says: {refusal.words}"] if refusal.words else []
-    if refusal.told_by:
-        notes.append(f"urdfctl lint tells of it as {refusal.told_by}")
-    return Trouble(CODES[refusal.step], f"controller:{one.name}", message, one.name, tuple(notes))
+def _trouble(configured: Configured, refusal: Refusal) -> Trouble:
+    name = configured.name
+    notes = [f"the controller manager says: {refusal.line}"] if refusal.line else []
+    if refusal.reported_as:
+        notes.append(f"urdfctl lint reports it as {refusal.reported_as}")
+    return trouble_of(_RULE_OF_STAGE[refusal.stage], f"controller:{name}", name, tuple(notes), why=refusal.why)
 
 
-def _refused(code: str, what: str, errors: Sequence[Diagnostic]) -> Trouble:
+def _trouble_of_errors(rule: Rule, errors: Sequence[Diagnostic]) -> Trouble:
     first, others = errors[0], len(errors) - 1
-    notes = [f"urdfctl lint tells of it as {first.code}"]
+    notes = [f"urdfctl lint reports it as {first.code}"]
     if others:
-        notes.append(f"lint finds {others} more error{'s' if others > 1 else ''} of this kind")
-    return Trouble(code, f"lint:{first.code}", f"{what}: {first.message}", None, tuple(notes))
+        notes.append(f"lint reports {others} more error{'s' if others > 1 else ''} of this kind")
+    return trouble_of(rule, f"lint:{first.code}", notes=tuple(notes), why=first.message)

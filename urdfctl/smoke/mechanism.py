@@ -1,4 +1,4 @@
-"""The robot as a tree of bodies and hinges, in numbers: what both the checks without an engine and the engines need."""
+"""The robot as a tree of bodies and hinges, in numbers, for the checks without a physics engine and for the engines."""
 
 from __future__ import annotations
 
@@ -6,11 +6,7 @@ import math
 import re
 from collections.abc import Iterator, Mapping
 
-from urdfctl.hints import Any
-from urdfctl.model.parts import Number, Tag
-from urdfctl.model.robot import Joint, Link, Robot
-from urdfctl.record import NamedTuple
-from urdfctl.smoke.vectors import (
+from urdfctl.model.geometry import (
     UPRIGHT,
     ZERO,
     Pose,
@@ -23,14 +19,22 @@ from urdfctl.smoke.vectors import (
     transposed,
     unit,
 )
+from urdfctl.model.parts import Number, Tag
+from urdfctl.model.robot import Joint, Link, Robot
+from urdfctl.startup.hints import Any
+from urdfctl.startup.records import NamedTuple
 
 MOVABLE = ("revolute", "continuous", "prismatic")
 _MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 
 
 class Body(NamedTuple):
-    """A link: mass in kg, centre of mass in its frame in m, inertia about that in kg m², by its frame's axes. `radius`
-    is that of its first cylinder or sphere to collide with, None where it has none. Gravity may pass it over."""
+    """A link.
+
+    `mass` is in kg. `centre` is the centre of mass in the link's frame, in m. `inertia` is the inertia about it along
+    the axes of that frame, in kg m². `radius` is that of the first cylinder or sphere of its collision geometry,
+    in m, or None. `falls` is False if gravity is turned off for the link.
+    """
 
     name: str
     mass: float = 0.0
@@ -41,8 +45,12 @@ class Body(NamedTuple):
 
 
 class Hinge(NamedTuple):
-    """A joint: `pose` of the child in the parent at zero, `axis` of length 1 in the child's frame; limits in rad or m,
-    N m or N, rad/s or m/s, None where not given; `mimic`: the joint it follows, multiplier, offset."""
+    """A joint.
+
+    `pose` is that of the child in the parent's frame at position 0, and `axis` has length 1 in the child's frame.
+    `lower` and `upper` are in rad or m, `effort` in N m or N, `velocity` in rad/s or m/s; each is None if the
+    description does not give it. `mimic` is the leading joint with multiplier and offset.
+    """
 
     name: str
     type: str
@@ -59,88 +67,98 @@ class Hinge(NamedTuple):
 
     @property
     def moves(self) -> bool:
-        """Whether controllers can move it."""
+        """Whether controllers can move the joint."""
         return self.type in MOVABLE
 
     @property
+    def unit(self) -> str:
+        """The unit of its position."""
+        return "m" if self.type == "prismatic" else "rad"
+
+    @property
+    def effort_unit(self) -> str:
+        """The unit of its effort."""
+        return "N" if self.type == "prismatic" else "N m"
+
+    @property
     def span(self) -> tuple[float, float]:
-        """Where it may be: a whole turn where nothing bounds it."""
+        """Its position limits, or one turn if it has none."""
         if self.type == "continuous" or self.lower is None or self.upper is None or not self.lower < self.upper:
             return -math.pi, math.pi
         return self.lower, self.upper
 
     @property
     def start(self) -> float:
-        """Where it is at spawn: at zero, or at the bound that is nearest to it."""
+        """Its position at spawn: 0, or the limit nearest to 0."""
         low, high = self.span
         return min(max(0.0, low), high)
 
     def moved(self, position: float) -> Pose:
-        """The pose of the child at a position."""
+        """Return the pose of the child in the parent's frame at a position."""
         if self.type == "prismatic":
             return self.pose.then(Pose(scaled(self.axis, position), UPRIGHT))
         return self.pose.then(Pose(ZERO, about(self.axis, position)))
 
 
 class Mechanism(NamedTuple):
-    """A robot: bodies by name, hinges from the root outwards."""
+    """A robot: bodies by name, and hinges in order from the root outwards."""
 
     root: str
     bodies: Mapping[str, Body]
     hinges: tuple[Hinge, ...]
 
     def hinge(self, name: str) -> Hinge | None:
-        """The hinge of a name."""
+        """Return the hinge with a name, or None."""
         return next((hinge for hinge in self.hinges if hinge.name == name), None)
 
     @property
     def movable(self) -> tuple[Hinge, ...]:
-        """The hinges that controllers can move: those that follow others are not among them."""
+        """The hinges that controllers can move, without those that mimic others."""
         return tuple(hinge for hinge in self.hinges if hinge.moves and hinge.mimic is None)
 
     def start(self) -> dict[str, float]:
-        """The position of each hinge at spawn."""
+        """Return the position of each hinge at spawn."""
         return {hinge.name: hinge.start for hinge in self.hinges if hinge.moves}
 
     def poses(self, positions: Mapping[str, float]) -> dict[str, Pose]:
-        """The pose of each link in the root's frame."""
-        found = {self.root: Pose()}
+        """Return the pose of each link in the root's frame."""
+        poses = {self.root: Pose()}
         for hinge in self.hinges:
             position = positions.get(hinge.name, 0.0)
             if hinge.mimic and hinge.mimic[0] in positions:
                 position = positions[hinge.mimic[0]] * hinge.mimic[1] + hinge.mimic[2]
-            found[hinge.child] = found[hinge.parent].then(hinge.moved(position) if hinge.moves else hinge.pose)
-        return found
+            poses[hinge.child] = poses[hinge.parent].then(hinge.moved(position) if hinge.moves else hinge.pose)
+        return poses
 
     def below(self, link: str) -> set[str]:
-        """The links that hang on a link, with it."""
-        found = {link}
+        """Return a link and all links that hang on it."""
+        links = {link}
         for hinge in self.hinges:
-            if hinge.parent in found:
-                found.add(hinge.child)
-        return found
+            if hinge.parent in links:
+                links.add(hinge.child)
+        return links
 
     def above(self, link: str) -> list[Hinge]:
-        """The hinges between the root and a link, from the link on."""
+        """Return the hinges from a link up to the root."""
         by_child = {hinge.child: hinge for hinge in self.hinges}
-        found = []
+        hinges = []
         while link in by_child:
-            found.append(by_child[link])
+            hinges.append(by_child[link])
             link = by_child[link].parent
-        return found
+        return hinges
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Mechanism:
-        """From plain data, in which tuples are lists."""
-        bodies = [Body(**{**one, **_tuples(one, "centre", "inertia")}) for one in data["bodies"]]
+        """Return the mechanism that plain data holds, in which tuples are lists."""
+        bodies = [Body(**{**body, **_tuples(body, "centre", "inertia")}) for body in data["bodies"]]
         hinges = [
-            Hinge(**{**one, **_tuples(one, "axis", "mimic"), "pose": Pose(*_tuple(one["pose"]))})
-            for one in data["hinges"]
+            Hinge(**{**hinge, **_tuples(hinge, "axis", "mimic"), "pose": Pose(*_tuple(hinge["pose"]))})
+            for hinge in data["hinges"]
         ]
         return cls(data["root"], {body.name: body for body in bodies}, tuple(hinges))
 
     def to_json(self) -> dict[str, Any]:
-        """As plain data."""
+        """Return the mechanism as plain data."""
         bodies, hinges = [body._asdict() for body in self.bodies.values()], [hinge._asdict() for hinge in self.hinges]
         return {"root": self.root, "bodies": bodies, "hinges": hinges}
 
@@ -157,7 +175,7 @@ def _tuples(data: dict[str, Any], *names: str) -> dict[str, Any]:
 
 
 def mechanism_of(robot: Robot) -> Mechanism | None:
-    """The mechanism that a description makes; None where its links are no tree with one root."""
+    """Return the mechanism of a robot description, or None if its links do not form a tree with one root."""
     names = [link.name for link in robot.links if link.name]
     hinges = [hinge for joint in robot.joints if (hinge := _hinge(joint)) is not None]
     children = [hinge.child for hinge in hinges]
@@ -177,13 +195,13 @@ def _ordered(root: str, hinges: list[Hinge]) -> list[Hinge]:
     by_parent: dict[str, list[Hinge]] = {}
     for hinge in hinges:
         by_parent.setdefault(hinge.parent, []).append(hinge)
-    found: list[Hinge] = []
+    ordered: list[Hinge] = []
     pending = [root]
     while pending:
         here = by_parent.pop(pending.pop(0), [])
-        found += here
+        ordered += here
         pending += [hinge.child for hinge in here]
-    return found
+    return ordered
 
 
 def _hinge(joint: Joint) -> Hinge | None:
@@ -193,18 +211,18 @@ def _hinge(joint: Joint) -> Hinge | None:
     limit, mimic = joint.limit, joint.mimic
     dynamics = next(joint.tag.named("dynamics"), None)
     return Hinge(
-        joint.name,
-        joint.type,
-        parent.name,
-        child.name,
-        origin_of(joint.tag),
-        unit(numbers_of(joint.axis.text if joint.axis else "1 0 0")),
-        _number(limit.lower, 0.0) if limit else None,
-        _number(limit.upper, 0.0) if limit else None,
-        _number(limit.effort) if limit else None,
-        _number(limit.velocity) if limit else None,
-        _float(dynamics.attributes.get("damping", "0"), 0.0) if dynamics else 0.0,
-        (mimic.joint, _number(mimic.multiplier, 1.0) or 0.0, _number(mimic.offset, 0.0) or 0.0)
+        name=joint.name,
+        type=joint.type,
+        parent=parent.name,
+        child=child.name,
+        pose=origin_of(joint.tag),
+        axis=unit(numbers_of(joint.axis.text if joint.axis else "1 0 0")),
+        lower=_number(limit.lower, 0.0) if limit else None,
+        upper=_number(limit.upper, 0.0) if limit else None,
+        effort=_number(limit.effort) if limit else None,
+        velocity=_number(limit.velocity) if limit else None,
+        damping=_float(dynamics.attributes.get("damping", "0"), 0.0) if dynamics else 0.0,
+        mimic=(mimic.joint, _number(mimic.multiplier, 1.0) or 0.0, _number(mimic.offset, 0.0) or 0.0)
         if mimic and mimic.joint
         else None,
     )
@@ -212,7 +230,8 @@ def _hinge(joint: Joint) -> Hinge | None:
 
 def _body(link: Link, *, falls: bool) -> Body:
     name = link.name or ""
-    radius = next((radius for one in link.geometries if (radius := _radius(one.role, one.shape)) is not None), None)
+    radii = (_radius(geometry.role, geometry.shape) for geometry in link.geometries)
+    radius = next((radius for radius in radii if radius is not None), None)
     if not link.inertials:
         return Body(name, radius=radius, falls=falls)
     inertial = link.inertials[0]
@@ -222,7 +241,14 @@ def _body(link: Link, *, falls: bool) -> Body:
     xx, xy, xz, yy, yz, zz = (given.get(key, 0.0) for key in _MOMENTS)
     own: Rotation = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
     inertia = product(product(origin.turn, own), transposed(origin.turn))
-    return Body(name, _number(inertial.mass, 0.0) or 0.0, origin.place, inertia, radius, falls)
+    return Body(
+        name=name,
+        mass=_number(inertial.mass, 0.0) or 0.0,
+        centre=origin.place,
+        inertia=inertia,
+        radius=radius,
+        falls=falls,
+    )
 
 
 def _radius(role: str, shape: Tag | None) -> float | None:
@@ -232,7 +258,7 @@ def _radius(role: str, shape: Tag | None) -> float | None:
 
 
 def _weightless(robot: Robot) -> Iterator[str]:
-    """The links that gravity passes over in Gazebo."""
+    """The links whose gravity is turned off in Gazebo."""
     for gazebo in robot.gazebos:
         for tag in (*gazebo.tag.named("turnGravityOff"), *gazebo.tag.named("gravity")):
             off = ("true", "1") if tag.name == "turnGravityOff" else ("false", "0")
@@ -241,7 +267,7 @@ def _weightless(robot: Robot) -> Iterator[str]:
 
 
 def origin_of(tag: Tag) -> Pose:
-    """The pose that the `<origin>` in an element gives."""
+    """Return the pose that the `<origin>` in an element gives."""
     origin = next(tag.named("origin"), None)
     if origin is None:
         return Pose()
@@ -251,20 +277,20 @@ def origin_of(tag: Tag) -> Pose:
 
 
 def numbers_of(text: str) -> Vector:
-    """The first three numbers of a text, 0 where there are fewer."""
+    """Return the first three numbers of a text, filled up with 0."""
     numbers = [_float(part, 0.0) for part in text.split()[:3]]
     x, y, z = (*numbers, 0.0, 0.0, 0.0)[:3]
     return x, y, z
 
 
-def _number(number: Number | None, otherwise: float | None = None) -> float | None:
-    return otherwise if number is None else _float(number.text, math.nan)
+def _number(number: Number | None, default: float | None = None) -> float | None:
+    return default if number is None else _float(number.text, math.nan)
 
 
-def _float(text: str, otherwise: float) -> float:
-    """A number as C++ reads it, `nan` and `inf` too."""
+def _float(text: str, default: float) -> float:
+    """A number as C++ reads it, including `nan` and `inf`."""
     return (
         float(text)
         if re.fullmatch(r"\s*[+-]?(\d+\.?\d*([eE][+-]?\d+)?|\.\d+([eE][+-]?\d+)?|nan|inf)\s*", text, re.IGNORECASE)
-        else otherwise
+        else default
     )

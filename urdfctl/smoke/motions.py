@@ -1,4 +1,4 @@
-"""The controllers as the engines see them: each tells, at every update, its joints what to do."""
+"""The controllers in simulation: at every update each of them commands its joints."""
 
 from __future__ import annotations
 
@@ -6,27 +6,29 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import Protocol
 
-from urdfctl.record import NamedTuple
 from urdfctl.smoke.engines import Engine
 from urdfctl.smoke.mechanism import Hinge
 from urdfctl.smoke.tasks import Drive, Family, Gains, Task
+from urdfctl.startup.records import NamedTuple
 
 FREELY = 1e4
-"""The effort and the velocity of what has no limit, or one of 0: ROS-Industrial's way of saying it is not known."""
+"""The effort and velocity of a joint whose limit is missing or 0, which in ROS-Industrial means unknown."""
 PART_OF_SPAN = 0.1
+"""A joint is moved by this fraction of its range at most."""
 PART_OF_VELOCITY = 0.3
-"""Of its velocity limit, what it needs on the mean of its way: on a ramp three times as much at the fastest."""
+"""The mean velocity of a motion is at most this fraction of the limit. On a ramp the peak is three times as much."""
 MOST_TURN, MOST_SHIFT = 0.2, 0.05
-"""How far a joint is moved: a tenth of where it may be, and no more than this, in rad and m."""
+"""A joint is moved by this much at most, in rad and m."""
 CRUISE = 0.2
-"""The velocity that a velocity loop is told to hold, in rad/s or m/s."""
+"""The velocity that a velocity loop should hold, in rad/s or m/s."""
 PUSH = 1.0
+"""An effort interface is pushed with this at most in addition to the weight, in N m or N."""
 PART_OF_EFFORT = 0.2
-"""How hard an effort interface is pushed beside the weight: a fifth of its limit, and no more than this (N m, N)."""
+"""An effort interface is pushed with this fraction of its limit at most in addition to the weight."""
 
 
 class Goal(NamedTuple):
-    """What one joint is to do: from where, how far, and what it needs to hold its weight, in N m or N."""
+    """The motion of one joint: its start, its step, and the effort that holds its weight, in N m or N."""
 
     hinge: Hinge
     start: float
@@ -35,13 +37,13 @@ class Goal(NamedTuple):
 
     @property
     def end(self) -> float:
-        """Where it is to be in the end."""
+        """The target position."""
         return self.start + self.by
 
 
 def goal_of(hinge: Hinge, start: float, weight: float, seconds: float) -> Goal:
-    """A motion of a joint that stays where it may be, towards the side with more room, and that its velocity limit
-    lets it make in some time."""
+    """Return a motion within the joint's limits: towards the side with more room, and slow enough for its velocity
+    limit in a number of seconds."""
     low, high = hinge.span
     far = min(PART_OF_SPAN * (high - low), MOST_SHIFT if hinge.type == "prismatic" else MOST_TURN)
     if hinge.velocity:
@@ -50,69 +52,69 @@ def goal_of(hinge: Hinge, start: float, weight: float, seconds: float) -> Goal:
 
 
 def effort_of(hinge: Hinge) -> float:
-    """What a joint can give."""
+    """Return the effort limit of a joint."""
     return hinge.effort or FREELY
 
 
 def hold(engine: Engine, hinge: Hinge, position: float) -> None:
-    """Keep a joint where it is, by its motor."""
+    """Hold a joint at a position with its motor."""
     engine.to_position(hinge.name, position, FREELY, FREELY)
 
 
 class Motion(Protocol):
-    """What a controller does with its joints."""
+    """The way a controller commands its joints."""
 
     def update(self, seconds: float, period: float) -> None:
-        """Tell the joints what to do, some seconds after it was activated; the next update comes a period later."""
+        """Command the joints, some seconds after activation; the next update comes a period later."""
         raise NotImplementedError
 
     def wanted(self, index: int) -> float:
-        """What it last wanted of a joint, in the quantity that it is judged by."""
+        """Return the last target of a joint, in the quantity by which it is judged."""
         raise NotImplementedError
 
 
 class Forward:
-    """The command goes to the joints as it is."""
+    """A controller that forwards its command to the joints."""
 
     def __init__(self, engine: Engine, goals: Sequence[Goal], interface: str, duration: float) -> None:
         self._engine, self._goals, self._interface, self._duration = engine, goals, interface, duration
-        self._told = [goal.start for goal in goals]
+        self._targets = [goal.start for goal in goals]
 
-    def update(self, seconds: float, period: float) -> None:  # noqa: ARG002 (it has no memory)
-        """Positions follow a ramp, velocities and efforts are steps."""
+    def update(self, seconds: float, period: float) -> None:  # noqa: ARG002 (it keeps no state)
+        """Command a ramp of positions, or a step of velocity or effort."""
         for index, goal in enumerate(self._goals):
             name, effort = goal.hinge.name, effort_of(goal.hinge)
             if self._interface == "position":
-                self._told[index] = ramp(goal, seconds, self._duration)
-                self._engine.to_position(name, self._told[index], effort, goal.hinge.velocity or FREELY)
+                self._targets[index] = ramp(goal, seconds, self._duration)
+                self._engine.to_position(name, self._targets[index], effort, goal.hinge.velocity or FREELY)
             elif self._interface == "velocity":
-                self._told[index] = goal.by / self._duration
-                self._engine.at_velocity(name, self._told[index], effort)
+                self._targets[index] = goal.by / self._duration
+                self._engine.at_velocity(name, self._targets[index], effort)
             else:
                 extra = min(effort * PART_OF_EFFORT, PUSH)
-                self._told[index] = max(-effort, min(effort, goal.weight + math.copysign(extra, goal.by)))
-                self._engine.with_effort(name, self._told[index])
+                self._targets[index] = max(-effort, min(effort, goal.weight + math.copysign(extra, goal.by)))
+                self._engine.with_effort(name, self._targets[index])
 
     def wanted(self, index: int) -> float:
-        """The last command."""
-        return self._told[index]
+        """Return the last command."""
+        return self._targets[index]
 
 
 def ramp(goal: Goal, seconds: float, duration: float) -> float:
-    """The position on the way: smooth, and there at half time."""
+    """Return the position on a smooth ramp that ends at half of the duration."""
     part = min(1.0, seconds / (duration * 0.5))
     return goal.start + part * part * (3 - 2 * part) * goal.by
 
 
 def ramp_velocity(goal: Goal, seconds: float, duration: float) -> float:
-    """The velocity on the way."""
+    """Return the velocity on the ramp."""
     half = duration * 0.5
     part = min(1.0, seconds / half)
     return 6 * part * (1 - part) / half * goal.by
 
 
 class Loop:
-    """A PID loop for each joint, towards a step or along a ramp, whose output is a velocity or an effort."""
+    """A PID loop for each joint, towards a step or along a ramp, which commands a velocity or an effort."""
 
     def __init__(
         self,
@@ -128,21 +130,21 @@ class Loop:
         self._reference, self._of_velocity = reference, of_velocity
         self._sums = [0.0] * len(goals)
         self._before: list[float | None] = [None] * len(goals)
-        self._told = [goal.start for goal in goals]
+        self._targets = [goal.start for goal in goals]
 
     def update(self, seconds: float, period: float) -> None:
-        """One update of each loop."""
+        """Update each loop once."""
         for index, (goal, gain) in enumerate(zip(self._goals, self._gains, strict=True)):
             name = goal.hinge.name
             position, velocity = self._reference(goal, seconds)
             if self._of_velocity:
-                self._told[index] = velocity
+                self._targets[index] = velocity
                 error = velocity - self._engine.velocity(name)
                 before = self._before[index]
                 rate = 0.0 if before is None else (error - before) / period
                 self._before[index] = error
             else:
-                self._told[index] = position
+                self._targets[index] = position
                 error = position - self._engine.position(name)
                 rate = velocity - self._engine.velocity(name)
             self._sums[index] = max(-gain.clamp, min(gain.clamp, self._sums[index] + gain.i * error * period))
@@ -160,12 +162,12 @@ class Loop:
             self._engine.with_effort(hinge.name, max(-most, min(most, output)))
 
     def wanted(self, index: int) -> float:
-        """The last reference."""
-        return self._told[index]
+        """Return the last reference."""
+        return self._targets[index]
 
 
 class Wheels:
-    """A mobile base: told how fast to go forward, in m/s, and how fast to turn left, in rad/s."""
+    """A mobile base with a commanded velocity: forward in m/s, and turning left in rad/s."""
 
     def __init__(
         self, engine: Engine, hinges: Mapping[str, Hinge], drive: Drive, forward: float, turning: float
@@ -176,7 +178,7 @@ class Wheels:
         self.steering = max(-0.5, min(0.5, self.steering))
 
     def update(self, seconds: float, period: float) -> None:  # noqa: ARG002 (the command does not change)
-        """The commands of all wheels."""
+        """Command all wheels."""
         drive = self._drive
         aside = self._turning * drive.separation / 2
         for names, speed in (
@@ -190,12 +192,12 @@ class Wheels:
             self._engine.to_position(name, self.steering, effort_of(self._hinges[name]), FREELY)
 
     def wanted(self, index: int) -> float:
-        """How fast it is to go forward."""
+        """Return the commanded forward velocity (index 0) or turning velocity."""
         return self._forward if index == 0 else self._turning
 
 
 def motion_of(engine: Engine, task: Task, goals: Sequence[Goal], duration: float) -> Motion:
-    """What a controller of joints does."""
+    """Return the motion of a controller of joints."""
     if task.family is Family.VELOCITY_PID:
         return Loop(
             engine,

@@ -1,4 +1,4 @@
-"""The report as one page of HTML that needs nothing else: no scripts, no fonts, no network; for light and dark."""
+"""The report as one self-contained page of HTML: no scripts, no fonts, no network; with a light and a dark style."""
 
 from __future__ import annotations
 
@@ -17,10 +17,11 @@ _WIDTH, _HEIGHT = 240, 90
 _PICTURE = 320
 _STYLE = """
 :root { color-scheme: light dark; --ink: #1a1c20; --dim: #646b76; --back: #fbfbfc; --card: #fff; --line: #dfe2e8;
-  --passed: #16794a; --failed: #c22a2f; --warned: #9a6200; --skipped: #646b76; --told: #9097a3; --did: #2460c4; }
+  --passed: #16794a; --failed: #c22a2f; --warned: #9a6200; --skipped: #646b76; --commanded: #9097a3;
+  --measured: #2460c4; }
 @media (prefers-color-scheme: dark) { :root { --ink: #e7e9ee; --dim: #9aa2af; --back: #14161a; --card: #1c1f25;
-  --line: #31363f; --passed: #4cc38a; --failed: #ff6b6b; --warned: #e5a83b; --skipped: #9aa2af; --told: #7d8592;
-  --did: #76a9ff; } }
+  --line: #31363f; --passed: #4cc38a; --failed: #ff6b6b; --warned: #e5a83b; --skipped: #9aa2af; --commanded: #7d8592;
+  --measured: #76a9ff; } }
 * { box-sizing: border-box; }
 body { margin: 0 auto; padding: 2rem 1.25rem 4rem; max-width: 72rem; background: var(--back); color: var(--ink);
   font: 15px/1.5 system-ui, sans-serif; }
@@ -38,7 +39,7 @@ code, pre { font: .85rem/1.45 ui-monospace, monospace; } pre { margin: .35rem 0;
 .curves { display: flex; flex-wrap: wrap; gap: 1rem; }
 figure { margin: 0; } figcaption { font-size: .8rem; color: var(--dim); }
 svg { display: block; max-width: 100%; }
-.told { stroke: var(--told); stroke-dasharray: 4 3; } .did { stroke: var(--did); }
+.commanded { stroke: var(--commanded); stroke-dasharray: 4 3; } .measured { stroke: var(--measured); }
 polyline { fill: none; stroke-width: 1.5; }
 .axis { stroke: var(--line); } .bone { stroke: var(--ink); stroke-width: 1; }
 li { margin: .6rem 0; } ul { padding-left: 1.1rem; margin: 0; }
@@ -46,14 +47,14 @@ li { margin: .6rem 0; } ul { padding-left: 1.1rem; margin: 0; }
 
 
 def page(report: SmokeReport) -> str:
-    """The whole page: robots that fail first, and of each the controllers that fail first."""
-    robots = sorted(report.smoked, key=lambda one: min((_rank(result) for result in one.controllers), default=9))
-    parts = [part for one in robots for part in _robot(one)]
+    """Return the whole page: robots with failures first, and for each robot the failed controllers first."""
+    robots = sorted(report.smoked, key=lambda robot: min(map(_rank, robot.controllers), default=9))
+    sections = [line for robot in robots for line in _robot(robot)]
     head = f"<title>{_text(summary(report))}</title><style>{_STYLE}</style>"
     meta = '<meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">'
     title = f"<header><h1>Smoke test</h1><p>{_text(summary(report))}</p>"
     foot = f'<p class="dim">urdfctl {_text(__version__)}</p></header>'
-    body = "\n".join([title + foot, *parts])
+    body = "\n".join([title + foot, *sections])
     return f'<!DOCTYPE html>\n<html lang="en"><head>{meta}{head}</head>\n<body>\n{body}\n</body></html>\n'
 
 
@@ -61,37 +62,38 @@ def _rank(result: ControllerResult) -> int:
     return _ORDER.index(result.verdict)
 
 
-def _robot(one: Smoked) -> Iterator[str]:
+def _robot(robot: Smoked) -> Iterator[str]:
     yield '<section><div class="top"><div>'
-    yield f'<h2>{_text(shown(one.linted.path))}</h2><p class="dim">{_text(how(one))}</p>'
-    counts = [(verdict, one.count(verdict)) for verdict in _ORDER]
-    told = [f'<span class="{verdict.value}">{count} {verdict.value}</span>' for verdict, count in counts if count]
-    yield f'<p class="verdict">{", ".join(told) or "no controllers"}</p></div>'
-    yield f"{_picture(one.picture)}</div>"
-    yield from _table(one)
-    yield from _findings(one.linted.outcome.diagnostics)
-    yield from _curves(one)
+    yield f'<h2>{_text(shown(robot.linted.path))}</h2><p class="dim">{_text(how(robot))}</p>'
+    counts = [(verdict.value, robot.count(verdict)) for verdict in _ORDER]
+    verdicts = [f'<span class="{verdict}">{count} {verdict}</span>' for verdict, count in counts if count]
+    yield f'<p class="verdict">{", ".join(verdicts) or "no controllers"}</p></div>'
+    yield f"{_picture(robot.picture)}</div>"
+    yield from _table(robot)
+    yield from _findings(robot.linted.outcome.diagnostics)
+    yield from _curves(robot)
     yield "</section>"
 
 
-def _table(one: Smoked) -> Iterator[str]:
-    if not one.controllers:
+def _table(robot: Smoked) -> Iterator[str]:
+    if not robot.controllers:
         return
-    yield '<div class="scroll"><table><thead><tr><th>controller</th><th>type</th><th>verdict</th><th>steps</th>'
-    yield "<th>why</th></tr></thead><tbody>"
-    for result in sorted(one.controllers, key=_rank):
+    yield '<div class="scroll"><table><thead><tr><th>controller</th><th>type</th><th>verdict</th><th>stages</th>'
+    yield "<th>reason</th></tr></thead><tbody>"
+    for result in sorted(robot.controllers, key=_rank):
         kind = result.verdict.value
         yield f"<tr><td><code>{_text(result.name)}</code></td><td><code>{_text(result.type or '')}</code></td>"
-        yield f'<td class="verdict {kind}">{kind}</td><td>{_text(steps(result, one.linted.ros))}</td>'
+        yield f'<td class="verdict {kind}">{kind}</td><td>{_text(steps(result, robot.linted.ros))}</td>'
         yield f'<td class="what">{_text(result.reason)}</td></tr>'
     yield "</tbody></table></div>"
 
 
-def _findings(found: Sequence[Diagnostic]) -> Iterator[str]:
-    if not found:
+def _findings(diagnostics: Sequence[Diagnostic]) -> Iterator[str]:
+    if not diagnostics:
         return
-    yield "<h3>What was found</h3><ul>"
-    for diagnostic in map(relative, sorted(found, key=lambda one: (-one.severity.weight, one.order))):
+    yield "<h3>Findings</h3><ul>"
+    ordered = sorted(diagnostics, key=lambda diagnostic: (-diagnostic.severity.weight, diagnostic.order))
+    for diagnostic in map(relative, ordered):
         at, kind = diagnostic.at, diagnostic.severity.value
         yield f'<li><span class="verdict {kind}">{diagnostic.code}</span> {_text(diagnostic.message)}'
         yield f'<br><code class="dim">{_text(f"{at.file}:{at.line}:{at.column}")}</code>'
@@ -105,13 +107,13 @@ def _findings(found: Sequence[Diagnostic]) -> Iterator[str]:
 # -- drawings --------------------------------------------------------------------------------------------------------
 
 
-def _curves(one: Smoked) -> Iterator[str]:
-    if not one.curves:
+def _curves(robot: Smoked) -> Iterator[str]:
+    if not robot.curves:
         return
-    failed = {result.name for result in one.controllers if result.verdict is Verdict.FAILED}
-    yield "<h3>What was commanded (dashed) and what was measured</h3>"
+    failed = {result.name for result in robot.controllers if result.verdict is Verdict.FAILED}
+    yield "<h3>Commanded (dashed) and measured motion</h3>"
     yield '<div class="curves">'
-    for curve in sorted(one.curves, key=lambda curve: curve.controller not in failed):
+    for curve in sorted(robot.curves, key=lambda curve: curve.controller not in failed):
         name = f"{curve.controller}: {curve.joint}, {_QUANTITIES.get(curve.quantity, curve.quantity)}"
         yield f"<figure>{_chart(curve, name)}<figcaption>{_text(name)}</figcaption></figure>"
     yield "</div>"
@@ -120,8 +122,8 @@ def _curves(one: Smoked) -> Iterator[str]:
 _QUANTITIES = {
     "position": "position in rad or m",
     "velocity": "velocity in rad/s or m/s",
-    "ahead": "way ahead in m",
-    "yaw": "turn to the left in rad",
+    "ahead": "distance forward in m",
+    "yaw": "turn left in rad",
 }
 
 
@@ -135,7 +137,7 @@ def _chart(curve: Curve, name: str) -> str:
         placed = [f"{x / most * _WIDTH:.1f},{(1 - (y - low) / span) * (_HEIGHT - 8) + 4:.1f}" for x, y in pairs]
         return f'<polyline class="{kind}" points="{" ".join(placed)}"/>' if placed else ""
 
-    drawn = line(curve.commanded, "told") + line(curve.measured, "did")
+    drawn = line(curve.commanded, "commanded") + line(curve.measured, "measured")
     axis = f'<line class="axis" x1="0" y1="{_HEIGHT - 1}" x2="{_WIDTH}" y2="{_HEIGHT - 1}"/>'
     label = f"{name}, from {low:.3g} to {high:.3g} in {most:.2g} s"
     size = f'width="{_WIDTH}" height="{_HEIGHT}" viewBox="0 0 {_WIDTH} {_HEIGHT}"'
@@ -143,8 +145,9 @@ def _chart(curve: Curve, name: str) -> str:
 
 
 def _picture(segments: Sequence[Sequence[float]]) -> str:
-    """The robot seen from its left, in front, and above."""
-    lines = [(*_seen(*one[:3]), *_seen(*one[3:])) for one in segments if all(map(math.isfinite, one))]
+    """The robot, viewed from its front left and from above."""
+    finite = (segment for segment in segments if all(map(math.isfinite, segment)))
+    lines = [(*_projected(*segment[:3]), *_projected(*segment[3:])) for segment in finite]
     if not lines:
         return ""
     xs = [x for line in lines for x in line[::2]]
@@ -163,8 +166,8 @@ def _picture(segments: Sequence[Sequence[float]]) -> str:
     return f'<svg role="img" aria-label="the robot at spawn" {view}>{"".join(drawn)}</svg>'
 
 
-def _seen(x: float, y: float, z: float) -> tuple[float, float]:
-    """Where a point is on the page: the robot looks to the lower left, its left side is to the right, up is up."""
+def _projected(x: float, y: float, z: float) -> tuple[float, float]:
+    """The position of a point on the page. The robot faces the lower left, and its left side is on the right."""
     return (y - x) * 0.866, (x + y) * 0.35 - z
 
 

@@ -1,4 +1,4 @@
-"""The robot's shape at spawn, as line segments: its bones, and the outlines of the simple shapes of its links."""
+"""The robot's shape at spawn as line segments: lines between its joints, and outlines of the links' simple shapes."""
 
 from __future__ import annotations
 
@@ -6,10 +6,10 @@ import math
 from collections.abc import Iterator
 from itertools import pairwise
 
+from urdfctl.model.geometry import Pose, Vector
 from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Robot
 from urdfctl.smoke.mechanism import Mechanism, numbers_of, origin_of
-from urdfctl.smoke.vectors import Pose, Vector
 
 Segment = tuple[float, ...]
 MOST_SEGMENTS = 4000
@@ -17,20 +17,20 @@ _CORNERS = 16
 
 
 def picture_of(robot: Robot, mechanism: Mechanism) -> tuple[Segment, ...]:
-    """The segments, each as x, y, z of its two ends in m, in the frame of the root."""
+    """Return the segments, each as (x1, y1, z1, x2, y2, z2) in m in the root's frame."""
     poses = mechanism.poses(mechanism.start())
-    found: list[Segment] = []
+    segments: list[Segment] = []
     for hinge in mechanism.hinges:
         ends = poses[hinge.parent].place, poses[hinge.child].place
         if ends[0] != ends[1]:
-            found.append(_segment(*ends))
+            segments.append(_segment(*ends))
     for link in robot.links:
         for role in ("visual", "collision"):
-            outlines = [one for tag in link.tag.named(role) for one in _outline(tag, poses[link.name or ""])]
-            found += outlines
+            outlines = [line for tag in link.tag.named(role) for line in _outline(tag, poses[link.name or ""])]
+            segments += outlines
             if outlines:
                 break
-    return tuple(found[:MOST_SEGMENTS])
+    return tuple(segments[:MOST_SEGMENTS])
 
 
 def _segment(start: Vector, end: Vector) -> Segment:
@@ -61,10 +61,10 @@ def _outline(tag: Tag, link: Pose) -> Iterator[Segment]:
 def _box(pose: Pose, size: Vector) -> Iterator[Segment]:
     half = [part / 2 for part in size]
     corners = [(x * half[0], y * half[1], z * half[2]) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
-    for n, one in enumerate(corners):
+    for n, corner in enumerate(corners):
         for other in corners[n + 1 :]:
-            if sum(a != b for a, b in zip(one, other, strict=True)) == 1:
-                yield _segment(pose.at(one), pose.at(other))
+            if sum(a != b for a, b in zip(corner, other, strict=True)) == 1:
+                yield _segment(pose.at(corner), pose.at(other))
 
 
 def _ring(pose: Pose, radius: float, plane: str, off: float) -> Iterator[Segment]:

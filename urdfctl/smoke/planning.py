@@ -1,37 +1,40 @@
-"""What an engine's worker is told of a robot that may be moved."""
+"""The plan for simulating a robot, which goes to the worker of a physics engine."""
 
 from __future__ import annotations
 
-from urdfctl.meshes import mesh_path
+from urdfctl.load.meshes import mesh_path
+from urdfctl.rules.smoke.collision_mesh_left_out import collision_mesh_left_out
+from urdfctl.rules.smoke.engine_refuses_robot import engine_refuses_robot
+from urdfctl.rules.smoke.inertia_unusable import inertia_unusable
 from urdfctl.smoke.judgement import Judgement
 from urdfctl.smoke.prepare import Prepared, names_of_wheels, prepared
-from urdfctl.smoke.results import Trouble
+from urdfctl.smoke.results import ROBOT, Trouble, trouble_of
 from urdfctl.smoke.trial import MOTION, Plan
 from urdfctl.source.packages import Packages
 
 MOST_BODIES = 800
-"""More links no engine is given: pybullet takes minutes for a chain of a thousand."""
+"""A robot with more links than this is not simulated: pybullet takes minutes for a chain of a thousand links."""
 
 
 def plan_of(
     judgement: Judgement, packages: Packages, duration: float = MOTION, *, gui: bool = False
 ) -> tuple[Plan | None, list[Trouble]]:
-    """The plan, None where there is nothing to be moved, and what was found on the way."""
+    """Return the plan, or None if there is nothing to move, and what was found while making it."""
     mechanism, robot = judgement.mechanism, judgement.seen.project.robot
-    unusable = any(one.code == "UC910" for one in judgement.troubles)
+    unusable = any(trouble.code == inertia_unusable.code for trouble in judgement.troubles)
     if mechanism is None or robot is None or unusable:
         return None, []
     if len(mechanism.bodies) > MOST_BODIES:
-        message = f"the robot has {len(mechanism.bodies)} links, and is moved only with up to {MOST_BODIES}"
-        return None, [Trouble("UC921", "robot", message)]
+        why = f"it has {len(mechanism.bodies)} links, and the limit is {MOST_BODIES}"
+        return None, [trouble_of(engine_refuses_robot, ROBOT, engine="the smoke test", why=why)]
     tasks = tuple(task for task in judgement.tasks if judgement.wants(task.controller))
     drives = [task.drive for task in tasks if task.drive]
     wheels: dict[str, float] = {}
     for drive in drives:
         wheels |= names_of_wheels(mechanism, (*drive.left, *drive.right, *drive.driven, *drive.steered), drive.radius)
     damped = {joint for task in tasks if task.interface == "effort" for joint in task.joints}
-    path = judgement.seen.linted.path
-    made = prepared(
+    path = judgement.seen.result.path
+    ready = prepared(
         robot,
         mechanism,
         lambda address: mesh_path(address, packages, path),
@@ -39,14 +42,24 @@ def plan_of(
         standing=bool(drives),
         damped=damped,
     )
-    plan = Plan("", made.urdf, mechanism, tasks, judgement.rate, not drives, bool(made.left_out), duration, gui)
-    return plan, _left_out(made) if drives else _left_out(made._replace(left_out=made.broken))
+    plan = Plan(
+        engine="",
+        urdf=ready.urdf,
+        mechanism=mechanism,
+        tasks=tasks,
+        rate=judgement.rate,
+        fixed=not drives,
+        shapeless=bool(ready.left_out),
+        duration=duration,
+        gui=gui,
+    )
+    return plan, _left_out(ready) if drives else _left_out(ready._replace(left_out=ready.broken))
 
 
-def _left_out(made: Prepared) -> list[Trouble]:
-    if not made.left_out:
+def _left_out(ready: Prepared) -> list[Trouble]:
+    if not ready.left_out:
         return []
-    (link, why), *others = made.left_out.items()
-    more = f", and those of {len(others)} more links" if others else ""
-    message = f"the collision mesh of link '{link}' is left out{more}: {why}"
-    return [Trouble("UC922", f"link:{link}", message)]
+    (link, why), *others = ready.left_out.items()
+    links = f"{len(others)} other link{'s' if len(others) > 1 else ''}"
+    more = f", and that of {links}" if others else ""
+    return [trouble_of(collision_mesh_left_out, f"link:{link}", link=link, more=more, why=why)]

@@ -1,7 +1,7 @@
-"""The robot as an engine can load it: a URDF written anew, with nothing in it but masses, joints and what may collide.
+"""The robot as a physics engine can load it: a new URDF that holds only masses, joints and collision geometry.
 
-Engines choke on what real files have: addresses of packages, meshes that are not there or broken (which end the
-process), foreign tags, links without mass, lines of 8 KB.
+Engines fail on what real files contain: package addresses, meshes that are missing or broken (these crash the process),
+foreign tags, links without mass, lines of 8 KB.
 """
 
 from __future__ import annotations
@@ -12,25 +12,29 @@ import re
 from collections.abc import Callable, Collection, Iterator, Mapping
 from html import escape
 
+from urdfctl.model.geometry import Pose, Rotation, Vector
 from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Robot
-from urdfctl.record import NamedTuple
 from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
 from urdfctl.smoke.stability import eigenvalues
-from urdfctl.smoke.vectors import Pose, Rotation, Vector
 from urdfctl.source.files import first_bytes
+from urdfctl.startup.records import NamedTuple
 
 LEAST_MOVING = 1e-3
-"""The mass, in kg, of a moving link that has none; its inertia is a thousandth of that in kg m²."""
+"""The mass of a moving link that has none, in kg. Its inertia is a thousandth of that, in kg m²."""
 MOST_MESH_BYTES = 20 << 20
 _WIDTH = 0.04
-"""Of a wheel whose mesh is left out, in m."""
-_ABSENT = " is not found"
+"""The width of a wheel whose mesh is ignored, in m."""
+_ABSENT = " was not found"
 _SHAPES = {"box": ("size",), "cylinder": ("radius", "length"), "sphere": ("radius",)}
 
 
 class Prepared(NamedTuple):
-    """The URDF's text, and of the meshes that were left out why, by link; of some because they are `broken`."""
+    """A robot for an engine.
+
+    `urdf` is the text of its URDF. `left_out` holds, by link, why collision geometry is ignored; `broken` holds those
+    of them that are not just missing.
+    """
 
     urdf: str
     left_out: Mapping[str, str]
@@ -46,9 +50,13 @@ def prepared(
     standing: bool,
     damped: Collection[str] = (),
 ) -> Prepared:
-    """A robot for an engine. `wheels` are the links that are wheels, with the radius that their controller is told:
-    one whose mesh cannot be used becomes a cylinder. Shapes are kept only of a robot `standing` on the ground,
-    damping only of joints that efforts drive: it holds a motor's joint fast that has next to no inertia."""
+    """Return a robot for an engine.
+
+    `find_mesh` returns the path of a mesh, or None. `wheels` holds the links of wheels with the radius that their
+    controller uses: a wheel whose mesh cannot be used becomes a cylinder. Collision geometry is kept only if the robot
+    is `standing` on the ground. Damping is kept only for the `damped` joints, which are driven by effort: it blocks a
+    motor-driven joint that has next to no inertia.
+    """
     left_out: dict[str, str] = {}
     shapes: dict[str, list[str]] = {}
     turning = {hinge.child: hinge for hinge in mechanism.hinges}
@@ -73,23 +81,23 @@ def prepared(
 
 
 def quoted(text: str) -> str:
-    """A text as an attribute's value. The standard library's own way to write one loads half of its network."""
+    """Return a text as an attribute's value. `xml.sax.saxutils.quoteattr` would import urllib and more."""
     return f'"{escape(text)}"'
 
 
 def _shape(collision: Tag, find_mesh: Callable[[str], str | None]) -> tuple[str, str]:
-    """Why a shape is left out, and its text where it is not."""
+    """Why collision geometry is ignored (empty if it is not), and its text in the new URDF."""
     geometry = next(collision.named("geometry"), None)
     shape = geometry.children[0] if geometry and geometry.children else None
     if shape is None:
         return "", ""
     origin = next(collision.named("origin"), None)
-    given = origin.attributes if origin else {}
-    place = f"<origin xyz={quoted(given.get('xyz', '0 0 0'))} rpy={quoted(given.get('rpy', '0 0 0'))}/>"
+    attributes = origin.attributes if origin else {}
+    place = f"<origin xyz={quoted(attributes.get('xyz', '0 0 0'))} rpy={quoted(attributes.get('rpy', '0 0 0'))}/>"
     if shape.name in _SHAPES:
         values = [(name, shape.attributes.get(name, "")) for name in _SHAPES[shape.name]]
         if not all(_positive(value) for _, value in values):
-            return f"its {shape.name} has no size", ""
+            return f"its {shape.name} has no positive size", ""
         inside = f"<{shape.name} {' '.join(f'{name}={quoted(value)}' for name, value in values)}/>"
     elif shape.name == "mesh":
         address = shape.attributes.get("filename", "")
@@ -112,7 +120,7 @@ def _positive(text: str) -> bool:
 
 
 def _wheel(axis: Vector, radius: float) -> str:
-    """A cylinder about an axis."""
+    """A cylinder around an axis."""
     yaw, pitch = math.atan2(axis[1], axis[0]), math.acos(max(-1.0, min(1.0, axis[2])))
     place = f'<origin xyz="0 0 0" rpy="0 {pitch!r} {yaw!r}"/>'
     return f'<collision>{place}<geometry><cylinder radius="{radius!r}" length="{_WIDTH}"/></geometry></collision>'
@@ -130,7 +138,7 @@ def _link(body: Body, shapes: list[str], *, moves: bool) -> Iterator[str]:
 
 
 def _balanced(inertia: Rotation, mass: float) -> Rotation:
-    """An inertia that a body can have: engines take none where one moment is more than the two others together."""
+    """A possible inertia: engines reject one whose largest moment exceeds the sum of the two others."""
     if not any(inertia[n][n] for n in range(3)):
         return _ball(mass * LEAST_MOVING)
     first, second, third = sorted(value.real for value in eigenvalues(inertia))
@@ -160,10 +168,10 @@ def _triple(vector: Vector) -> str:
 
 
 def _angles(pose: Pose) -> Vector:
-    """Roll, pitch and yaw of a pose."""
+    """The roll, pitch and yaw of a pose."""
     turn = pose.turn
     flat = math.hypot(turn[0][0], turn[1][0])
-    if flat < 1e-9:  # noqa: PLR2004 (looking straight up or down, where yaw and roll are one)
+    if flat < 1e-9:  # noqa: PLR2004 (pointing straight up or down, where yaw and roll are the same)
         return math.atan2(-turn[1][2], turn[1][1]), math.atan2(-turn[2][0], flat), 0.0
     return math.atan2(turn[2][1], turn[2][2]), math.atan2(-turn[2][0], flat), math.atan2(turn[1][0], turn[0][0])
 
@@ -172,7 +180,7 @@ def _angles(pose: Pose) -> Vector:
 
 
 def mesh_fault(path: str) -> str:
-    """Why an engine should not be given a mesh; nothing where it can be."""
+    """Return why a mesh cannot be given to an engine, or an empty text."""
     name = os.path.basename(path)
     kind = os.path.splitext(path)[1].lower()
     try:
@@ -181,7 +189,7 @@ def mesh_fault(path: str) -> str:
         data = first_bytes(path, MOST_MESH_BYTES)
     except OSError as error:
         return f"'{name}' cannot be read: {error.strerror}"
-    fault = _MESHES[kind](data) if kind in _MESHES else f"is of a kind ('{kind}') that engines do not read"
+    fault = _MESHES[kind](data) if kind in _MESHES else f"has the file type '{kind}', which engines cannot read"
     return f"'{name}' {fault}" if fault else ""
 
 
@@ -189,8 +197,8 @@ def _stl(data: bytes) -> str:
     if data[:5].lower() == b"solid" and b"facet" in data[:1000]:
         return "" if b"vertex" in data else "has no triangles"
     triangles = int.from_bytes(data[80:84], "little")
-    if len(data) < 84 or triangles == 0 or len(data) < 84 + 50 * triangles:  # noqa: PLR2004 (STL's header and triangle)
-        return "is no whole STL"
+    if len(data) < 84 or triangles == 0 or len(data) < 84 + 50 * triangles:  # noqa: PLR2004 (the sizes of STL's header and triangle)
+        return "is not a complete STL file"
     return ""
 
 
@@ -199,7 +207,7 @@ def _obj(data: bytes) -> str:
     for face in re.findall(rb"(?m)^f\s+(.*)$", data):
         indices = [int(index) for index in re.findall(rb"(?:^|\s)(-?\d+)", face)]
         if any(not -corners <= index <= corners or index == 0 for index in indices):
-            return "has a face whose corner does not exist"
+            return "has a face with a corner that does not exist"
     return "" if corners and re.search(rb"(?m)^f\s", data) else "has no faces"
 
 
@@ -209,7 +217,7 @@ def _dae(data: bytes) -> str:
     try:
         ParserCreate().Parse(data, True)  # noqa: FBT003
     except ExpatError:
-        return "is no well-formed XML"
+        return "is not well-formed XML"
     return "" if b"<triangles" in data or b"<poly" in data else "has no triangles"
 
 
@@ -217,5 +225,5 @@ _MESHES: Mapping[str, Callable[[bytes], str]] = {".stl": _stl, ".obj": _obj, ".d
 
 
 def names_of_wheels(mechanism: Mechanism, joints: Collection[str], radius: float) -> dict[str, float]:
-    """The links of some wheels' joints, with their radius."""
+    """Return the links that some wheel joints move, each with the radius."""
     return {hinge.child: radius for hinge in mechanism.hinges if hinge.name in joints}

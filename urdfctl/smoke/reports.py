@@ -1,17 +1,18 @@
-"""The forms in which smoke tests are told: lint's, with what became of each controller."""
+"""The report formats of smoke tests: those of lint, with the result of each controller."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 
 from urdfctl.diagnostic import Diagnostic
-from urdfctl.hints import Any
-from urdfctl.record import NamedTuple
+from urdfctl.model.stage import CONTROLLER_STAGES, Stage
 from urdfctl.report import render
 from urdfctl.report.common import Report, as_json, shown, visible
 from urdfctl.report.json_report import document
 from urdfctl.report.text import Piece, pieces
-from urdfctl.smoke.results import STEPS, ControllerResult, Smoked, Step, Verdict
+from urdfctl.smoke.results import ControllerResult, Smoked, Verdict
+from urdfctl.startup.hints import Any
+from urdfctl.startup.records import NamedTuple
 
 _STYLES = {
     Verdict.PASSED: "bold green",
@@ -21,19 +22,28 @@ _STYLES = {
 }
 
 
+_NOTHING = "nothing was tested: no controllers found; name their file with --controllers"
+
+
 class SmokeReport(NamedTuple):
-    """What a run of smoke tests gave: each robot's, and the findings of all in the form of lint's report."""
+    """The results of a run: the smoke test of each robot, and the findings of all as a report of lint."""
 
     smoked: tuple[Smoked, ...]
     found: Report
+    allow_empty: bool = False
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether no controller was tested, and that is an error."""
+        return not self.allow_empty and not any(robot.controllers for robot in self.smoked)
 
     def count(self, verdict: Verdict) -> int:
-        """How many controllers have a verdict."""
-        return sum(one.count(verdict) for one in self.smoked)
+        """Return the number of controllers with a verdict."""
+        return sum(robot.count(verdict) for robot in self.smoked)
 
 
-def written(report: SmokeReport, name: str) -> str:
-    """The report in one of the forms of `SMOKE_FORMATS`."""
+def render_smoke(report: SmokeReport, name: str) -> str:
+    """Return the report in one of `SMOKE_FORMATS`."""
     return SMOKE_FORMATS[name](report)
 
 
@@ -41,93 +51,110 @@ def written(report: SmokeReport, name: str) -> str:
 
 
 def text_pieces(report: SmokeReport) -> Iterator[Piece]:
-    """The lines of the controllers, the findings, and a summary."""
-    for one in report.smoked:
-        yield from robot_pieces(one)
+    """Yield the lines of the robots with their controllers, the findings, and a summary."""
+    for robot in report.smoked:
+        yield from robot_pieces(robot)
     yield from pieces(report.found)
     yield Piece(visible(summary(report)) + "\n", "bold")
 
 
-def robot_pieces(one: Smoked) -> Iterator[Piece]:
-    """A robot, and a line for each of its controllers: the steps it went through, as a manager's log has them."""
-    yield Piece(visible(f"{shown(one.linted.path)} ({how(one)})") + "\n", "bold")
-    if not one.controllers:
-        yield Piece("  no controller is declared for it\n")
-    width = max((len(result.name) for result in one.controllers), default=0)
-    for result in one.controllers:
-        yield Piece(f"  {visible(result.name).ljust(width)}  ")
-        yield Piece(result.verdict.value.ljust(8), _STYLES[result.verdict])
-        reason = f"  {result.reason}" if result.reason else ""
-        yield Piece(f" {steps(result, one.linted.ros)}{visible(reason)}\n")
+def robot_pieces(robot: Smoked) -> Iterator[Piece]:
+    """Yield a line for a robot, and one for each of its controllers with the stages that it passed."""
+    yield Piece(visible(f"{shown(robot.linted.path)} ({how(robot)})") + "\n", "bold")
+    if not robot.controllers:
+        yield Piece("  no controllers are declared for this robot\n")
+    width = max((len(controller.name) for controller in robot.controllers), default=0)
+    for controller in robot.controllers:
+        yield Piece(f"  {visible(controller.name).ljust(width)}  ")
+        yield Piece(controller.verdict.value.ljust(8), _STYLES[controller.verdict])
+        reason = f"  {controller.reason}" if controller.reason else ""
+        yield Piece(f" {steps(controller, robot.linted.ros)}{visible(reason)}\n")
 
 
-def how(one: Smoked) -> str:
-    """The distro, the controllers' files and the engine of a test."""
-    parts = [one.linted.distro or "", *(shown(path) for path in one.linted.controllers)]
-    parts.append(f"{one.engine}, {one.seconds:.1f} s" if one.engine else "nothing moved")
+def how(robot: Smoked) -> str:
+    """Return the distro, the controller files and the engine of a test."""
+    parts = [robot.linted.distro or "", *(shown(path) for path in robot.linted.controllers)]
+    parts.append(f"{robot.engine}, {robot.seconds:.1f} s" if robot.engine else "not simulated")
     return ", ".join(part for part in parts if part)
 
 
 def steps(result: ControllerResult, ros: int | None) -> str:
-    """The steps that a controller passed, with a mark before the one that it failed at. ROS 1 configures nothing."""
-    names = [step.value for step in STEPS[: STEPS.index(result.stage) + 1] if ros != 1 or step is not Step.CONFIGURE]
+    """Return the stages of a controller, with a mark before the one at which it failed. ROS 1 has no configuring."""
+    reached = CONTROLLER_STAGES[: CONTROLLER_STAGES.index(result.stage) + 1]
+    names = [stage.value for stage in reached if ros != 1 or stage is not Stage.CONFIGURE]
     if result.verdict is Verdict.FAILED:
         names[-1] = f"!{names[-1]}"
     return " > ".join(names)
 
 
 def summary(report: SmokeReport) -> str:
-    """How many controllers have which verdict."""
+    """Return the number of controllers, in all and by verdict."""
     counts = [f"{report.count(verdict)} {verdict.value}" for verdict in Verdict if report.count(verdict)]
-    total = sum(len(one.controllers) for one in report.smoked)
-    return f"{total} controller{'s' if total != 1 else ''}: {', '.join(counts)}" if counts else "no controllers"
+    total = sum(len(robot.controllers) for robot in report.smoked)
+    return f"{total} controller{'s' if total != 1 else ''}: {', '.join(counts)}" if counts else _NOTHING
 
 
 def _text(report: SmokeReport) -> str:
     return "".join(piece.text for piece in text_pieces(report))
 
 
-# -- for machines ----------------------------------------------------------------------------------------------------
+# -- for programs ----------------------------------------------------------------------------------------------------
 
 
 def _json(report: SmokeReport) -> str:
     controllers = [
-        {"robot": shown(one.linted.path), **result.to_json(), "engine": one.engine}
-        for one in report.smoked
-        for result in one.controllers
+        {"robot": shown(robot.linted.path), **controller.to_json(), "engine": robot.engine}
+        for robot in report.smoked
+        for controller in robot.controllers
     ]
-    whole: dict[str, Any] = {**document(report.found), "controllers": controllers}
-    return as_json(whole, indent=1) + "\n"
+    data: dict[str, Any] = {**document(report.found), "controllers": controllers}
+    return as_json(data, indent=1) + "\n"
 
 
 def _junit(report: SmokeReport) -> str:
-    """A suite for each robot with a test case for each controller, and lint's suites of the findings."""
+    """A suite for each robot with a test case for each controller, followed by lint's suites of the findings."""
     from urdfctl.report.junit import suites_document
 
-    lines = [line for one in report.smoked for line in _suite(one)]
-    counts = [report.count(verdict) for verdict in (Verdict.FAILED, Verdict.SKIPPED)]
-    total = sum(len(one.controllers) for one in report.smoked)
-    return suites_document(report.found, lines, (total, counts[0], counts[1]))
+    lines = [line for robot in report.smoked for line in _suite(robot)]
+    failed, skipped = (report.count(verdict) for verdict in (Verdict.FAILED, Verdict.SKIPPED))
+    total = sum(len(robot.controllers) for robot in report.smoked)
+    if report.is_empty:
+        lines += _empty_suite()
+        total, failed = total + 1, failed + 1
+    return suites_document(report.found, lines, (total, failed, skipped))
 
 
-def _suite(one: Smoked) -> Iterator[str]:
+def _empty_suite() -> list[str]:
     from urdfctl.report.junit import attributes_of
 
-    path = shown(one.linted.path)
+    counts = {"tests": 1, "failures": 1, "errors": 0, "skipped": 0}
+    return [
+        f"  <testsuite{attributes_of(name='controllers', **counts)}>",
+        f"    <testcase{attributes_of(name='nothing was tested', classname='urdfctl smoke')}>",
+        f"      <failure{attributes_of(message=_NOTHING, type='nothing tested')}/>",
+        "    </testcase>",
+        "  </testsuite>",
+    ]
+
+
+def _suite(robot: Smoked) -> Iterator[str]:
+    from urdfctl.report.junit import attributes_of
+
+    path = shown(robot.linted.path)
     counts = {
-        "tests": len(one.controllers),
-        "failures": one.count(Verdict.FAILED),
+        "tests": len(robot.controllers),
+        "failures": robot.count(Verdict.FAILED),
         "errors": 0,
-        "skipped": one.count(Verdict.SKIPPED),
+        "skipped": robot.count(Verdict.SKIPPED),
     }
     yield f"  <testsuite{attributes_of(name=f'{path} controllers', **counts)}>"
-    for result in one.controllers:
-        yield f"    <testcase{attributes_of(name=result.name, classname=path, file=path)}>"
-        if result.verdict is Verdict.FAILED:
-            message = f"{result.stage.value}: {result.reason}"
-            yield f"      <failure{attributes_of(message=message, type=result.type or 'no type')}/>"
-        elif result.verdict is Verdict.SKIPPED:
-            yield f"      <skipped{attributes_of(message=result.reason)}/>"
+    for controller in robot.controllers:
+        yield f"    <testcase{attributes_of(name=controller.name, classname=path, file=path)}>"
+        if controller.verdict is Verdict.FAILED:
+            message = f"{controller.stage.value}: {controller.reason}"
+            yield f"      <failure{attributes_of(message=message, type=controller.type or 'no type')}/>"
+        elif controller.verdict is Verdict.SKIPPED:
+            yield f"      <skipped{attributes_of(message=controller.reason)}/>"
         yield "    </testcase>"
     yield "  </testsuite>"
 
@@ -146,5 +173,5 @@ SMOKE_FORMATS: dict[str, Callable[[SmokeReport], str]] = {
 
 
 def report_of(smoked: Sequence[Smoked], findings: Sequence[Diagnostic]) -> SmokeReport:
-    """A report of some smoke tests and their joined findings."""
-    return SmokeReport(tuple(smoked), Report(tuple(one.linted for one in smoked), tuple(findings)))
+    """Return a report of some smoke tests and their joined findings."""
+    return SmokeReport(tuple(smoked), Report(tuple(robot.linted for robot in smoked), tuple(findings)))

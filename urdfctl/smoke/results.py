@@ -1,16 +1,20 @@
-"""What the smoke test of one robot gives: a verdict on each controller, and what was found."""
+"""The result of a smoke test of one robot: a verdict on each controller, and the findings."""
 
 from __future__ import annotations
 
 from enum import Enum
 
-from urdfctl.hints import Any
-from urdfctl.lint import Linted
-from urdfctl.record import NamedTuple
+from urdfctl.lint.results import TargetResult
+from urdfctl.rule import Rule, Stage
+from urdfctl.startup.hints import Any
+from urdfctl.startup.records import NamedTuple
+
+ROBOT = "robot"
+"""The subject of a finding about the whole robot."""
 
 
 class Verdict(Enum):
-    """What became of a controller. Only one that moved what it commands, or commands nothing, has passed."""
+    """The verdict on a controller. It passes only if it moved its joints, or commands nothing."""
 
     PASSED = "passed"
     FAILED = "failed"
@@ -18,41 +22,31 @@ class Verdict(Enum):
     SKIPPED = "skipped"
 
 
-class Step(Enum):
-    """The steps of a controller's life, in their order. In ROS 1 nothing is configured, and activating is starting."""
-
-    LOAD = "load"
-    CONFIGURE = "configure"
-    ACTIVATE = "activate"
-    MOVE = "move"
-    DEACTIVATE = "deactivate"
-
-
-STEPS = tuple(Step)
-
-
 class ControllerResult(NamedTuple):
-    """What became of one controller: the step that it failed at, or the last one that it passed, and why."""
+    """The result of one controller. `stage` is the one at which it failed, or else the last one that it passed."""
 
     name: str
     type: str | None
     verdict: Verdict
-    stage: Step
+    stage: Stage
     reason: str = ""
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> ControllerResult:
-        """From plain data."""
-        return cls(data["name"], data["type"], Verdict(data["verdict"]), Step(data["stage"]), data["reason"])
+        """Return the result that `to_json` made plain data of."""
+        return cls(data["name"], data["type"], Verdict(data["verdict"]), Stage(data["stage"]), data["reason"])
 
     def to_json(self) -> dict[str, Any]:
-        """As plain data."""
+        """Return the result as plain data."""
         return {**self._asdict(), "verdict": self.verdict.value, "stage": self.stage.value}
 
 
 class Trouble(NamedTuple):
-    """Something to be told: the rule's code, and its `subject`: a `controller:NAME`, `joint:NAME` or `link:NAME`, or
-    nothing where it is the whole robot. `controller` is the one whose verdict it changes, None where it is nobody's."""
+    """A finding before it has a place in a file.
+
+    `subject` is `controller:NAME`, `joint:NAME`, `link:NAME`, `lint:CODE` (where lint reports it) or ROBOT.
+    `controller` is the name of the controller whose verdict it changes, or None.
+    """
 
     code: str
     subject: str
@@ -62,12 +56,20 @@ class Trouble(NamedTuple):
 
     @classmethod
     def from_json(cls, data: list[Any]) -> Trouble:
-        """From plain data."""
+        """Return the trouble that a list of plain data holds."""
         return cls(data[0], data[1], data[2], data[3], tuple(data[4]))
 
 
+def trouble_of(
+    rule: Rule, subject: str, controller: str | None = None, notes: tuple[str, ...] = (), **fields: object
+) -> Trouble:
+    """Return a finding of a smoke rule; its message is the rule's, with the controller and the fields filled in."""
+    message = rule.message.format(controller=controller, **fields)
+    return Trouble(rule.code, subject, message, controller, notes)
+
+
 class Curve(NamedTuple):
-    """What one joint was told and what it did, in rad or m (rad/s or m/s for a velocity), over seconds."""
+    """The commanded and the measured motion of one joint, in rad or m (velocities: rad/s or m/s), over seconds."""
 
     controller: str
     joint: str
@@ -78,10 +80,14 @@ class Curve(NamedTuple):
 
 
 class Smoked(NamedTuple):
-    """One robot's smoke test: as linted, with the findings of the smoke test in place of lint's; the engine that moved
-    it, None where none did, with how long that took, in seconds; and its shape at spawn as line segments (x, y, z)."""
+    """The smoke test of one robot.
 
-    linted: Linted
+    `linted` holds the findings of the smoke test instead of those of lint. `engine` is None if nothing was simulated,
+    and `seconds` is how long the simulation took. `picture` holds the robot at spawn as line segments
+    (x1, y1, z1, x2, y2, z2), in m.
+    """
+
+    linted: TargetResult
     controllers: tuple[ControllerResult, ...] = ()
     engine: str | None = None
     seconds: float = 0.0
@@ -89,5 +95,5 @@ class Smoked(NamedTuple):
     picture: tuple[tuple[float, ...], ...] = ()
 
     def count(self, verdict: Verdict) -> int:
-        """How many controllers have a verdict."""
-        return sum(one.verdict is verdict for one in self.controllers)
+        """Return the number of controllers with a verdict."""
+        return sum(result.verdict is verdict for result in self.controllers)

@@ -1,7 +1,7 @@
-"""Whether a PID loop over efforts holds the robot still, or makes it swing: the linear model around the pose at spawn.
+"""The stability of PID loops that command efforts, from the linear model of the robot around its pose at spawn.
 
-The sampled loop x' = A x - B (P q + D q' + I ∫q) is stable where no eigenvalue is outside the unit circle. Agreed with
-simulation on 20 of 20 sets of gains.
+The sampled loop x' = A x - B (P q + D q' + I ∫q) is stable if no eigenvalue is outside the unit circle. The result
+agreed with simulation for 20 of 20 sets of gains.
 """
 
 from __future__ import annotations
@@ -10,25 +10,28 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 
+from urdfctl.model.geometry import Square, Vector, cross, dot, minus, product, transposed, turned
+from urdfctl.rules.smoke.loop_too_stiff_without_rotor import loop_too_stiff_without_rotor
+from urdfctl.rules.smoke.loop_underdamped import loop_underdamped
+from urdfctl.rules.smoke.loop_unstable import loop_unstable
 from urdfctl.smoke.mechanism import Hinge, Mechanism
-from urdfctl.smoke.results import Trouble
+from urdfctl.smoke.results import Trouble, trouble_of
 from urdfctl.smoke.statics import gravity_load, is_loop
 from urdfctl.smoke.tasks import Family, Gains, Task
-from urdfctl.smoke.vectors import Square, Vector, cross, dot, minus, product, transposed, turned
 
 MOST_GROWTH = 1.0003
-"""The spectral radius up to which a loop counts as stable: what grows more slowly nobody sees."""
+"""The spectral radius up to which a loop counts as stable: slower growth is not visible."""
 LEAST_DAMPING = 0.05
-"""The damping ratio below which a robot swings for seconds."""
+"""Below this damping ratio a robot swings for seconds."""
 ROTOR = 0.05
-"""The inertia, in kg m², that the rotor of a geared motor adds to a joint: a description does not have it."""
+"""The inertia that the rotor of a geared motor adds to a joint, in kg m². Robot descriptions do not contain it."""
 MOST_JOINTS = 12
-"""More joints in one loop are looked at one by one: it would take seconds."""
+"""With more joints than this in one loop, each joint is checked alone: together they would take seconds."""
 _STEP = 1e-4
 
 
 def loop_troubles(mechanism: Mechanism, tasks: Sequence[Task], rate: float) -> Iterator[Trouble]:
-    """The loops of some controllers, at their update rate in Hz, that do not hold."""
+    """Yield the control loops that are not stable or not damped, at an update rate in Hz."""
     for task in tasks:
         hinges = [mechanism.hinge(name) for name in task.joints]
         if not is_loop(task) or task.family is Family.VELOCITY_PID or not all(h and h.moves for h in hinges):
@@ -44,44 +47,37 @@ def loop_troubles(mechanism: Mechanism, tasks: Sequence[Task], rate: float) -> I
 
 
 def _judged(mechanism: Mechanism, hinges: list[Hinge], gains: list[Gains], period: float, task: Task) -> Trouble | None:
-    subject = f"controller:{task.controller}"
+    subject, controller = f"controller:{task.controller}", task.controller
     inertia = mass_matrix(mechanism, hinges)
     if any(not 0 < inertia[n][n] < math.inf for n in range(len(hinges))):
         return None
     stiffness = _stiffness(mechanism, hinges)
     damping = [hinge.damping for hinge in hinges]
     growth, ratio = closed_loop(inertia, stiffness, damping, gains, period)
-    rate = f"{1 / period:g} Hz"
     if growth > MOST_GROWTH:
         for n in range(len(hinges)):
             inertia[n][n] += ROTOR
-        heavier, _ = closed_loop(inertia, stiffness, damping, gains, period)
-        if heavier <= MOST_GROWTH:
-            light = f"a motor's rotor of {ROTOR:g} kg m² would calm it; simulators know none"
-            message = f"the gains of controller '{task.controller}' are too high for its lightest joint at {rate}"
-            return Trouble("UC918", subject, message, task.controller, (light,))
-        message = f"the gains of controller '{task.controller}' make its joints swing ever more, at {rate}"
-        return Trouble("UC916", subject, message, task.controller, _advice(gains))
+        growth_with_rotors, _ = closed_loop(inertia, stiffness, damping, gains, period)
+        if growth_with_rotors <= MOST_GROWTH:
+            note = f"a motor's rotor of {ROTOR:g} kg m² would steady the joint; simulators do not model rotors"
+            return trouble_of(loop_too_stiff_without_rotor, subject, controller, (note,), rate=1 / period)
+        return trouble_of(loop_unstable, subject, controller, _advice(gains), rate=1 / period)
     if ratio < LEAST_DAMPING:
-        message = (
-            f"the gains of controller '{task.controller}' leave its joints swinging: the damping ratio is {ratio:.2g}, "
-            f"and should be {LEAST_DAMPING:g} or more"
-        )
-        return Trouble("UC917", subject, message, task.controller, _advice(gains))
+        return trouble_of(loop_underdamped, subject, controller, _advice(gains), ratio=ratio, least=LEAST_DAMPING)
     return None
 
 
 def _advice(gains: Sequence[Gains]) -> tuple[str, ...]:
-    if any(one.d <= 0 for one in gains):
-        return ("a d gain damps the loop: try a tenth of p",)
-    return ("try lower gains, or a higher update rate",)
+    if any(gain.d <= 0 for gain in gains):
+        return ("a d gain damps the loop: try a tenth of the p gain",)
+    return ("lower the gains, or raise the update rate",)
 
 
 # -- the linear model ------------------------------------------------------------------------------------------------
 
 
 def mass_matrix(mechanism: Mechanism, hinges: Sequence[Hinge]) -> Square:
-    """What inertia some hinges feel at spawn, in kg m², where all others are locked."""
+    """Return the inertia that some hinges move at spawn, in kg m² (kg if they slide), while all others are locked."""
     poses = mechanism.poses(mechanism.start())
     size = len(hinges)
     matrix = [[0.0] * size for _ in range(size)]
@@ -108,20 +104,20 @@ def mass_matrix(mechanism: Mechanism, hinges: Sequence[Hinge]) -> Square:
 
 
 def _stiffness(mechanism: Mechanism, hinges: Sequence[Hinge]) -> Square:
-    """How what gravity asks of each hinge changes with the position of each."""
+    """How the load of gravity on each hinge changes with the position of each hinge."""
     start = mechanism.start()
     columns = []
     for hinge in hinges:
         up = gravity_load(mechanism, {**start, hinge.name: start[hinge.name] + _STEP})
         down = gravity_load(mechanism, {**start, hinge.name: start[hinge.name] - _STEP})
-        columns.append([(up[one.name] - down[one.name]) / (2 * _STEP) for one in hinges])
+        columns.append([(up[row.name] - down[row.name]) / (2 * _STEP) for row in hinges])
     return [list(row) for row in zip(*columns, strict=True)]
 
 
 def closed_loop(
     inertia: Square, stiffness: Square, damping: Sequence[float], gains: Sequence[Gains], period: float
 ) -> tuple[float, float]:
-    """The spectral radius of the sampled loop, and the smallest damping ratio of its modes."""
+    """Return the spectral radius of the sampled loop, and the smallest damping ratio of its modes."""
     size = len(gains)
     inverse = inverted(inertia)
     free = [[-value for value in row] for row in _times(inverse, stiffness)]
@@ -134,7 +130,7 @@ def closed_loop(
     ]
     sampled = exponential([[value * period for value in row] for row in whole])
     states = 2 * size
-    integrates = any(one.i for one in gains)
+    integrates = any(gain.i for gain in gains)
     matrix = []
     for n in range(states):
         pushes = sampled[n][states:]
@@ -166,9 +162,9 @@ def _times(a: Square, b: Square) -> Square:
 
 
 def inverted(matrix: Square) -> Square:
-    """The inverse, by elimination with the largest pivot."""
+    """Return the inverse, by elimination with the largest pivot."""
     size = len(matrix)
-    work = [[*row, *one] for row, one in zip(matrix, _identity(size), strict=True)]
+    work = [[*row, *unit] for row, unit in zip(matrix, _identity(size), strict=True)]
     for n in range(size):
         pivot = max(range(n, size), key=lambda row: abs(work[row][n]))
         work[n], work[pivot] = work[pivot], work[n]
@@ -182,7 +178,7 @@ def inverted(matrix: Square) -> Square:
 
 
 def exponential(matrix: Square) -> Square:
-    """The matrix exponential: a series of the matrix made small, squared as often as it was halved."""
+    """Return the matrix exponential: the series of the halved matrix, squared as often as the matrix was halved."""
     size = len(matrix)
     norm = max((sum(map(abs, row)) for row in matrix), default=0.0)
     halvings = max(0, math.ceil(math.log2(norm)) + 2) if 0 < norm < math.inf else 0
@@ -197,20 +193,20 @@ def exponential(matrix: Square) -> Square:
 
 
 def eigenvalues(matrix: Sequence[Sequence[float]]) -> list[complex]:
-    """The eigenvalues: Hessenberg's form, then QR steps with shifts, each time the last value has settled."""
+    """Return the eigenvalues: Hessenberg form, then shifted QR steps until the last value has converged, one by one."""
     work = _hessenberg([[complex(value) for value in row] for row in matrix])
-    found: list[complex] = []
+    values: list[complex] = []
     size, steps = len(work), 0
     while size > 1:
         last = size - 1
         near = abs(work[last][last - 1]) <= 1e-14 * (abs(work[last][last]) + abs(work[last - 1][last - 1]))
-        if near or steps > 60:  # noqa: PLR2004 (it settles in three)
-            found.append(work[last][last])
+        if near or steps > 60:  # noqa: PLR2004 (three steps are usual)
+            values.append(work[last][last])
             size, steps = last, 0
         else:
             steps += 1
             _qr_step(work, size, _shift(work, last, steps))
-    return [*found, work[0][0]] if work else found
+    return [*values, work[0][0]] if work else values
 
 
 def _hessenberg(work: list[list[complex]]) -> list[list[complex]]:
@@ -232,7 +228,8 @@ def _hessenberg(work: list[list[complex]]) -> list[list[complex]]:
 
 
 def _shift(work: list[list[complex]], last: int, steps: int) -> complex:
-    """Wilkinson's: the eigenvalue of the last two by two that is nearer to the last value; now and then another."""
+    """Wilkinson's shift: the eigenvalue of the last 2 x 2 block that is nearer to the last value.
+    Every tenth step uses another shift."""
     a, b = work[last - 1][last - 1], work[last - 1][last]
     c, d = work[last][last - 1], work[last][last]
     if steps % 10 == 0:
@@ -243,7 +240,7 @@ def _shift(work: list[list[complex]], last: int, steps: int) -> complex:
 
 
 def _qr_step(work: list[list[complex]], size: int, shift: complex) -> None:
-    """One step on the leading part: the shifted matrix as Q R, then R Q."""
+    """One step on the leading part: factor the shifted matrix into Q R, then multiply R Q."""
     for n in range(size):
         work[n][n] -= shift
     turns = []

@@ -1,8 +1,9 @@
-"""At which step of its life a controller is stopped by what lint found in its files."""
+"""The stage at which an error that lint found in the files stops a controller."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cache
 
 from urdfctl.catalog.values import is_set
 from urdfctl.control.gains import Fate, missing_gains
@@ -11,51 +12,70 @@ from urdfctl.control.parameter_rules import breaches
 from urdfctl.control.session import Configured
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.model.controllers import Controller
-from urdfctl.smoke.results import Step
+from urdfctl.model.stage import CONTROLLER_STAGES, Stage, StageDependsOn
+from urdfctl.rules import stage_of
 from urdfctl.source.span import Place
 
-OF_ROBOT = ("UC0", "UC1")
-OF_HARDWARE = ("UC2", "UC3")
-OF_FILES = frozenset(
-    {"UC024", "UC026", "UC401", "UC402", "UC403", "UC405", "UC406", "UC408", "UC411", "UC413", "UC414"}
-)
-"""What keeps a controllers' file from being read at all: none of its controllers gets its parameters."""
-BY_LIFE = frozenset({"UC434", *(f"UC{number}" for number in range(450, 463))})
-"""What `urdfctl.control.life` works out for each controller by itself, in the order in which they are started."""
-
-_STARVING = frozenset({"UC407", "UC410", "UC415", "UC416", "UC430", "UC431", "UC444"})
-"""A parameter does not arrive: where that shows hangs on how the controller checks it."""
-_ROS2 = {"UC418": Step.ACTIVATE, "UC439": Step.CONFIGURE, "UC440": Step.ACTIVATE, "UC441": Step.ACTIVATE}
+_stage_of = cache(stage_of)
 
 
-def step_of(finding: Diagnostic, one: Configured, ros: int) -> Step:
-    """The step at which a finding of lint stops a controller."""
+def stops_robot(error: Diagnostic) -> bool:
+    """Return whether the robot cannot be spawned with an error of lint."""
+    return _stage_of(error.code) is Stage.SPAWN
+
+
+def stops_hardware(error: Diagnostic) -> bool:
+    """Return whether the hardware cannot be started with an error of lint."""
+    return _stage_of(error.code) is Stage.HARDWARE
+
+
+def stops_parameters(code: str) -> bool:
+    """Return whether an error of a rule keeps a controller file from being read, for all of its controllers."""
+    return _stage_of(code) is Stage.PARAMETERS
+
+
+def found_by_manager(error: Diagnostic) -> bool:
+    """Return whether `urdfctl.control.life` finds an error of lint by itself, in the order of starting."""
+    return _stage_of(error.code) is StageDependsOn.MANAGER
+
+
+def stops_controller(error: Diagnostic) -> bool:
+    """Return whether an error of lint stops controllers: by itself, and not by what a controller manager works out."""
+    return _stage_of(error.code) not in {None, Stage.SPAWN, Stage.HARDWARE, StageDependsOn.MANAGER}
+
+
+def stage_stopped(error: Diagnostic, configured: Configured, ros: int) -> Stage:
+    """Return the stage at which an error of lint stops a controller, in ROS 1 or 2."""
+    stage = _stage_of(error.code)
     if ros == 1:
-        return _starting(one) if finding.code == "UC464" else Step.LOAD
-    if finding.code in _STARVING:
-        return _starved(one)
-    return _ROS2.get(finding.code, Step.LOAD)
+        return _stage_without_gains(configured) if stage is StageDependsOn.GAINS else Stage.LOAD
+    if stage is StageDependsOn.PARAMETER_CHECKS:
+        return _stage_of_parameter_checks(configured)
+    return stage if isinstance(stage, Stage) and stage in CONTROLLER_STAGES else Stage.LOAD
 
 
-def _starting(one: Configured) -> Step:
+def _stage_without_gains(configured: Configured) -> Stage:
     """Without gains some controllers of ROS 1 are not loaded, others crash when they are started."""
-    fates = {missing.fate for missing in missing_gains(one.type, one.values)} if one.type else set()
-    return Step.ACTIVATE if Fate.CRASH in fates and Fate.REFUSED not in fates else Step.LOAD
+    if configured.type is None:
+        return Stage.LOAD
+    fates = {missing.fate for missing in missing_gains(configured.type, configured.values)}
+    return Stage.ACTIVATE if Fate.CRASH in fates and Fate.REFUSED not in fates else Stage.LOAD
 
 
-def _starved(one: Configured) -> Step:
-    """A parameter with a check of its own is missed when it is declared, on load; others when they are configured."""
-    if one.type is None:
-        return Step.LOAD
-    missing = (name for name, parameter in one.type.parameters.items() if parameter.needed and not parameter.is_map)
-    if any(not is_set(one.values.get(name)) for name in missing):
-        return Step.LOAD
-    found = [breach.rule.kind for breach in breaches(one.type, one.values) if breach.rule.severity == "error"]
-    return Step.LOAD if any(kind in AT_LOAD for kind in found) else Step.CONFIGURE
+def _stage_of_parameter_checks(configured: Configured) -> Stage:
+    """A missing parameter with a check of its own fails when it is declared, on load; others when configuring."""
+    kind = configured.type
+    if kind is None:
+        return Stage.LOAD
+    required = (name for name, parameter in kind.parameters.items() if parameter.needed and not parameter.is_map)
+    if any(not is_set(configured.values.get(name)) for name in required):
+        return Stage.LOAD
+    broken = [breach.rule.kind for breach in breaches(kind, configured.values) if breach.rule.severity == "error"]
+    return Stage.LOAD if any(rule in AT_LOAD for rule in broken) else Stage.CONFIGURE
 
 
 def concerns(finding: Diagnostic, controller: Controller) -> bool:
-    """Whether a finding is about a controller: it stands at its name, its type or its parameters, or names it."""
+    """Return whether a finding is about a controller: at its name, type or parameters, or with its name in the text."""
     at = finding.at
     spans = ((place.source.path, place.span) for place in _places(controller))
     if any(path == at.file and span.start <= at.start <= span.end for path, span in spans):

@@ -1,4 +1,4 @@
-"""What is to be moved for each controller, by what the catalogue says that it claims: joints, gains, wheels."""
+"""The task of each controller, from its claims in the catalogue: joints, gains and wheels."""
 
 from __future__ import annotations
 
@@ -9,26 +9,29 @@ from enum import Enum
 from urdfctl.catalog.values import elements, is_known
 from urdfctl.control.session import Configured
 from urdfctl.control.values import Values
-from urdfctl.hints import Any
-from urdfctl.record import NamedTuple
+from urdfctl.startup.hints import Any
+from urdfctl.startup.records import NamedTuple
 
 
 class Family(Enum):
-    """How a controller makes its joints move."""
+    """The way a controller moves its joints."""
 
-    NOTHING = "it commands nothing"
-    FORWARD = "a command goes to the joints as it is"
-    POSITION_PID = "a PID loop holds positions"
-    VELOCITY_PID = "a PID loop holds velocities"
-    TRAJECTORY = "joints follow a trajectory, through PID loops where they are not commanded by position"
-    DIFFERENTIAL = "wheels left and right"
-    STEERED = "driven wheels and steered ones"
-    STRUCTURAL = "it is not simulated"
+    NOTHING = "commands nothing"
+    FORWARD = "forwards its command to the joints"
+    POSITION_PID = "holds positions with PID loops"
+    VELOCITY_PID = "holds velocities with PID loops"
+    TRAJECTORY = "follows a trajectory, with PID loops unless it commands positions"
+    DIFFERENTIAL = "drives wheels on the left and right"
+    STEERED = "drives wheels and steers wheels"
+    STRUCTURAL = "is not simulated"
 
 
 class Gains(NamedTuple):
-    """Of a PID loop; `clamp` bounds the integral part, in the units of the command, and `feed` is how much of the
-    wanted velocity goes to a velocity command as it is."""
+    """The gains of a PID loop.
+
+    `clamp` limits the integral part, in the unit of the command. `feed` is the fraction of the target velocity that is
+    added to the command.
+    """
 
     p: float = 0.0
     i: float = 0.0
@@ -38,8 +41,8 @@ class Gains(NamedTuple):
 
 
 class Drive(NamedTuple):
-    """A mobile base's wheels; radius, separation and wheelbase in m, as the controller is told (0: it looks at the
-    robot)."""
+    """The wheel joints of a mobile base, with radius, separation and wheelbase in m as the controller's parameters give
+    them (0: the controller measures the robot)."""
 
     left: tuple[str, ...] = ()
     right: tuple[str, ...] = ()
@@ -52,13 +55,16 @@ class Drive(NamedTuple):
 
 
 def _drive_from(given: Any) -> Drive | None:
-    parts: Any = [tuple(one) if isinstance(one, list) else one for one in given or ()]
-    return Drive(*parts) if given else None
+    fields: Any = [tuple(field) if isinstance(field, list) else field for field in given or ()]
+    return Drive(*fields) if given else None
 
 
 class Task(NamedTuple):
-    """What one controller is to move: the joints with the interface of each, in the words of ROS 2; why not, where it
-    is not simulated. `rolling` are the wheels of one whose drive is not simulated, and yet must turn forward."""
+    """The joints and wheels that one controller should move.
+
+    `interface` is the command interface of its joints, with its name in ROS 2. `why` is the reason why the controller
+    is not simulated. `rolling` holds the wheels of a drive that is not simulated, but whose wheels must turn forward.
+    """
 
     controller: str
     family: Family
@@ -71,14 +77,14 @@ class Task(NamedTuple):
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Task:
-        """From plain data."""
-        gains = tuple(Gains(*one) for one in data["gains"])
+        """Return the task that plain data holds."""
+        gains = tuple(Gains(*gains) for gains in data["gains"])
         drives = {name: _drive_from(data[name]) for name in ("drive", "rolling")}
         family, joints = Family[data["family"]], tuple(data["joints"])
         return cls(**{**data, **drives, "family": family, "gains": gains, "joints": joints})
 
     def to_json(self) -> dict[str, Any]:
-        """As plain data."""
+        """Return the task as plain data."""
         return {**self._asdict(), "family": self.family.name}
 
 
@@ -101,7 +107,7 @@ _BY_CLASS = {
     "TricycleSteeringController": Family.STEERED,
     "TricycleController": Family.STEERED,
 }
-"""How the classes move their joints; what is not here is not simulated."""
+"""The way each class moves its joints; other classes are not simulated."""
 _ROLLING = ("MecanumDriveController",)
 _COMMANDED = {
     "PositionJointInterface": "position",
@@ -111,68 +117,69 @@ _COMMANDED = {
 _QUANTITIES = ("position", "velocity", "effort")
 
 
-def task_of(one: Configured) -> Task:
-    """What a controller is to move."""
-    if one.type is None or one.type.claims is None:
-        return Task(one.name, Family.STRUCTURAL, why="what it claims is not known")
-    claims = one.claims.command
+def task_of(configured: Configured) -> Task:
+    """Return what a controller should move."""
+    name, kind = configured.name, configured.type
+    if kind is None or kind.claims is None:
+        return _not_simulated(name, "its claims are unknown")
+    claims = configured.claims.command
     if not claims:
-        broadcasts = one.type.broadcaster or not one.type.claims.command
-        return Task(one.name, Family.NOTHING) if broadcasts else _not_simulated(one, "it claims no joint")
-    kind = one.type.type.rpartition("/")[2]
-    family = _BY_CLASS.get(kind)
-    if kind in _ROLLING:
-        return _rolling(one, kind)
+        broadcasts = kind.broadcaster or not kind.claims.command
+        return Task(name, Family.NOTHING) if broadcasts else _not_simulated(name, "it claims no joint")
+    class_name = kind.type.rpartition("/")[2]
+    family = _BY_CLASS.get(class_name)
+    if class_name in _ROLLING:
+        return _rolling(configured, class_name)
     if family is None:
-        return _not_simulated(one, f"a {kind} is not simulated")
-    if not one.claims.complete:
-        return _not_simulated(one, "not all of its parameters are known")
+        return _not_simulated(name, f"urdfctl cannot simulate a {class_name}")
+    if not configured.claims.complete:
+        return _not_simulated(name, "not all of its parameters are known")
     interfaces = [_quantity(claim.interface) for claim in claims]
     joints = tuple(dict.fromkeys(claim.component for claim in claims))
-    if any("/" in joint for joint in joints) or not all(one in _QUANTITIES for one in interfaces):
-        return _not_simulated(one, "it commands no joints, but other controllers or devices")
-    values = Values(one.type, one.values)
-    if family in (Family.DIFFERENTIAL, Family.STEERED):
-        return Task(one.name, family, joints, interfaces[0], drive=_drive(family, values))
+    if any("/" in joint for joint in joints) or not all(interface in _QUANTITIES for interface in interfaces):
+        return _not_simulated(name, "it commands other controllers or devices, not joints")
+    values = Values(kind, configured.values)
     interface = interfaces[0]
-    family = _loop(family, kind, one.type.type, interface, values)
-    gains = tuple(_gains(one.values, joint) for joint in joints)
-    return Task(one.name, family, joints, interface, gains)
+    if family in (Family.DIFFERENTIAL, Family.STEERED):
+        return Task(name, family, joints, interface, drive=_drive(family, values))
+    family = _loop(family, class_name, kind.type, interface, values)
+    gains = tuple(_gains(configured.values, joint) for joint in joints)
+    return Task(name, family, joints, interface, gains)
 
 
-def _rolling(one: Configured, kind: str) -> Task:
-    """A controller of wheels with rollers: only the way that they turn can be told."""
-    joints = tuple(dict.fromkeys(claim.component for claim in one.claims.command))
-    drive = Drive(driven=joints, base=_text(one.values.get("base_frame_id")))
-    why = f"of a {kind} only the way that its wheels turn is looked at"
-    return Task(one.name, Family.STRUCTURAL, joints, "velocity", why=why, rolling=drive)
+def _rolling(configured: Configured, class_name: str) -> Task:
+    """A controller of wheels with rollers: only the direction in which its wheels turn can be checked."""
+    joints = tuple(dict.fromkeys(claim.component for claim in configured.claims.command))
+    drive = Drive(driven=joints, base=_text(configured.values.get("base_frame_id")))
+    why = f"for a {class_name}, only the direction of its wheels is checked"
+    return Task(configured.name, Family.STRUCTURAL, joints, "velocity", why=why, rolling=drive)
 
 
-def _not_simulated(one: Configured, why: str) -> Task:
-    return Task(one.name, Family.STRUCTURAL, why=why)
+def _not_simulated(name: str, why: str) -> Task:
+    return Task(name, Family.STRUCTURAL, why=why)
 
 
 def _quantity(interface: str) -> str:
     return _COMMANDED.get(interface.rpartition("/")[2], interface)
 
 
-def _loop(family: Family, kind: str, whole: str, interface: str, values: Mapping[str, object]) -> Family:
-    """Whether a controller closes a loop of its own: where it is to hold another quantity than the one it commands."""
-    if kind == "PidController":
+def _loop(family: Family, class_name: str, type_name: str, interface: str, values: Mapping[str, object]) -> Family:
+    """The family of a controller: it closes a loop if it holds another quantity than the one that it commands."""
+    if class_name == "PidController":
         held = elements(values.get("reference_and_state_interfaces"))
         return Family.VELOCITY_PID if held[:1] == ("velocity",) else Family.POSITION_PID
-    if family is Family.FORWARD and not whole.startswith("forward_command"):
-        if "Position" in kind and interface != "position":
+    if family is Family.FORWARD and not type_name.startswith("forward_command"):
+        if "Position" in class_name and interface != "position":
             return Family.POSITION_PID
-        if "Velocity" in kind and interface != "velocity":
+        if "Velocity" in class_name and interface != "velocity":
             return Family.VELOCITY_PID
     return family
 
 
 def _gains(given: Mapping[str, object], joint: str) -> Gains:
-    """The gains of a joint, wherever the controller reads them: per joint, or for its only one."""
+    """The gains of a joint, from any place where controllers read them: per joint, or for their only joint."""
     feeds = (given.get(f"gains.{joint}.{name}") for name in ("ff_velocity_scale", "feedforward_gain"))
-    feed = next((_float(one) for one in (*feeds, given.get(f"velocity_ff.{joint}")) if _float(one)), 0.0)
+    feed = next((_float(value) for value in (*feeds, given.get(f"velocity_ff.{joint}")) if _float(value)), 0.0)
     for place in (f"gains.{joint}.", f"{joint}.pid.", "pid.", "gains.", ""):
         if any(isinstance(given.get(f"{place}{name}"), int | float) for name in "pid"):
             p, i, d = (_float(given.get(f"{place}{name}")) for name in "pid")
@@ -215,8 +222,8 @@ def _drive(family: Family, values: Mapping[str, object]) -> Drive:
 
 
 def _names(values: Mapping[str, object], *names: str) -> tuple[str, ...]:
-    found = (elements(values.get(name)) for name in names)
-    return next((tuple(map(str, one)) for one in found if one), ())
+    lists = (elements(values.get(name)) for name in names)
+    return next((tuple(map(str, joints)) for joints in lists if joints), ())
 
 
 def _text(value: object) -> str:

@@ -1,4 +1,4 @@
-"""Moves one robot in one engine: settles it, and lets each of its controllers move what it commands."""
+"""The simulation of one robot in one engine: let it settle, then let each controller move its joints."""
 
 from __future__ import annotations
 
@@ -6,8 +6,10 @@ import math
 import time
 from collections.abc import Iterator, Mapping, Sequence
 
-from urdfctl.hints import Any
-from urdfctl.record import NamedTuple
+from urdfctl.rules.smoke.mimic_not_kept import mimic_not_kept
+from urdfctl.rules.smoke.robot_tips_over import robot_tips_over
+from urdfctl.rules.smoke.simulation_explodes import simulation_explodes
+from urdfctl.rules.smoke.wheel_off_the_ground import wheel_off_the_ground
 from urdfctl.smoke.checks import (
     FORWARD,
     MIMIC,
@@ -21,29 +23,38 @@ from urdfctl.smoke.checks import (
     together_troubles,
     turn_troubles,
 )
-from urdfctl.smoke.engines import STEP, Engine, Refused, Setup, opened
+from urdfctl.smoke.engines import STEP, Engine, Refused, Setup, open_engine
 from urdfctl.smoke.mechanism import Hinge, Mechanism
 from urdfctl.smoke.motions import FREELY, Goal, Loop, Motion, Wheels, goal_of, hold, motion_of
-from urdfctl.smoke.results import Curve, Trouble
+from urdfctl.smoke.results import ROBOT, Curve, Trouble, trouble_of
 from urdfctl.smoke.statics import gravity_load, is_loop
 from urdfctl.smoke.tasks import Drive, Family, Task
+from urdfctl.startup.hints import Any
+from urdfctl.startup.records import NamedTuple
 
 SETTLING = 0.5
-"""Seconds in which a robot comes to rest."""
+"""The time in which a robot comes to rest, in s."""
 MOTION = 2.0
-"""Seconds that each controller moves what it commands, where nothing else is said; half of it without a loop."""
+"""The default time for which each controller moves its joints, in s; half of it for a controller without a loop."""
 PUSHING = 0.2
-"""Seconds that an effort pushes a joint."""
+"""The time for which an effort pushes a joint, in s."""
 MOST_STEPS = 10
-"""How many steps may be between two positions that a joint is told."""
+"""The maximum number of simulation steps between two position commands."""
 TOGETHER = 0.05
-"""The step, in rad or m, that all loops are told at once."""
+"""The step that all loops are commanded together, in rad or m."""
 _EXPLODED = 1e4
+"""From this position on, in rad or m, the simulation has exploded."""
 _SAMPLES = 60
+"""The approximate number of samples of a curve."""
 
 
 class Plan(NamedTuple):
-    """All that an engine's worker is told of a robot."""
+    """The input of an engine's worker.
+
+    `engine` is the name of the engine. `urdf` is the text that the engine loads. `rate` is the update rate of the
+    controllers, in Hz. `fixed` is whether the root link is fixed to the world. `shapeless` is whether collision
+    geometry was left out. `duration` is the time for which each controller moves, in s. `gui` shows a window.
+    """
 
     engine: str
     urdf: str
@@ -57,20 +68,22 @@ class Plan(NamedTuple):
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Plan:
-        """From plain data."""
+        """Return the plan that plain data holds."""
         mechanism = Mechanism.from_json(data["mechanism"])
         return cls(**{**data, "mechanism": mechanism, "tasks": tuple(map(Task.from_json, data["tasks"]))})
 
     def to_json(self) -> dict[str, Any]:
-        """As plain data."""
+        """Return the plan as plain data."""
         tasks = [task.to_json() for task in self.tasks]
         return {**self._asdict(), "mechanism": self.mechanism.to_json(), "tasks": tasks}
 
 
 class Tried(NamedTuple):
-    """What came of it: what was found, the controllers that moved what they command, those that could not be judged
-    with the reason, and what the joints did; how long it took, in s. `refused` is what the engine says of a robot that
-    it does not take."""
+    """The result of a simulation.
+
+    `moved` holds the controllers that moved their joints. `unjudged` holds those that could not be judged, with the
+    reason. `seconds` is how long it took. `refused` is why the engine rejects the robot, or empty.
+    """
 
     troubles: tuple[Trouble, ...] = ()
     moved: tuple[str, ...] = ()
@@ -81,22 +94,30 @@ class Tried(NamedTuple):
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Tried:
-        """From plain data."""
-        troubles = [Trouble.from_json(one) for one in data["troubles"]]
-        curves = [Curve(*one[:3], *map(tuple, one[3:])) for one in data["curves"]]
+        """Return the result that plain data holds."""
+        troubles = [Trouble.from_json(fields) for fields in data["troubles"]]
+        curves = [Curve(*fields[:3], *map(tuple, fields[3:])) for fields in data["curves"]]
         return cls(**{**data, "troubles": tuple(troubles), "curves": tuple(curves), "moved": tuple(data["moved"])})
 
 
 def tried(plan: Plan) -> Tried:
-    """The trial of a robot."""
+    """Return the result of simulating a plan."""
     began = time.perf_counter()
     mechanism = plan.mechanism
     weightless = [body.name for body in mechanism.bodies.values() if not body.falls]
     rolling = {name for task in plan.tasks if task.drive for name in (*_driven(task.drive), *task.drive.steered)}
     wheels = [hinge.child for hinge in mechanism.hinges if hinge.name in rolling]
-    setup = Setup(plan.urdf, mechanism.root, plan.fixed, mechanism.start(), weightless, wheels, plan.gui)
+    setup = Setup(
+        urdf=plan.urdf,
+        root=mechanism.root,
+        fixed=plan.fixed,
+        start=mechanism.start(),
+        weightless=weightless,
+        wheels=wheels,
+        gui=plan.gui,
+    )
     try:
-        engine = opened(plan.engine, setup)
+        engine = open_engine(plan.engine, setup)
     except Refused as refusal:
         return Tried(refused=str(refusal))
     trial = _Trial(plan, engine)
@@ -110,7 +131,7 @@ def tried(plan: Plan) -> Tried:
 
 
 class _Exploded(Exception):
-    """A state is no number any more, or far too large."""
+    """A position is not a finite number, or far too large."""
 
 
 class _Trial:
@@ -127,9 +148,9 @@ class _Trial:
         self.curves: list[Curve] = []
 
     def run(self) -> None:
-        """The whole trial; a state that is no number ends it."""
+        """Simulate the whole plan; an explosion ends it."""
         for task in self._plan.tasks:
-            self.unjudged[task.controller] = "the robot did not settle"
+            self.unjudged[task.controller] = "not simulated: the robot did not settle"
         try:
             if not self._settled():
                 return
@@ -138,9 +159,8 @@ class _Trial:
             self._together()
             self._mimics()
         except _Exploded:
-            if not any(one.code == "UC930" for one in self.troubles):
-                message = "the simulation explodes: the robot's state is no number any more"
-                self.troubles.append(Trouble("UC930", "robot", message))
+            if not any(trouble.code == simulation_explodes.code for trouble in self.troubles):
+                self.troubles.append(trouble_of(simulation_explodes, ROBOT, when=""))
 
     # -- at rest -----------------------------------------------------------------------------------------------------
 
@@ -161,24 +181,24 @@ class _Trial:
         lifted = [name for name in dict.fromkeys(driven) if self._hinges[name].child not in touching]
         if self._plan.shapeless and (tipped or lifted):
             for task in self._plan.tasks:
-                self.unjudged[task.controller] = "the meshes that the robot stands on are not there"
+                self.unjudged[task.controller] = "not simulated: collision geometry under the robot is missing"
             return False
         if tipped:
-            message = f"the robot tips over: roll {standing.roll:.2g} rad, pitch {standing.pitch:.2g} rad after a while"
-            self.troubles.append(Trouble("UC931", "robot", message, None, ("does it have wheels or casters enough?",)))
+            notes = ("check that it has enough wheels or casters",)
+            tipping = trouble_of(robot_tips_over, ROBOT, None, notes, roll=standing.roll, pitch=standing.pitch)
+            self.troubles.append(tipping)
         for name in lifted:
             owner = next(task.controller for task in self._plan.tasks if name in task.joints)
-            message = f"wheel '{name}' of controller '{owner}' does not touch the ground"
-            self.troubles.append(Trouble("UC940", f"joint:{name}", message, owner))
+            self.troubles.append(trouble_of(wheel_off_the_ground, f"joint:{name}", owner, joint=name))
         return not tipped
 
     def _pass(self, seconds: float) -> None:
-        """Let time pass with the commands as they are."""
+        """Simulate some seconds with unchanged commands."""
         for _ in range(max(1, round(seconds / self._period))):
             self._update()
 
     def _update(self) -> None:
-        """One period: what mimics follows, then the engine's steps."""
+        """Simulate one period: command the mimic joints, then run the engine's steps."""
         engine = self._engine
         for hinge in self._hinges.values():
             if self._follows(hinge):
@@ -191,7 +211,7 @@ class _Trial:
             raise _Exploded
 
     def _follows(self, hinge: Hinge) -> bool:
-        """Whether a joint mimics another one, and no controller moves it itself."""
+        """Whether a joint mimics another one, and no controller moves it directly."""
         return hinge.mimic is not None and hinge.mimic[0] in self._hinges and hinge.name not in self._claimed
 
     def _followed(self, hinge: Hinge) -> float:
@@ -202,26 +222,26 @@ class _Trial:
 
     def _run_task(self, task: Task) -> None:
         if task.family is Family.STRUCTURAL:
-            self.unjudged[task.controller] = f"structural only: {task.why}"
+            self.unjudged[task.controller] = f"not simulated: {task.why}"
             return
         if task.family is Family.NOTHING:
             self.moved.append(task.controller)
             return
         unknown = [name for name in task.joints if name not in self._hinges]
         if unknown:
-            self.unjudged[task.controller] = f"structural only: '{unknown[0]}' is no joint that moves"
+            self.unjudged[task.controller] = f"not simulated: '{unknown[0]}' is not a movable joint"
             return
         try:
             judged = self._drive(task, task.drive) if task.drive else self._move(task)
         except _Exploded:
-            message = f"the simulation explodes when controller '{task.controller}' moves its joints"
-            self.troubles.append(Trouble("UC930", f"controller:{task.controller}", message, task.controller))
+            subject, when = f"controller:{task.controller}", f" while controller '{task.controller}' moves its joints"
+            self.troubles.append(trouble_of(simulation_explodes, subject, task.controller, when=when))
             raise
         if judged:
             self.moved.append(task.controller)
 
     def _push_each(self, task: Task, goals: Sequence[Goal]) -> None:
-        """Push one joint after the other, for a moment: the others are held, for a push goes through the whole arm."""
+        """Push one joint after the other while the others are held: a push would go through the whole arm."""
         for name in [goal.hinge.name for goal in goals]:
             goal = self._goals([name], self._plan.duration)[0]
             motion = motion_of(self._engine, task, [goal], PUSHING)
@@ -232,7 +252,7 @@ class _Trial:
         self._pass(0.1)
 
     def _every(self, steps: int) -> None:
-        """Update the controllers once in so many steps."""
+        """Update the controllers once in a number of steps."""
         self._steps, self._period = steps, steps * STEP
 
     def _goals(self, names: Sequence[str], duration: float) -> list[Goal]:
@@ -249,7 +269,7 @@ class _Trial:
             return True
         motion = motion_of(self._engine, task, goals, seconds)
         steps = self._steps
-        if not loop:  # a driver takes positions more often than a slow manager gives them
+        if not loop:  # a driver updates positions more often than a slow manager
             self._every(min(steps, MOST_STEPS))
         tracks = self._tracked(motion, goals, seconds)
         self._every(steps)
@@ -282,11 +302,13 @@ class _Trial:
     ) -> Curve:
         every = max(1, len(measured) // _SAMPLES)
         seconds = tuple(round((n + 1) * self._period, 4) for n in range(0, len(measured), every))
-        told = tuple(round(value, 5) for value in wanted[::every])
-        return Curve(controller, joint, quantity, seconds, told, tuple(round(value, 5) for value in measured[::every]))
+        commanded, did = (tuple(round(value, 5) for value in values[::every]) for values in (wanted, measured))
+        return Curve(
+            controller=controller, joint=joint, quantity=quantity, seconds=seconds, commanded=commanded, measured=did
+        )
 
     def _together(self) -> None:
-        """All loops at once: joints may shake each other that are still when they are moved one at a time."""
+        """Run all loops together: joints that are still when they are moved alone may disturb each other."""
         tasks = [task for task in self._plan.tasks if is_loop(task) and task.controller in self.moved]
         tasks = [task for task in tasks if task.family is not Family.VELOCITY_PID]
         owners: dict[str, tuple[Task, int]] = {}
@@ -309,26 +331,26 @@ class _Trial:
             if self._follows(hinge) and hinge.mimic:
                 apart = abs(self._engine.position(hinge.name) - self._followed(hinge))
                 if apart > MIMIC:
-                    message = f"joint '{hinge.name}' is {apart:.2g} from where it should be to mimic '{hinge.mimic[0]}'"
-                    self.troubles.append(Trouble("UC938", f"joint:{hinge.name}", message))
+                    fields = {"joint": hinge.name, "distance": apart, "unit": hinge.unit, "leader": hinge.mimic[0]}
+                    self.troubles.append(trouble_of(mimic_not_kept, f"joint:{hinge.name}", None, (), **fields))
 
     # -- mobile bases ------------------------------------------------------------------------------------------------
 
     def _drive(self, task: Task, given: Drive) -> bool:
         drive = measured(self._mechanism, given)
         if not drive.radius or (drive.left and not drive.separation) or (drive.steered and not drive.wheelbase):
-            self.unjudged[task.controller] = "structural only: the measures of its wheels are not known"
+            self.unjudged[task.controller] = "not simulated: the radius or separation of its wheels is unknown"
             return False
         seconds = self._plan.duration
         slipping = SLIPPING if self._plan.engine == "mujoco" else 0.0
         straight = Wheels(self._engine, self._hinges, drive, FORWARD, 0.0)
-        found = list(forward_troubles(task, self._journey(straight, task, "ahead", seconds), slipping))
+        troubles = list(forward_troubles(task, self._journey(straight, task, "ahead", seconds), slipping))
         turning = Wheels(self._engine, self._hinges, drive, FORWARD if drive.steered else 0.0, TURN)
-        if not found:
-            found += turn_troubles(
+        if not troubles:
+            troubles += turn_troubles(
                 task, drive, self._journey(turning, task, "yaw", seconds), turning.steering, slipping
             )
-        self.troubles += found
+        self.troubles += troubles
         for name in _driven(drive):
             self._engine.at_velocity(name, 0.0, FREELY)
         self._pass(0.1)
@@ -344,8 +366,9 @@ class _Trial:
             yaw += (now.yaw - last.yaw + math.pi) % (2 * math.pi) - math.pi
             yaws.append(yaw)
             ahead.append(Journey(before, now, yaw, seconds).ahead)
-        told = [wheels.wanted(0 if quantity == "ahead" else 1) * (n + 1) * self._period for n in range(len(yaws))]
-        self.curves.append(self._curve(task.controller, "base", quantity, told, ahead if quantity == "ahead" else yaws))
+        commanded = [wheels.wanted(0 if quantity == "ahead" else 1) * (n + 1) * self._period for n in range(len(yaws))]
+        driven = ahead if quantity == "ahead" else yaws
+        self.curves.append(self._curve(task.controller, "base", quantity, commanded, driven))
         return Journey(before, now, yaw, seconds)
 
 
@@ -359,7 +382,7 @@ def _driven(drive: Drive) -> tuple[str, ...]:
 
 
 def measured(mechanism: Mechanism, drive: Drive) -> Drive:
-    """A drive whose measures are known: what its controller is not told is measured on the robot, as in ROS 1."""
+    """Return a drive with the measures that its controller lacks taken from the robot, as in ROS 1."""
     poses = mechanism.poses(mechanism.start())
     wheels = [hinge for name in _driven(drive) if (hinge := mechanism.hinge(name)) is not None]
     radius = drive.radius or next((r for hinge in wheels if (r := mechanism.bodies[hinge.child].radius)), 0.0)

@@ -1,4 +1,4 @@
-"""How much one robot may cost: more than any real one needs, less than an endless one takes."""
+"""Limits for the expansion of one robot: above any real robot's needs, so that endless expansions end."""
 
 from __future__ import annotations
 
@@ -9,4 +9,4 @@ MAX_PROBLEMS = 100
 
 
 class OverBudget(Exception):
-    """An expansion costs more than any robot needs; nothing of it is worth keeping."""
+    """An expansion exceeds a limit. Its result so far is discarded."""

@@ -1,8 +1,8 @@
-"""A small document tree whose elements know where they stand.
+"""A small document tree whose elements know their place in the source.
 
-It has just that part of `xml.dom.minidom`'s surface which the xacro package touches, so that xacro can work on it
-unchanged; names that are not of our style are minidom's. Siblings form a linked list: inserting and removing cost
-nothing.
+It implements only the part of `xml.dom.minidom`'s interface that the xacro package uses, so that xacro works on it
+unchanged. Names in camelCase are minidom's. Siblings form a linked list, so that insertion and removal take constant
+time.
 """
 
 from __future__ import annotations
@@ -10,18 +10,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 from xml.dom import NotFoundErr
 
-from urdfctl.record import NamedTuple
 from urdfctl.source.span import Call, Place, SourceText
+from urdfctl.startup.records import NamedTuple
 
 ELEMENT, TEXT, CDATA, INSTRUCTION, COMMENT, DOCUMENT, DOCTYPE = 1, 3, 4, 7, 8, 9, 10
 
 
 _NOT_FOUND = NotFoundErr()
-"""Made once: xacro asks every element for an attribute that hardly any has."""
+"""Created once: xacro asks every element for an attribute that few have, and creating an exception is slow."""
 
 
 class Node:
-    """What all nodes share: a parent and siblings."""
+    """The base class of all nodes: a parent, siblings and children."""
 
     __slots__ = ("firstChild", "lastChild", "nextSibling", "parentNode", "previousSibling")
 
@@ -49,14 +49,14 @@ class Node:
         self.parentNode = self.previousSibling = self.nextSibling = None
 
     def removeChild(self, child: Node) -> Node:
-        """Take a child out; NotFoundErr where it is none."""
+        """Remove a child and return it. Raises NotFoundErr if the node is not a child."""
         if child.parentNode is not self:
             raise NotFoundErr
         child._unlink()
         return child
 
     def appendChild(self, child: Node) -> Node:
-        """Put a node behind the last child, taking it from where it was."""
+        """Append a node to the children and return it; it is removed from its previous parent."""
         if child.parentNode is not None:
             child._unlink()
         last = self.lastChild
@@ -70,7 +70,10 @@ class Node:
         return child
 
     def insertBefore(self, child: Node, reference: Node | None) -> Node:
-        """Put a node before one of the children; behind the last one where `reference` is None."""
+        """Insert a node before the child `reference` and return it; None appends it.
+
+        Raises NotFoundErr if `reference` is not a child.
+        """
         if reference is None:
             return self.appendChild(child)
         if reference.parentNode is not self:
@@ -93,29 +96,29 @@ class Node:
         return list(self.children())
 
     def children(self) -> Iterator[Node]:
-        """The children, in order, while the tree stays as it is."""
+        """Yield the children in order. The tree must not change during the iteration."""
         child = self.firstChild
         while child is not None:
             yield child
             child = child.nextSibling
 
     def elements(self) -> list[Element]:
-        """The children that are elements, in order."""
-        found = []
+        """Return the children that are elements, in order."""
+        elements = []
         child = self.firstChild
         while child is not None:
             if isinstance(child, Element):
-                found.append(child)
+                elements.append(child)
             child = child.nextSibling
-        return found
+        return elements
 
     def cloneNode(self, deep: bool = False) -> Node:
-        """A copy, with all below it."""
+        """Return a copy of the node and its descendants, whatever `deep` is."""
         raise NotImplementedError
 
 
 class Text(Node):
-    """Characters, a CDATA section or a comment, told apart by `nodeType`."""
+    """A text, a CDATA section or a comment, depending on `nodeType`."""
 
     __slots__ = ("data", "nodeType")
     nodeName = "#text"
@@ -143,7 +146,7 @@ class Instruction(Text):
 
 
 class DocumentType(Node):
-    """A DOCTYPE without declarations of its own."""
+    """A DOCTYPE without an internal subset."""
 
     __slots__ = ("name", "public", "system")
     nodeType = DOCTYPE
@@ -158,7 +161,7 @@ class _Attribute(NamedTuple):
 
 
 class _AttributeMap:
-    """What xacro needs of minidom's NamedNodeMap."""
+    """The part of minidom's NamedNodeMap that xacro uses."""
 
     __slots__ = ("_values",)
 
@@ -176,7 +179,7 @@ class _AttributeMap:
 
 
 class Document(Node):
-    """The root of the tree: what stands before, around and behind the root element."""
+    """The root of the tree: the root element, and the comments and instructions before and after it."""
 
     __slots__ = ("documentElement",)
     nodeType = DOCUMENT
@@ -187,7 +190,12 @@ class Document(Node):
 
 
 class Cloning:
-    """What a copied element is to remember of who copied it; the expansion sets and reads it."""
+    """State of the expansion that copied elements record; the expansion sets and reads it.
+
+    call: the macro call that is being expanded.
+    insertion: the `insert_block` element that is being expanded.
+    count: the number of elements created so far.
+    """
 
     __slots__ = ("call", "count", "insertion")
 
@@ -198,7 +206,17 @@ class Cloning:
 
 
 class Element(Node):
-    """An element: its name, its attributes, where its start tag and end tag stand, and the calls that led to it."""
+    """An element with its place in the source.
+
+    tagName, nodeName: the qualified name.
+    attrs: the attributes by qualified name.
+    source: the file that contains the element.
+    start: byte offset of the start tag.
+    close: byte offset of the end tag; None if the element has none.
+    call: the innermost call that produced the element; None if it was written where it is.
+    cloning: shared state of the expansion.
+    moved: attributes that come from another element, with the source and byte offset of that element's start tag.
+    """
 
     __slots__ = ("attrs", "call", "cloning", "close", "moved", "nodeName", "source", "start", "tagName")
     nodeType = ELEMENT
@@ -245,7 +263,7 @@ class Element(Node):
         return None if value is None else _Attribute(value)
 
     def cloneNode(self, deep: bool = False) -> Element:
-        """A copy that remembers the macro call, or the insert_block, by which it came about."""
+        """Return a copy that records the macro call or the `insert_block` that produced it."""
         top = self.cloning.call
         if self.tagName == "xacro:macro":
             return self._copy(top, None)
@@ -255,7 +273,14 @@ class Element(Node):
         if block is not None:
             call = block.for_text_of(self.call)
         self.cloning.count += 1
-        copy = Element(self.tagName, self.attrs.copy(), self.source, self.start, call, self.cloning)
+        copy = Element(
+            tag=self.tagName,
+            attrs=self.attrs.copy(),
+            source=self.source,
+            start=self.start,
+            call=call,
+            cloning=self.cloning,
+        )
         copy.nodeName, copy.close, copy.moved = self.nodeName, self.close, self.moved
         last: Node | None = None
         child = self.firstChild
@@ -274,22 +299,22 @@ class Element(Node):
 
     @property
     def at(self) -> Place:
-        """Where the element stands."""
+        """The place of the element in the source."""
         return Place(self.source, self.start, self.call, close=self.close, attributes=self.moved)
 
 
 class _BlockCalls(NamedTuple):
-    """The steps that an inserted block adds: one for each way by which the block's own texts came about."""
+    """The calls of kind `block` for the elements of an inserted block: one for each call that produced some of them."""
 
     via: Call | None
     site: Element | None
-    made: dict[int, Call]
+    blocks: dict[int, Call]
 
     def for_text_of(self, written_by: Call | None) -> Call | None:
         if self.site is None:
             return written_by
         key = id(written_by)
-        if key not in self.made:
+        if key not in self.blocks:
             name = self.via.name if self.via is not None else ""
-            self.made[key] = Call("block", name, self.site.source, self.site.start, written_by)
-        return self.made[key]
+            self.blocks[key] = Call("block", name, self.site.source, self.site.start, written_by)
+        return self.blocks[key]

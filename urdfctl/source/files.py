@@ -1,4 +1,4 @@
-"""Reads files, within limits: regular files only, not larger than 16 MiB, and only where the run may read."""
+"""Read files within limits: only regular files, of at most 16 MiB, and only below the folders that the run may read."""
 
 from __future__ import annotations
 
@@ -19,30 +19,37 @@ _YAML = (".yaml", ".yml")
 
 
 def is_launch(path: str) -> bool:
-    """Whether a file is a launch file by its name; Python can be nothing else here."""
+    """Return whether a file is a launch file by its name. Every Python file counts as one."""
     return path.endswith(_LAUNCHES)
 
 
 def is_yaml(path: str) -> bool:
-    """Whether a file is a parameter file by its name."""
+    """Return whether a file is a YAML file, but not a launch file, by its name."""
     return path.endswith(_YAML) and not is_launch(path)
 
 
 class FileProblem(Exception):
-    """A file cannot be read; whoever asked for it knows the place to blame."""
+    """A file cannot be read.
+
+    The caller knows which place in the source refers to the file, and makes the problem with `at`.
+    """
 
     def __init__(self, kind: ProblemKind, path: str, message: str, hint: str = "") -> None:
         super().__init__(message)
         self.kind, self.path, self.message, self.hint = kind, path, message, hint
 
     def at(self, place: Place) -> Problem:
-        """The problem, blamed on a place."""
+        """Return the problem, reported at a place."""
         return Problem(self.kind, place, self.message, self.path, self.hint)
 
 
 class Files:
-    """Reads each file once. `resolve` maps an installed path to the source file that would be installed there; `held`
-    are files, by their paths with all links followed, that are to be read as if they held other bytes."""
+    """Reads files, each once.
+
+    bounds: the folders below which files can be read; None for no bounds.
+    resolve: maps an installed path to the source file that is installed there.
+    held: contents that replace those on disk, by real path (all links followed).
+    """
 
     def __init__(
         self,
@@ -56,31 +63,34 @@ class Files:
         self._read: dict[str, SourceText] = {}
 
     def allow(self, folder: str) -> None:
-        """Let files below a folder be read too."""
+        """Allow reading files below another folder."""
         if self.bounds is not None:
             real = os.path.realpath(folder)
             if real not in self.bounds:
                 self.bounds.append(real)
 
     def sources(self) -> list[SourceText]:
-        """The texts that have been read, in order."""
+        """Return the files read so far, in order."""
         return list(self._read.values())
 
     def read(self, path: str) -> SourceText:
-        """The text of a file. FileProblem where there is none, it is no regular file, too large or out of bounds."""
+        """Return the content of a file.
+
+        Raises FileProblem if the file is missing, not a regular file, too large or out of bounds.
+        """
         if path not in self._read:
             self._read[path] = self.glance(path)
         return self._read[path]
 
     def glance(self, path: str) -> SourceText:
-        """The text of a file that is looked into, and is none of those that count as read. FileProblem as above."""
-        found = self._resolve(path)
-        self._check_bounds(found)
-        held = self._held.get(os.path.realpath(found)) if self._held else None
-        return SourceText(_shown(found), _bytes_of(found) if held is None else held)
+        """Return the content of a file without adding it to `sources`. Raises FileProblem as `read` does."""
+        resolved = self._resolve(path)
+        self._check_bounds(resolved)
+        held = self._held.get(os.path.realpath(resolved)) if self._held else None
+        return SourceText(_shown(resolved), _bytes_of(resolved) if held is None else held)
 
     def may_read(self, path: str) -> bool:
-        """Whether a path, with its links followed, lies where the run may read."""
+        """Return whether a path, with all links followed, is within the bounds."""
         if self.bounds is None:
             return True
         real = os.path.realpath(path)
@@ -88,8 +98,8 @@ class Files:
 
     def _check_bounds(self, path: str) -> None:
         if self.bounds is not None and not self.may_read(path):
-            message = f"'{path}' lies outside the workspace '{self.bounds[0]}' and is not read"
-            hint = "name a wider --workspace, add --package-path, or --trust the file"
+            message = f"'{path}' is outside the workspace '{self.bounds[0]}' and is not read"
+            hint = "use a wider --workspace, add --package-path, or use --trust"
             raise FileProblem(ProblemKind.OUTSIDE_WORKSPACE, path, message, hint)
 
 
@@ -103,15 +113,15 @@ def _bytes_of(path: str) -> bytes:
         if stat.S_ISDIR(info.st_mode):
             raise FileProblem(ProblemKind.FILE_UNREADABLE, path, f"'{path}' is a folder, not a file")
         if not stat.S_ISREG(info.st_mode):
-            raise FileProblem(ProblemKind.FILE_UNREADABLE, path, f"'{path}' is no regular file")
+            raise FileProblem(ProblemKind.FILE_UNREADABLE, path, f"'{path}' is not a regular file")
         if info.st_size > MAX_BYTES:
-            message = f"'{path}' has {info.st_size >> 20} MiB; at most {MAX_BYTES >> 20} MiB are read"
+            message = f"'{path}' has {info.st_size >> 20} MiB; the limit is {MAX_BYTES >> 20} MiB"
             raise FileProblem(ProblemKind.BUDGET, path, message)
         with open(path, "rb") as file:
             data = file.read(MAX_BYTES + 1)
     except FileNotFoundError:
         broken = os.path.islink(path)
-        message = f"'{path}' is a broken link" if broken else f"no such file: '{path}'"
+        message = f"'{path}' is a broken symbolic link" if broken else f"file does not exist: '{path}'"
         raise FileProblem(ProblemKind.FILE_NOT_FOUND, path, message) from None
     except (OSError, ValueError) as error:
         why = getattr(error, "strerror", None) or str(error)
@@ -120,15 +130,18 @@ def _bytes_of(path: str) -> bytes:
 
 
 def first_bytes(path: str, most: int) -> bytes:
-    """What a regular file begins with. OSError where there is none: a pipe is not waited for, a device has no end."""
+    """Return at most `most` bytes from the start of a regular file.
+
+    Raises OSError if the file cannot be read or is not a regular file: a read from a pipe or a device may never end.
+    """
     if not stat.S_ISREG(os.stat(path).st_mode):
-        raise OSError(errno.EINVAL, "it is no regular file", path)
+        raise OSError(errno.EINVAL, "it is not a regular file", path)
     with open(path, "rb") as file:
         return file.read(most)
 
 
 def named_bytes(path: str) -> bytes:
-    """The bytes of a file that the user names for something else than a robot. UserError where it cannot be read."""
+    """Return the content of a file that the user names, other than a robot's. Raises UserError if it cannot be read."""
     try:
         data = first_bytes(path, MAX_BYTES + 1)
     except OSError as error:

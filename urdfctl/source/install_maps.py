@@ -1,6 +1,7 @@
-"""What a source package installs where: `$(find pkg)/urdf/x` often lies in `description/urdf/x` of the source tree.
+"""Where a source package installs its files: `$(find pkg)/urdf/x` may be `description/urdf/x` in the source tree.
 
-Read from the `install()` rules of CMakeLists.txt and from `data_files` of setup.py, as text: neither is ever run.
+The install rules come from `install()` in CMakeLists.txt and from `data_files` in setup.py. Both files are parsed, and
+never run.
 """
 
 from __future__ import annotations
@@ -20,6 +21,10 @@ _NOT_PLAIN = (
     r"|xacro_add_\w+|add_custom_command|add_custom_target|configure_file|install_\w+|\w+_install\w*)\s*\(|INSTALL_TO_SHARE|\bGLOB"
 )
 _COMMENT = r"#[^\n]*"
+_LOOP = r"(?si)\bforeach\s*\(\s*(\w+)\s+([^()]*)\)((?:(?!\bforeach\s*\().)*?)\bendforeach\s*\([^()]*\)"
+_SET = r"(?i)\bset\s*\(\s*(\w+)\s+([^()]*)\)"
+_MOST_ROUNDS = 200
+_MOST_CHARACTERS = 1 << 16
 _PIECE = r'"([^"]*)"|(\S+)'
 _MOST_BYTES = 1 << 20
 
@@ -31,18 +36,18 @@ class InstallMap:
         self.folder = folder
         self.rules = rules
         self.whole = whole
-        """Whether these are surely all."""
+        """Whether `rules` is known to be complete."""
         self.makes = makes
-        """Whether building may make files that are not among the sources."""
+        """Whether the build may generate files that are not in the source tree."""
 
     def installs(self, source: str) -> bool | None:
-        """Whether a file of the sources is installed, by its path in the package; None where that is not sure."""
+        """Return whether a source file is installed, by its path relative to the package; None if unknown."""
         if any(source == rule.source or source.startswith(rule.source.rstrip("/") + "/") for rule in self.rules):
             return True
         return False if self.whole else None
 
     def source_of(self, relative: str) -> str | None:
-        """The existing source file that is installed at a path relative to share/<package>; None where none is."""
+        """Return the existing source file that is installed at a path relative to share/<package>, if any."""
         for target, source in self.rules:
             if target and relative != target and not relative.startswith(target + "/"):
                 continue
@@ -54,9 +59,10 @@ class InstallMap:
 
 
 def read_install_map(folder: str, package: str) -> InstallMap:
-    """The install rules of the package in a folder; none where it has no build files."""
+    """Return the install rules of the package in a folder; no rules if it has no build files."""
     cmake = _read(os.path.join(folder, "CMakeLists.txt"))
-    cmake = cmake[: cmake.rfind(")") + 1]  # calls that no bracket ends would each be looked for to the end
+    cmake = cmake[: cmake.rfind(")") + 1]  # without this, each unclosed call is searched to the end: quadratic time
+    cmake = _unrolled(cmake)
     setup = _read(os.path.join(folder, "setup.py"))
     rules = list(_from_cmake(cmake, package))
     plain = _is_plain_cmake(cmake, package) if cmake else False
@@ -85,18 +91,41 @@ def _from_cmake(text: str, package: str) -> Iterator[Installed]:
         words = [quoted or bare for quoted, bare in re.findall(_PIECE, _substituted(body, name))]
         if "DESTINATION" not in words[:-1]:
             continue
-        where = words.index("DESTINATION")
-        target = below_share(words[where + 1], name)
+        keyword = words.index("DESTINATION")
+        target = below_share(words[keyword + 1], name)
         if target is None:
             continue
-        for source in words[:where]:
+        for source in words[:keyword]:
             if source.isupper() and source.isalpha():
                 break
             yield installed(kind.upper(), target, source)
 
 
+def _unrolled(text: str) -> str:
+    """A CMakeLists.txt with each `foreach` over known words replaced by its rounds."""
+    if "foreach" not in text.lower() or len(text) > _MOST_CHARACTERS:
+        return text
+    text = re.sub(_COMMENT, "", text)
+    lists = {name: words.split() for name, words in re.findall(_SET, text)}
+
+    def rounds(match: re.Match[str]) -> str:
+        variable, given, body = match.groups()
+        kind, *rest = given.split() or [""]
+        words = given.split()
+        if kind == "IN":
+            known = [lists.get(name) for name in rest[1:]] if rest[:1] == ["LISTS"] else [rest[1:]]
+            words = [word for part in known for word in part or ("$",)]
+        if len(words) * len(body) > _MOST_CHARACTERS or len(words) > _MOST_ROUNDS or kind == "RANGE":
+            return match.group()
+        if any("$" in word for word in words):
+            return match.group()
+        return "\n".join(body.replace(f"${{{variable}}}", word.strip('"')) for word in words)
+
+    return re.sub(_LOOP, rounds, text)
+
+
 def _is_plain_cmake(text: str, package: str) -> bool:
-    """Whether all that a CMakeLists.txt installs is said in words: no loops, no macros, no unknown variables."""
+    """Whether all install rules of a CMakeLists.txt are literal: without loops, macros and unknown variables."""
     text = re.sub(_COMMENT, "", text)
     if re.search(_NOT_PLAIN, text):
         return False

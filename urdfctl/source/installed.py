@@ -1,21 +1,25 @@
-"""What a build file installs, and where."""
+"""Install rules of a build file."""
 
 from __future__ import annotations
 
 import os
 
-from urdfctl.record import NamedTuple
+from urdfctl.startup.records import NamedTuple
 
 
 class Installed(NamedTuple):
-    """`source` (relative to the package) comes to stand at `target` (relative to share/<package>)."""
+    """One install rule.
+
+    target: destination, relative to share/<package>.
+    source: file or folder that is installed there, relative to the package.
+    """
 
     target: str
     source: str
 
 
 def below_share(destination: str, package: str) -> str | None:
-    """A destination relative to share/<package>; None where it lies elsewhere."""
+    """Return a destination relative to share/<package>; None if it is not below that folder."""
     share = f"share/{package}"
     destination = os.path.normpath(destination)
     if destination == share:
@@ -24,7 +28,10 @@ def below_share(destination: str, package: str) -> str | None:
 
 
 def installed(kind: str, target: str, source: str) -> Installed:
-    """What `install(KIND source DESTINATION target)` does: of a folder that ends in a slash the content."""
+    """Return the rule for `install(KIND source DESTINATION target)`.
+
+    A folder with a trailing slash installs its content, without the folder itself.
+    """
     if kind == "DIRECTORY" and source.endswith("/"):
         return Installed(target, source.rstrip("/"))
     return Installed(os.path.normpath(os.path.join(target, os.path.basename(source))), source)

@@ -1,4 +1,4 @@
-"""What a value is to the program that reads it."""
+"""The kinds of values in YAML files."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from enum import Enum
 
 
 class Kind(Enum):
-    """The kinds of values that readers of YAML tell apart."""
+    """The kind of a value, as the program that reads the file types it."""
 
     NULL = "null"
     BOOL = "bool"
@@ -16,6 +16,6 @@ class Kind(Enum):
     LIST = "list"
     MAP = "map"
     OTHER = "other"
-    """What no parameter can hold: a date, or a value with a tag that its reader does not know."""
+    """A value that no parameter can have: a date, or a value with a tag that its reader does not know."""
     UNKNOWN = "unknown"
-    """Not a literal: a text in which something will be substituted before it is read."""
+    """Not a literal: contains a substitution that is performed before the value is read."""

@@ -1,34 +1,45 @@
-"""Values that cannot be known: what a macro's parameters are while nobody calls it.
+"""Unknown values: the parameters of a macro that has no call.
 
-A macro library is linted by calling its macros with such values. Whatever is worked out from one is one again, so no
-rule can claim anything that depends on it.
+A macro library is linted by calling its macros with unknown values. Any expression with an unknown value gives an
+unknown value, so that no rule reports anything that depends on one.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from types import MappingProxyType
 
-from urdfctl.hints import TYPE_CHECKING, Any
+from urdfctl.startup.hints import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from typing import NoReturn
 
 
+_NONE: Mapping[str, str] = MappingProxyType({})
 UNKNOWN = "\ue000"
-"""Stands in a text for a value that could not be worked out; no rule may claim anything of such a text."""
+"""The character in a text that represents an unknown value. No rule may report anything that depends on such a text."""
 
 
 def if_known(text: str) -> str | None:
-    """A text, where all of it is known."""
+    """Return the text; None if part of it is unknown."""
     return None if UNKNOWN in text else text
 
 
+def is_known(*texts: str | None) -> bool:
+    """Return whether all texts are fully known. A text with UNKNOWN in it must not be judged."""
+    return not any(text and UNKNOWN in text for text in texts)
+
+
 class NotKnown(Exception):
-    """Something needs to know a value that cannot be known: the whole expression is unknown then."""
+    """An operation needs the value of an unknown, so the whole expression is unknown."""
 
 
 class Opaque:
-    """A value that is not known. Operators, attributes, items and calls give another; asking what it is raises."""
+    """An unknown value.
+
+    Operators, attributes, items and calls return an unknown value again. Converting it, e.g. to bool or int, raises
+    NotKnown.
+    """
 
     __slots__ = ()
 
@@ -46,7 +57,7 @@ class Opaque:
         return self
 
     def __call__(self, *_: object, **__: object) -> Opaque:
-        """A value that is not known either."""
+        """Return an unknown value."""
         return self
 
     def _itself(self, *_: object) -> Opaque:
@@ -74,9 +85,14 @@ class Opaque:
 
 
 class AnyArgument(dict[str, str]):
-    """The arguments of a library: those that are given, and an unknown text for every other one."""
+    """The given arguments, and an unknown text for any other name. Those names are kept in `asked`."""
+
+    def __init__(self, given: Mapping[str, str] = _NONE) -> None:
+        super().__init__(given)
+        self.asked: dict[str, None] = {}
 
     def __missing__(self, name: str) -> str:
+        self.asked[name] = None
         return UNKNOWN
 
     def __contains__(self, name: object) -> bool:

@@ -1,7 +1,8 @@
-"""Finds ROS packages without ROS: `$(find pkg)` and `package://pkg`.
+"""Find ROS packages without ROS, for `$(find pkg)` and `package://pkg`.
 
-The order: `--package-path`, the prefixes of a sourced environment, the file's own package and its siblings on the way
-up, and then, on the first miss only, one walk through the enclosing workspace. The nearest package of a name wins.
+The search order is `--package-path`, the prefixes of a sourced environment, and the ancestors of the file with the
+folders directly in them. Only if all of these fail, the whole workspace is searched, once per run. Of several packages
+with the same name, the nearest one is used.
 """
 
 from __future__ import annotations
@@ -10,14 +11,15 @@ import os
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from urdfctl.hints import TYPE_CHECKING
 from urdfctl.source.files import first_bytes
+from urdfctl.startup.hints import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfctl.source.install_maps import InstallMap
 
 _NAME = rb"<name[^>]*>\s*([^<\s]+)\s*</name>"
 _COMMENT = rb"(?s)<!--.*?(?:-->|\Z)"
+_DEPENDENCY = rb"<(?:[a-z_]+_)?depend\b[^>]*>\s*([^<\s]+)\s*</"
 _IGNORE_FILES = frozenset({"COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE"})
 _PRUNED = frozenset({"build", "install", "log", "devel", "node_modules", "__pycache__", "site-packages"})
 _MOST_FOLDERS = 100_000
@@ -25,35 +27,62 @@ _AMENT_INDEX = "share/ament_index/resource_index/packages"
 
 
 class PackageNotFound(Exception):
-    """No package of a name, where packages were looked for."""
+    """No package has this name.
+
+    known: the names of the packages found so far, for "did you mean" hints.
+    """
 
     def __init__(self, name: str, known: Sequence[str]) -> None:
-        super().__init__(f"package '{name}' not found")
+        super().__init__(f"package '{name}' was not found")
         self.name = name
         self.known = known
 
 
+def folders_upwards(folder: str) -> Iterator[str]:
+    """Yield a folder and all folders above it, nearest first."""
+    while True:
+        yield folder
+        above = os.path.dirname(folder)
+        if above == folder:
+            return
+        folder = above
+
+
+def package_around(folder: str) -> str | None:
+    """Return the nearest folder with a package.xml: the folder itself or one above it; None if there is none."""
+    return next((each for each in folders_upwards(folder) if os.path.exists(os.path.join(each, "package.xml"))), None)
+
+
 def package_name(manifest: str) -> str | None:
-    """The `<name>` that a package.xml gives; None where it gives none or cannot be read."""
+    """Return the `<name>` in a package.xml; None if it has none or cannot be read."""
     try:
         data = first_bytes(manifest, 65536)
     except OSError:
         return None
-    found = re.search(_NAME, data)
-    if found and b"<!--" in data[: found.start()]:
-        found = re.search(_NAME, re.sub(_COMMENT, b"", data))
-    return found.group(1).decode("utf-8", "replace") if found else None
+    match = re.search(_NAME, data)
+    if match and b"<!--" in data[: match.start()]:
+        match = re.search(_NAME, re.sub(_COMMENT, b"", data))
+    return match.group(1).decode("utf-8", "replace") if match else None
+
+
+def dependencies_of(manifest: str) -> frozenset[str]:
+    """Return the names in all `<*depend>` of a package.xml; empty if it cannot be read."""
+    try:
+        data = first_bytes(manifest, 65536)
+    except OSError:
+        return frozenset()
+    return frozenset(name.decode("utf-8", "replace") for name in re.findall(_DEPENDENCY, re.sub(_COMMENT, b"", data)))
 
 
 class Crawl:
-    """The packages below one folder, found by one pruned walk, on first use. Symlinked folders are not followed."""
+    """The packages below one folder, found by one walk on first use. Symbolic links to folders are not followed."""
 
     def __init__(self, root: str) -> None:
         self.root = root
         self._found: dict[str, list[str]] | None = None
 
     def packages(self) -> dict[str, list[str]]:
-        """The folders of each package name."""
+        """Return the folders of each package, by package name."""
         if self._found is None:
             self._found = {}
             for folder in package_folders(self.root):
@@ -64,24 +93,24 @@ class Crawl:
 
 
 def package_folders(root: str) -> Iterator[str]:
-    """The folders below `root` that hold a package.xml; a package is not searched for further ones, as colcon does."""
+    """Yield the folders below `root` that contain a package.xml. Like colcon, does not search inside a package."""
     pending, walked = [root], 0
     while pending and walked < _MOST_FOLDERS:
         folder = pending.pop()
         walked += 1
         try:
-            with os.scandir(folder) as entries:
-                listed = list(entries)
+            with os.scandir(folder) as scan:
+                entries = list(scan)
         except OSError:
             continue
-        names = {entry.name for entry in listed}
+        names = {entry.name for entry in entries}
         if names & _IGNORE_FILES:
             continue
         if "package.xml" in names:
             yield folder
             if folder != root:
                 continue
-        pending.extend(entry.path for entry in listed if _is_walked(entry))
+        pending.extend(entry.path for entry in entries if _is_walked(entry))
 
 
 def _is_walked(entry: os.DirEntry[str]) -> bool:
@@ -94,7 +123,7 @@ def _is_walked(entry: os.DirEntry[str]) -> bool:
 
 
 class PackageIndex:
-    """What is shared between the robots of one run: the walks, the manifests and the install maps that were read."""
+    """State shared by all robots of a run: the package walks, manifests and install maps that were read."""
 
     def __init__(self, workspace: str, extra: Sequence[str] = (), environ: Mapping[str, str] | None = None) -> None:
         self.workspace = os.path.abspath(workspace)
@@ -105,16 +134,23 @@ class PackageIndex:
         self.crawls = [*self.named, *self.around]
         self._names: dict[str, str | None] = {}
         self._maps: dict[str, InstallMap] = {}
+        self._dependencies: dict[str, frozenset[str]] = {}
+
+    def dependencies(self, folder: str) -> frozenset[str]:
+        """Return the names of the packages that the package.xml in a folder declares."""
+        if folder not in self._dependencies:
+            self._dependencies[folder] = dependencies_of(os.path.join(folder, "package.xml"))
+        return self._dependencies[folder]
 
     def name_of(self, folder: str) -> str | None:
-        """The name of the package whose manifest lies in a folder; None where none lies there."""
+        """Return the name of the package in a folder; None if the folder has no package.xml."""
         if folder not in self._names:
             manifest = os.path.join(folder, "package.xml")
             self._names[folder] = package_name(manifest) if os.path.exists(manifest) else None
         return self._names[folder]
 
     def install_map(self, folder: str, name: str) -> InstallMap:
-        """What a source package installs where."""
+        """Return the install rules of a source package."""
         from urdfctl.source.install_maps import read_install_map
 
         if folder not in self._maps:
@@ -122,7 +158,7 @@ class PackageIndex:
         return self._maps[folder]
 
     def prefixes(self, *variables: str) -> Iterator[str]:
-        """The folders that environment variables of the ROS kind list."""
+        """Yield the folders that path-like environment variables, such as AMENT_PREFIX_PATH, list."""
         for variable in variables:
             for path in self.environ.get(variable, "").split(os.pathsep):
                 if path:
@@ -130,35 +166,50 @@ class PackageIndex:
 
 
 class Packages:
-    """The packages as one robot's file sees them."""
+    """Finds packages for one robot's file."""
 
     def __init__(self, file: str, index: PackageIndex) -> None:
         self._folder = os.path.dirname(os.path.abspath(file))
         self._index = index
         self._found: dict[str, str] = {}
         self.assumed: set[str] = set()
-        """The names for which only a folder without a package.xml was found."""
+        """Names for which `find` returned a folder without a package.xml."""
 
     def own(self) -> str | None:
-        """The folder of the package that the file lies in, within the workspace."""
+        """Return the folder of the package that contains the file; None if the workspace has none."""
         return next((folder for folder in self._ancestors() if self._index.name_of(folder)), None)
 
+    def declares(self, name: str, file: str = "") -> bool | None:
+        """Return whether package.xml declares a package: that of the robot file, or that of the file that uses it.
+
+        None if neither file is in a package.
+        """
+        used = Packages(file, self._index).own() if file else None
+        folders = [folder for folder in (self.own(), used) if folder]
+        return any(name in self._index.dependencies(folder) for folder in folders) if folders else None
+
+    def is_guessed(self, path: str) -> bool:
+        """Return whether a path is in a folder that was only taken for a package because of its name."""
+        return any(path.startswith(self._found[name] + os.sep) for name in self.assumed)
+
     def beside(self) -> list[str]:
-        """The packages beside the folder whose config/ the file lies in: that one has lost its manifest, or is to get
-        one."""
+        """Return the packages beside the folder whose config/ contains the file.
+
+        For a folder that should be a package, but has no package.xml.
+        """
         around = list(self._ancestors())[2:3]
         if os.path.basename(self._folder) != "config" or not around:
             return []
         try:
             with os.scandir(around[0]) as entries:
-                inside = sorted(entry.path for entry in entries if _is_walked(entry))
+                folders = sorted(entry.path for entry in entries if _is_walked(entry))
         except OSError:
             return []
-        return [path for path in inside if self._index.name_of(path)]
+        return [folder for folder in folders if self._index.name_of(folder)]
 
     def find(self, name: str) -> str:
-        """The folder of a package. PackageNotFound where there is none."""
-        if name in ("", os.curdir, os.pardir) or os.sep in name:  # a path would lead anywhere
+        """Return the folder of a package. Raises PackageNotFound if no package has this name."""
+        if name in ("", os.curdir, os.pardir) or os.sep in name:  # a path could lead out of the search folders
             raise PackageNotFound(name, self.known())
         if name not in self._found:
             folder = (
@@ -173,19 +224,23 @@ class Packages:
             self._found[name] = folder
         return self._found[name]
 
+    def is_of_workspace(self, name: str) -> bool:
+        """Return whether a package of this name is in the workspace."""
+        return name in self._found or any(name in crawl.packages() for crawl in self._index.crawls)
+
     def address_of(self, path: str) -> str | None:
-        """The package:// address of a file in the package that the robot's file lies in; None for any other."""
+        """Return the package:// address of a file in the robot file's own package; None for other files."""
         own, path = self.own(), os.path.normpath(path)
         if own is None or not path.startswith(own + os.sep):
             return None
         return f"package://{self._index.name_of(own)}/{path[len(own) + 1 :].replace(os.sep, '/')}"
 
     def known(self) -> list[str]:
-        """The names that a walk has found, for did-you-mean."""
+        """Return the names of all packages in the package paths and the workspace, for "did you mean" hints."""
         return [name for crawl in self._index.crawls for name in crawl.packages()]
 
     def source_of(self, path: str) -> str:
-        """Where the source of an installed path lies: the path itself where it exists or no install rule makes it."""
+        """Return the source file of an installed path; the path itself if it exists or no install rule matches."""
         if os.path.exists(path):
             return path
         for name, folder in self._found.items():
@@ -195,12 +250,15 @@ class Packages:
         return path
 
     def install_map(self, folder: str, name: str) -> InstallMap:
-        """What a source package installs where."""
+        """Return the install rules of a source package."""
         return self._index.install_map(folder, name)
 
     def may_be_made(self, path: str) -> bool:
-        """Whether a file of a source package that is not there may come to be when the package is built: its build
-        files do not surely tell what they install, and its folder is not there either, or they make files."""
+        """Return whether the build of a source package may create a missing file.
+
+        True if the build generates files, or if its install rules are not all known and the file's folder is missing
+        too.
+        """
         for name, folder in self._found.items():
             if path.startswith(folder + os.sep):
                 build = self._index.install_map(folder, name)
@@ -219,13 +277,18 @@ class Packages:
         return None
 
     def _from_nearby(self, name: str) -> str | None:
+        """A package among or beside the ancestors. Inside another package it is only used if there is no other one."""
+        nested: str | None = None
         for folder in self._ancestors():
-            if self._index.name_of(folder) == name:
+            own = self._index.name_of(folder)
+            if own == name:
                 return folder
             sibling = os.path.join(folder, name)
             if self._index.name_of(sibling) == name:
-                return sibling
-        return None
+                if own is None or folder == self._index.workspace:
+                    return sibling
+                nested = nested or sibling
+        return nested and (self._nearest(name, self._index.around) or nested)
 
     def _nearest(self, name: str, crawls: Iterable[Crawl]) -> str | None:
         for crawl in crawls:
@@ -235,7 +298,7 @@ class Packages:
         return None
 
     def _without_manifest(self, name: str) -> str | None:
-        """A folder of that name on the way up, though it has no package.xml: half a checkout, or one to be."""
+        """A folder of that name among or beside the ancestors, although it has no package.xml."""
         for folder in self._ancestors():
             for candidate in (folder, os.path.join(folder, name)):
                 if os.path.basename(candidate) == name and os.path.isdir(candidate) and not os.path.islink(candidate):
@@ -244,13 +307,13 @@ class Packages:
         return None
 
     def _distance(self, folder: str) -> tuple[int, str]:
-        """How far a folder lies: the steps up to what both share count most, then the steps down."""
+        """A sort key for the distance of a folder: steps up to the common ancestor, then steps down, then the path."""
         steps = os.path.relpath(folder, self._folder).split(os.sep)
         up = steps.count(os.pardir)
         return up * 1000 + len(steps) - up, folder
 
     def _ancestors(self) -> Iterator[str]:
-        """The file's folder and those above it, up to the workspace; it alone where it lies outside."""
+        """The file's folder and its ancestors up to the workspace; only the folder if it is outside the workspace."""
         folder, top = self._folder, self._index.workspace
         yield folder
         if not (folder + os.sep).startswith(top.rstrip(os.sep) + os.sep):

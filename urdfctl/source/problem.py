@@ -1,25 +1,29 @@
-"""What reading met and could not make sense of: kept with its place, so that one run tells all of it."""
+"""Problems in reading files. They are collected with their places, so that one run reports all of them."""
 
 from __future__ import annotations
 
 from enum import Enum, auto
 
-from urdfctl.record import NamedTuple
 from urdfctl.source.span import Place
+from urdfctl.startup.records import NamedTuple
 
 
 class ProblemKind(Enum):
-    """The kinds of problems that reading can meet; each has one rule of the family UC0."""
+    """The kinds of problems in reading files. Each kind is reported by one rule of the UC0 family, but for
+    PACKAGE_ABSENT: a package that package.xml declares, and that is just not in the workspace, is no fault."""
 
     FILE_UNREADABLE = auto()
     FILE_NOT_FOUND = auto()
     PACKAGE_NOT_FOUND = auto()
+    PACKAGE_ABSENT = auto()
     XML_SYNTAX = auto()
     LATE_DECLARATION = auto()
     DOCTYPE = auto()
     ENCODING = auto()
     UNDEFINED_NAME = auto()
     UNDEFINED_ARGUMENT = auto()
+    UNDEFINED_VARIABLE = auto()
+    ARGUMENTS_NEEDED = auto()
     UNKNOWN_MACRO = auto()
     MACRO_CALL = auto()
     EXPRESSION = auto()
@@ -46,17 +50,30 @@ class ProblemKind(Enum):
 
 
 class Problem(NamedTuple):
-    """One thing that reading met. `subject` is the name it is about, `hint` the way out where there is one."""
+    """One problem in reading a file.
+
+    kind: decides which rule reports it.
+    at: where it is.
+    message: what is wrong.
+    subject: the name that it is about, if any.
+    hint: how to solve it, if known.
+    guessed: True if it depends on a guess, so that it is no error for sure.
+    follows: how many more problems it caused, which are not told.
+    also: other places in the same file with the same problem.
+    """
 
     kind: ProblemKind
     at: Place
     message: str
     subject: str = ""
     hint: str = ""
+    guessed: bool = False
+    follows: int = 0
+    also: tuple[Place, ...] = ()
 
 
 class ReadError(Exception):
-    """Carries a problem up to whoever can keep it and go on."""
+    """Reading cannot go on because of a problem; a caller that can go on without the result records the problem."""
 
     def __init__(self, problem: Problem) -> None:
         super().__init__(problem.message)

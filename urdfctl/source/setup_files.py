@@ -1,4 +1,4 @@
-"""What a setup.py installs, read from its syntax tree."""
+"""Install rules of a setup.py, read from its syntax tree."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from urdfctl.source.installed import Installed, below_share, installed
 
 
 def rules_of_setup(text: str, folder: str, package: str) -> Iterator[Installed]:
-    """What the pairs of `data_files` install, as far as they are written out."""
+    """Yield the install rules of the pairs in `data_files` that are literal."""
     if "data_files" not in text:
         return
     for node in _nodes(text):
@@ -23,21 +23,21 @@ def rules_of_setup(text: str, folder: str, package: str) -> Iterator[Installed]:
 
 
 def is_plain_setup(text: str, package: str) -> bool:
-    """Whether setup.py lists all its data files as texts and patterns."""
-    given = [
+    """Return whether all data files in a setup.py are given as literal paths or patterns."""
+    data_files = [
         keyword.value
         for node in _nodes(text)
         if isinstance(node, ast.Call)
         for keyword in node.keywords
         if keyword.arg == "data_files"
     ]
-    if len(given) != 1 or not isinstance(given[0], ast.List):
+    if len(data_files) != 1 or not isinstance(data_files[0], ast.List):
         return False
-    return all(isinstance(pair, ast.Tuple) and _is_plain_pair(pair.elts, package) for pair in given[0].elts)
+    return all(isinstance(pair, ast.Tuple) and _is_plain_pair(pair.elts, package) for pair in data_files[0].elts)
 
 
 def _nodes(text: str) -> Iterator[ast.AST]:
-    """All nodes of the syntax tree; none where the text is no Python."""
+    """All nodes of the syntax tree; none if the text is not valid Python."""
     try:
         tree = ast.parse(text)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
@@ -46,7 +46,7 @@ def _nodes(text: str) -> Iterator[ast.AST]:
 
 
 def _is_plain_pair(pair: list[ast.expr], package: str) -> bool:
-    if len(pair) != 2 or _text_of(pair[0], package) is None:  # noqa: PLR2004 (where to, and which)
+    if len(pair) != 2 or _text_of(pair[0], package) is None:  # noqa: PLR2004 (destination and files)
         return False
     if isinstance(pair[1], ast.List):
         return all(_text_of(element, package) is not None for element in pair[1].elts)
@@ -65,7 +65,7 @@ def _matching(folder: str, target: str, pattern: str) -> Iterator[Installed]:
 
 
 def _sources_of(node: ast.expr, package: str) -> Iterator[str]:
-    """The texts in a list of files, and the patterns of `glob(...)`."""
+    """The paths in a list of files, and the patterns in `glob(...)`."""
     if isinstance(node, ast.List):
         for element in node.elts:
             text = _text_of(element, package)
@@ -81,7 +81,7 @@ def _sources_of(node: ast.expr, package: str) -> Iterator[str]:
 
 
 def _text_of(node: ast.expr, package: str) -> str | None:
-    """A path written as text, as `os.path.join(...)`, or with `package_name` in it; None where it is anything else."""
+    """The value of a path that is a string, `os.path.join(...)`, or contains `package_name`; None for anything else."""
     if isinstance(node, ast.Constant):
         return node.value if isinstance(node.value, str) else None
     if isinstance(node, ast.Name):

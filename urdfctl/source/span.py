@@ -1,4 +1,4 @@
-"""Where something stands: the text of a file, a span in it, and the calls that led there."""
+"""Places in source files: the text of a file, a span in it, and the calls that led there."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ import re
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping
 
-from urdfctl.record import NamedTuple
+from urdfctl.startup.records import NamedTuple
 
-# patterns here and elsewhere stay texts until their first use: compiling them all would show in the start-up
+# patterns here and elsewhere are strings until their first use: compiling all of them would slow the start-up
 BOM = b"\xef\xbb\xbf"
 _LINE_END = rb"\r\n|\n|\r"
 _TAG_NAME = rb"<([^\s/>]+)"
@@ -17,14 +17,19 @@ _TAG_END = rb"\s*(/?>)"
 
 
 class Position(NamedTuple):
-    """A line and a column, both from 1; the column counts code points, a byte order mark is not counted."""
+    """A line and a column, both starting at 1. The column counts code points, without a byte order mark."""
 
     line: int
     column: int
 
 
 class SourceText:
-    """The bytes of one file, as they stand on disk."""
+    """The content of one file, as on disk.
+
+    path: the path as it was read.
+    data: the bytes.
+    is_ascii: whether all bytes are ASCII, so that columns are byte offsets.
+    """
 
     __slots__ = ("_lines", "_tags", "data", "is_ascii", "path")
 
@@ -37,17 +42,17 @@ class SourceText:
 
     @property
     def is_xacro(self) -> bool:
-        """Whether a file is meant for xacro: by its name (`arm.xacro`, `arm.xacro.urdf`), or by xacro's namespace."""
+        """Whether the file is for xacro, by its name (`arm.xacro`, `arm.xacro.urdf`) or by xacro's namespace."""
         return ".xacro" in self.path.rpartition("/")[2] or b"xmlns:xacro" in self.data[:4096]
 
     def line_starts(self) -> list[int]:
-        """The byte offset at which each line begins; LF, CRLF and CR end a line."""
+        """Return the byte offset of the start of each line. LF, CRLF and CR end a line."""
         if self._lines is None:
-            self._lines = [0] + [found.end() for found in re.finditer(_LINE_END, self.data)]
+            self._lines = [0] + [line_end.end() for line_end in re.finditer(_LINE_END, self.data)]
         return self._lines
 
     def position(self, offset: int) -> Position:
-        """The line and column of a byte offset."""
+        """Return the line and column of a byte offset."""
         starts = self.line_starts()
         index = bisect_right(starts, offset) - 1
         if self.is_ascii:
@@ -58,7 +63,7 @@ class SourceText:
         return Position(index + 1, len(before.decode("utf-8", "replace")) + 1)
 
     def offset(self, line: int, column: int = 1) -> int:
-        """The byte offset of a line and column, cut to what the file holds."""
+        """Return the byte offset of a line and column, limited to the end of the file and of the line."""
         starts = self.line_starts()
         if line > len(starts):
             return len(self.data)
@@ -67,7 +72,7 @@ class SourceText:
         return offset + len(BOM) if line == 1 and self.data.startswith(BOM) else offset
 
     def line(self, number: int) -> str:
-        """The text of a line, without its end and without a byte order mark; empty past the last one."""
+        """Return the text of a line without its line end and without a byte order mark; empty after the last line."""
         starts = self.line_starts()
         if not 0 < number <= len(starts):
             return ""
@@ -76,14 +81,20 @@ class SourceText:
         return self.data[start:end].decode("utf-8", "replace").rstrip("\r\n")
 
     def start_tag(self, offset: int) -> StartTag | None:
-        """The start tag at an offset, or None where none stands there (text that an entity brought in)."""
+        """Return the start tag at a byte offset; None if there is none, as for elements from an entity."""
         if offset not in self._tags:
             self._tags[offset] = _read_start_tag(self.data, offset)
         return self._tags[offset]
 
 
 class StartTag(NamedTuple):
-    """The byte offsets of a start tag, and of the values of its attributes (without their quotes)."""
+    """A start tag.
+
+    name: the qualified name.
+    start, end: byte offsets of `<` and after `>`.
+    attributes: byte offsets of the start and end of each attribute's value, without its quotes.
+    self_closed: whether the tag ends in `/>`.
+    """
 
     name: str
     start: int
@@ -98,9 +109,9 @@ def _read_start_tag(data: bytes, offset: int) -> StartTag | None:
         return None
     attributes: dict[str, tuple[int, int]] = {}
     position = name.end()
-    while found := re.compile(_ATTRIBUTE).match(data, position):
-        attributes[found.group(1).decode("utf-8", "replace")] = (found.start(2) + 1, found.end(2) - 1)
-        position = found.end()
+    while attribute := re.compile(_ATTRIBUTE).match(data, position):
+        attributes[attribute.group(1).decode("utf-8", "replace")] = (attribute.start(2) + 1, attribute.end(2) - 1)
+        position = attribute.end()
     end = re.compile(_TAG_END).match(data, position)
     stop = end.end() if end else position
     return StartTag(
@@ -117,19 +128,25 @@ class SourceSpan(NamedTuple):
 
     @property
     def file(self) -> str:
-        """The file's path, as it was read."""
+        """The path of the file, as it was read."""
         return self.source.path
 
     @property
     def text(self) -> str:
-        """What the span cuts out of the file."""
+        """The text of the span."""
         return self.source.data[self.start : self.end].decode("utf-8", "replace")
 
 
 class Call:
-    """One step of the way by which a text came to where it is: a macro's call, an include, an inserted block.
+    """One step in the expansion that produced an element: a macro call, an include or an inserted block.
 
-    Steps link by who *wrote* the text: a call inside a block argument belongs to the file that holds the block.
+    A step's parent is the step that produced the text in which the call is *written*. So the parent of a call inside a
+    block argument comes from the file that contains the block.
+
+    kind: `macro`, `include` or `block`.
+    name: name of the macro or of the included file; for a block, of the macro that it was passed to.
+    source, offset: byte offset of the start tag of the call, in its file.
+    parent: the step that produced the call; None if it is written in the main file.
     """
 
     __slots__ = ("definition", "kind", "name", "offset", "parent", "source")
@@ -141,10 +158,10 @@ class Call:
         self.offset = offset
         self.parent = parent
         self.definition: SourceSpan | None = None
-        """The start tag of the macro that is called, or nothing for other steps."""
+        """The start tag of the called macro; None for other steps."""
 
     def chain(self) -> Iterator[Call]:
-        """The step itself and those that led to it, innermost first."""
+        """Yield this step and the steps that led to it, innermost first."""
         step: Call | None = self
         while step is not None:
             yield step
@@ -163,7 +180,15 @@ class Call:
 
 
 class Place:
-    """Where an element, an attribute or a text stands in the source the user wrote, and the calls that led to it."""
+    """The place of an element, an attribute or a text in the user's source, and the calls that led to it.
+
+    source: the file.
+    start: byte offset of the first byte.
+    call: the innermost call that produced the element; None if it was written where it is.
+    end: byte offset after the last byte; None for an element, whose start tag is the place.
+    close: byte offset of the element's end tag.
+    attributes: attributes that are written in another element, with that element's source and byte offset.
+    """
 
     __slots__ = ("_attributes", "_close", "_end", "call", "source", "start")
 
@@ -186,14 +211,14 @@ class Place:
 
     @property
     def span(self) -> SourceSpan:
-        """The start tag of an element; the value of an attribute; the characters of a text."""
+        """The start tag of an element, the value of an attribute, or the characters of a text."""
         if self._end is not None:
             return SourceSpan(self.source, self.start, self._end)
         tag = self.source.start_tag(self.start)
         return SourceSpan(self.source, self.start, tag.end if tag else self.start)
 
     def __getitem__(self, attribute: str) -> Place:
-        """The place of an attribute's value; the element's own where the source does not write that attribute."""
+        """Return the place of an attribute's value; the element's own place if the attribute is not in the source."""
         if self._attributes and attribute in self._attributes:
             source, offset = self._attributes[attribute]
             return Place(source, offset, self.call)
@@ -205,12 +230,12 @@ class Place:
 
     @property
     def closing(self) -> int | None:
-        """The offset of the element's end tag; None where it closes itself or its end is not known."""
+        """The byte offset of the element's end tag; None if it has none or it is unknown."""
         return self._close
 
     @property
     def content(self) -> Place:
-        """What stands between the two tags, without the blanks around it; the start tag itself where nothing does."""
+        """The content between the start tag and the end tag, without surrounding blanks; the start tag if empty."""
         tag = self.source.start_tag(self.start)
         if tag is None or tag.self_closed or self._close is None or self._close <= tag.end:
             return self
@@ -221,10 +246,10 @@ class Place:
         return Place(self.source, start, self.call, end=start + len(inside.strip()))
 
     def word(self, word: str) -> Place:
-        """Where a word, with blanks around it, stands in this place; the whole place where it is not written so."""
+        """Return the place of a blank-separated word in this place; the whole place if the word is not found."""
         span = self.span
-        found = re.search(rf"(?<!\S){re.escape(word)}(?!\S)", span.text)
-        if found is None:
+        match = re.search(rf"(?<!\S){re.escape(word)}(?!\S)", span.text)
+        if match is None:
             return self
-        start = span.start + len(span.text[: found.start()].encode())
+        start = span.start + len(span.text[: match.start()].encode())
         return Place(span.source, start, self.call, end=start + len(word.encode()))

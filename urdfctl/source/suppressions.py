@@ -1,4 +1,4 @@
-"""`urdfctl: ignore[UC201] why` in a comment: which findings the user has decided to live with."""
+"""Suppressions: comments such as `urdfctl: ignore[UC201] reason`, which silence findings."""
 
 from __future__ import annotations
 
@@ -6,16 +6,20 @@ import re
 from bisect import bisect_right
 from collections.abc import Iterator
 
-from urdfctl.record import NamedTuple
 from urdfctl.source.dom import Element
 from urdfctl.source.span import Call, Place, SourceSpan, SourceText
+from urdfctl.startup.records import NamedTuple
 
 _GUARD = rb"""<!--.*?(?:-->|\Z)|<(/?)xacro:(?:macro|if|unless)\b(?:[^<>"']|"[^"<]*"|'[^'<]*')*>"""
 _COMMENT = rb"urdfctl:\s*ignore\[([A-Za-z0-9_, \t-]*)\]"
 
 
 class Suppression(NamedTuple):
-    """One comment: the codes (or prefixes of codes) that it silences on its own line and on the next."""
+    """One comment that silences findings on its own line and on the next.
+
+    span: the comment.
+    codes: the silenced codes, or prefixes of codes.
+    """
 
     span: SourceSpan
     codes: tuple[str, ...]
@@ -23,39 +27,43 @@ class Suppression(NamedTuple):
     """The line on which the comment ends."""
 
     def silences(self, code: str, line: int) -> bool:
-        """Whether it speaks of a code on a line."""
+        """Return whether it silences a code on a line."""
         return line in (self.line, self.line + 1) and any(code.startswith(known) for known in self.codes)
 
 
 def suppressions(source: SourceText) -> list[Suppression]:
-    """The suppressing comments of one file."""
-    found: list[Suppression] = []
+    """Return the suppressions in one file, in order."""
+    result: list[Suppression] = []
     if b"urdfctl:" not in source.data:
-        return found
+        return result
     comments = _xml_comments(source.data)
     for match in re.finditer(_COMMENT, source.data):
         codes = tuple(code.strip().upper() for code in match.group(1).decode("ascii").split(",") if code.strip())
         before = bisect_right(comments, (match.start(), 0))
         end = max(match.end(), comments[before - 1][1] if before else 0)
-        found.append(Suppression(SourceSpan(source, match.start(), match.end()), codes, source.position(end).line))
-    return found
+        result.append(Suppression(SourceSpan(source, match.start(), match.end()), codes, source.position(end).line))
+    return result
 
 
 def _xml_comments(data: bytes) -> list[tuple[int, int]]:
-    """Where each XML comment begins and where it ends."""
-    found = []
+    """The start and end of each XML comment, as byte offsets."""
+    comments = []
     start = data.find(b"<!--")
     while start >= 0:
         end = data.find(b"-->", start)
         if end < 0:
             break
-        found.append((start, end))
+        comments.append((start, end))
         start = data.find(b"<!--", end)
-    return found
+    return comments
 
 
 class Suppressed:
-    """Asks the comments of all files of a robot, and remembers which of them had anything to silence."""
+    """The suppressions in all files of a robot, and which of them are used.
+
+    all: the suppressions, in the order of the files.
+    used: indices of those that silenced a finding.
+    """
 
     def __init__(self, sources: list[SourceText]) -> None:
         self.all = [item for source in sources for item in suppressions(source)]
@@ -65,7 +73,7 @@ class Suppressed:
             self._by_file.setdefault(item.span.file, []).append(index)
 
     def covers(self, code: str, place: Place) -> bool:
-        """Whether a finding is silenced where it stands, at a macro's definition or at a call that led to it."""
+        """Return whether a finding is silenced at its own place, or at a macro's definition or call that led to it."""
         if not self.all:
             return False
         spans = [place.span]
@@ -88,18 +96,19 @@ def _spans_of(call: Call) -> list[SourceSpan]:
 
 
 def is_reached(span: SourceSpan, root: Element) -> bool:
-    """Whether a tree holds anything of the innermost macro or condition that a span lies in: else the macro was not
-    called, or the condition did not hold."""
-    around = _guard_around(span)
-    if around is None:
+    """Return whether a tree contains an element from the innermost macro or condition around a span.
+
+    If not, the macro was not called, or the condition was false. True if there is no macro or condition.
+    """
+    guard = _guard_around(span)
+    if guard is None:
         return True
-    return any(
-        element.source.path == span.file and around[0] <= element.start < around[1] for element in _elements(root)
-    )
+    start, end = guard
+    return any(element.source.path == span.file and start <= element.start < end for element in _elements(root))
 
 
 def _guard_around(span: SourceSpan) -> tuple[int, int] | None:
-    """Where the innermost `<xacro:macro>`, `<xacro:if>` or `<xacro:unless>` around a span begins and ends."""
+    """The content of the innermost `<xacro:macro>`, `<xacro:if>` or `<xacro:unless>` around a span, as byte offsets."""
     opened: list[int] = []
     for tag in re.compile(_GUARD, re.DOTALL).finditer(span.source.data):
         if tag.group(1) is None or tag.group().endswith(b"/>"):

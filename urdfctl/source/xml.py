@@ -1,4 +1,4 @@
-"""Reads XML from bytes into the located tree, by expat."""
+"""Parse XML into a located tree, with expat."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _BOMS_OF_UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 
 
 LATE_DECLARATION = "declaration"
-"""The subject of the problem that something stands before `<?xml ...?>`."""
+"""The subject of a problem with text before `<?xml ...?>`."""
 _BLANKS_AND_DECLARATION = rb"\s+<\?xml\s[^>]*\?>"
 
 
@@ -29,9 +29,15 @@ def parse(
     declarations: bool = False,
     late_declaration: bool = False,
 ) -> Document:
-    """The tree of one file. ReadError where it is not well-formed, nested deeper than 200, or (unless
-    `declarations`) has a DOCTYPE that declares anything: entities can make a small file endless. With
-    `late_declaration` blanks before `<?xml ...?>` are passed over, as tinyxml2 does."""
+    """Return the tree of one file.
+
+    cloning: the state of the expansion that elements record.
+    call: the call that the elements come from, such as an include.
+    declarations: allow a DOCTYPE with declarations, although entities can expand a small file without limit.
+    late_declaration: like tinyxml2, skip blanks before `<?xml ...?>`.
+
+    Raises ReadError if the file is not well-formed, has a DOCTYPE that is not allowed, or is nested more than 200 deep.
+    """
     if source.data.startswith(_BOMS_OF_UTF_16):
         message, hint = "the file is UTF-16; xacro and urdfdom read UTF-8", "save it as UTF-8"
         raise ReadError(Problem(ProblemKind.XML_SYNTAX, Place(source, 0, end=0), message, hint=hint))
@@ -42,13 +48,13 @@ def parse(
         builder.parser.Parse(data, True)  # noqa: FBT003 (expat's call)
     except ExpatError as error:
         raise ReadError(_syntax_problem(source, builder, error)) from None
-    if builder.document.documentElement is None:  # pragma: no cover (expat tells of it first)
+    if builder.document.documentElement is None:  # pragma: no cover (expat raises an error first)
         raise ReadError(Problem(ProblemKind.XML_SYNTAX, Place(source, 0, end=0), "no element found"))
     return builder.document
 
 
 class _Builder:
-    """Hears expat's events and links the nodes."""
+    """Builds the tree from expat's events."""
 
     def __init__(self, source: SourceText, cloning: Cloning, call: Call | None, *, declarations: bool) -> None:
         self.document = Document()
@@ -64,7 +70,7 @@ class _Builder:
         self.parser = self._connect()
 
     def _connect(self) -> XMLParserType:
-        # UTF-8 whatever is declared, as xacro and urdfdom's tinyxml2 read it
+        # like xacro and urdfdom's tinyxml2, read the file as UTF-8 whatever encoding it declares
         parser = ParserCreate("utf-8", " ")
         parser.namespace_prefixes = True
         parser.buffer_text = True
@@ -97,7 +103,7 @@ class _Builder:
         self._depth += 1
         if self._depth > MAX_DEPTH:
             at = Place(self.source, self.parser.CurrentByteIndex, self._call)
-            raise ReadError(Problem(ProblemKind.BUDGET, at, f"elements are nested more than {MAX_DEPTH} deep"))
+            raise ReadError(Problem(ProblemKind.BUDGET, at, f"elements are nested more than {MAX_DEPTH} levels deep"))
         values: dict[str, str] = {}
         if self._namespaces:
             values.update(self._namespaces)
@@ -106,7 +112,14 @@ class _Builder:
             values[self._qualified_name(attributes[index])] = attributes[index + 1]
         start = self.parser.CurrentByteIndex
         self._cloning.count += 1
-        element = Element(self._qualified_name(name), values, self.source, start, self._call, self._cloning)
+        element = Element(
+            tag=self._qualified_name(name),
+            attrs=values,
+            source=self.source,
+            start=start,
+            call=self._call,
+            cloning=self._cloning,
+        )
         self._current.appendChild(element)
         if self._depth == 1:
             self.document.documentElement = element
@@ -144,26 +157,24 @@ class _Builder:
         if has_internal_subset and not self._declarations:
             start = self.source.data.rfind(b"<!DOCTYPE", 0, self.parser.CurrentByteIndex)
             at = Place(self.source, start, self._call, end=start + len(b"<!DOCTYPE"))
-            message = "a DOCTYPE with declarations is not read: entities can make a small file endless"
-            raise ReadError(
-                Problem(ProblemKind.DOCTYPE, at, message, hint="write the text out where the entity is used")
-            )
+            message = "DOCTYPE declares entities, which urdfctl does not read: they can expand to an unlimited size"
+            raise ReadError(Problem(ProblemKind.DOCTYPE, at, message, hint="replace each entity with its text"))
         self.document.appendChild(DocumentType(name, public, system))
 
 
 def _syntax_problem(source: SourceText, builder: _Builder, error: ExpatError) -> Problem:
-    """The problem behind expat's error, at its very byte, in words that say what to do."""
+    """The problem for expat's error, at the exact byte, with a message that says what to do."""
     offset = max(0, min(builder.parser.ErrorByteIndex, len(source.data)))
     said = str(error).split(": line ")[0]
     subject, message, hint = "", f"not well-formed XML: {said}", ""
     if not source.data.removeprefix(BOM).strip():
         message, offset = "the file is empty", 0
     elif said.startswith("XML or text declaration not at start"):
-        message = "the XML declaration <?xml ...?> is not at the very start of the file"
+        message = "the XML declaration <?xml ...?> is not at the start of the file"
         hint = "remove the spaces, lines or comments before it"
         subject = LATE_DECLARATION
     elif said.startswith("junk after document element"):
-        message = "text stands after the end of the root element"
+        message = "text after the end of the root element"
         hint = f"move it before </{_root_name(builder)}>, or remove it"
     elif said.startswith("unbound prefix"):
         return _unbound_prefix(source, offset)
@@ -172,9 +183,9 @@ def _syntax_problem(source: SourceText, builder: _Builder, error: ExpatError) ->
     elif said.startswith(("no element found", "unclosed token")):
         message, hint = _unfinished(builder, said)
     elif said.startswith("syntax error"):
-        message = "not XML: a file of XML begins with a tag"
+        message = "not XML: an XML file starts with a tag"
     elif said.startswith("undefined entity"):
-        hint = "XML knows only &amp; &lt; &gt; &quot; &apos;"
+        hint = "XML defines only &amp; &lt; &gt; &quot; &apos;"
     elif said.startswith("not well-formed"):
         message, hint, offset = _invalid_token(source, offset)
     return Problem(
@@ -205,7 +216,7 @@ def _unbound_prefix(source: SourceText, offset: int) -> Problem:
     return Problem(
         ProblemKind.XML_SYNTAX,
         Place(source, offset),
-        f"the prefix '{prefix}:' is not declared",
+        f"prefix '{prefix}:' is not declared",
         prefix,
         f'add xmlns:{prefix}="{uri}" to the root element',
     )
@@ -215,10 +226,10 @@ def _mismatched_tag(source: SourceText, builder: _Builder, offset: int) -> Probl
     offset = max(source.data.rfind(b"</", 0, offset + 1), 0)
     opened = _open_element(builder)
     found = _tag_name(source, offset + 2)
-    message = f"the end tag </{found}> closes nothing that is open"
+    message = f"end tag </{found}> has no matching start tag"
     if opened is not None:
         line = source.position(opened.start).line
-        message = f"<{opened.tagName}> of line {line} is not closed: </{found}> stands where </{opened.tagName}> is due"
+        message = f"<{opened.tagName}> in line {line} is not closed: expected </{opened.tagName}>, found </{found}>"
     return Problem(ProblemKind.XML_SYNTAX, Place(source, offset, end=_token_end(source, offset)), message)
 
 
@@ -231,24 +242,24 @@ def _unfinished(builder: _Builder, said: str) -> tuple[str, str]:
     if opened is None:
         return f"not well-formed XML: {said}", ""
     line = builder.source.position(opened.start).line
-    return f"the file ends inside <{opened.tagName}> of line {line}", f"close it with </{opened.tagName}>"
+    return f"<{opened.tagName}> in line {line} has no end tag", f"close it with </{opened.tagName}>"
 
 
 def _invalid_token(source: SourceText, offset: int) -> tuple[str, str, int]:
-    """The message, the way out, and the offset to blame for a byte that cannot stand where it does."""
+    """The message, the hint and the byte offset for an unexpected byte."""
     try:
         source.data.decode("utf-8")
     except UnicodeDecodeError as error:
-        return f"byte 0x{source.data[error.start]:02x} is not UTF-8", "save the file as UTF-8", error.start
+        return f"byte 0x{source.data[error.start]:02x} is not valid UTF-8", "save the file as UTF-8", error.start
     if b"\x00" in source.data:
-        return "the file is binary, no XML", "", source.data.index(b"\x00")
+        return "the file is binary, not XML", "", source.data.index(b"\x00")
     reference = re.compile(_OPEN_REFERENCE).search(source.data, max(0, offset - _LONGEST_NAME), offset + 1)
     if reference:
-        return "a bare '&' is not XML", "write &amp;", reference.start()
+        return "a bare '&' is not valid XML", "write &amp;", reference.start()
     if source.data[offset - 1 : offset + 1] == b"</":
-        return f"the end tag </{_tag_name(source, offset + 1)}> closes nothing that is open", "", offset - 1
+        return f"end tag </{_tag_name(source, offset + 1)}> has no matching start tag", "", offset - 1
     byte = source.data[offset : offset + 1]
     opened = source.data.rfind(b"<", 0, offset)
     if byte == b"<" and opened > source.data.rfind(b">", 0, offset):
-        return f"the tag <{_tag_name(source, opened + 1)} is not closed before the next '<'", "end it with '>'", opened
+        return f"tag <{_tag_name(source, opened + 1)} is not closed before the next '<'", "end it with '>'", opened
     return f"not well-formed XML: unexpected {byte.decode('utf-8', 'replace')!r}", "", offset

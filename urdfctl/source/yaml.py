@@ -1,19 +1,20 @@
-"""Reads YAML into a located tree: every key, value and element knows its bytes. Values stay text; `yaml_types` types
-them as their reader does.
+"""Parse YAML into a located tree, in which every key, value and element knows its bytes.
 
-The tree is made from the parser's stream of events, without recursion and within limits: a file of brackets crashes
-the C library's own composer, and a few aliases of aliases stand for more than any memory holds.
+Values are texts; `yaml_types` types them as their reader does.
+
+The tree is built from the parser's events, without recursion and within limits. A file of nested brackets would crash
+the C library's own composer, and a few aliases of aliases can expand to more than any memory.
 """
 
 from __future__ import annotations
 
 import re
 
-from urdfctl.hints import Any
-from urdfctl.record import NamedTuple
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
-from urdfctl.source.pyyaml import yaml
 from urdfctl.source.span import BOM, Place, SourceText
+from urdfctl.startup.hints import Any
+from urdfctl.startup.lazy_yaml import yaml
+from urdfctl.startup.records import NamedTuple
 
 MOST_DEPTH = 64
 MOST_NODES = 200_000
@@ -25,7 +26,13 @@ _LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
 class Scalar(NamedTuple):
-    """A text; `style` is one of `'`, `"`, `|`, `>`, and empty for a plain one."""
+    """A scalar.
+
+    text: its text, without quotes.
+    style: `'`, `"`, `|` or `>`; empty for a plain scalar.
+    tag: the explicit tag; None if it has none.
+    start, end: byte offsets, including quotes.
+    """
 
     text: str
     style: str
@@ -36,7 +43,7 @@ class Scalar(NamedTuple):
 
     @property
     def at(self) -> Place:
-        """Where it stands, with its quotes."""
+        """The place of the scalar, including quotes."""
         return Place(self.source, self.start, end=self.end)
 
 
@@ -51,12 +58,12 @@ class Sequence(NamedTuple):
 
     @property
     def at(self) -> Place:
-        """From its first to its last byte."""
+        """The place of the whole list."""
         return Place(self.source, self.start, end=self.end)
 
 
 class Mapping(NamedTuple):
-    """A map: its entries in order, with keys that are given twice."""
+    """A map: its entries in order, including duplicate keys."""
 
     entries: tuple[Entry, ...]
     tag: str | None
@@ -66,16 +73,16 @@ class Mapping(NamedTuple):
 
     @property
     def at(self) -> Place:
-        """From its first to its last byte."""
+        """The place of the whole map."""
         return Place(self.source, self.start, end=self.end)
 
     def get(self, key: str) -> Node | None:
-        """The value of a key; of the last one where it is given twice."""
+        """Return the value of a key, the last one of a duplicate key; None if the map does not have the key."""
         return next((entry.value for entry in reversed(self.entries) if entry.key.text == key), None)
 
 
 class Entry(NamedTuple):
-    """A key with its value."""
+    """A key and its value."""
 
     key: Scalar
     value: Node
@@ -85,8 +92,13 @@ Node = Scalar | Sequence | Mapping
 
 
 class YamlFile(NamedTuple):
-    """What a file holds: its documents, where aliases stand in it, and what is wrong with it. An alias is what it
-    stands for: the same node, at the place of its anchor. With `readable` False no reader gets anything out of it."""
+    """The content of a YAML file.
+
+    documents: the root node of each document. An alias is the node of its anchor, with the anchor's place.
+    aliases: the places of the aliases.
+    problems: what is wrong with the file.
+    readable: False if the file is not valid YAML, so that no program can read it.
+    """
 
     source: SourceText
     documents: tuple[Node, ...]
@@ -96,8 +108,10 @@ class YamlFile(NamedTuple):
 
 
 def read_yaml(source: SourceText, *, by_python: bool = False) -> YamlFile:
-    """The tree of a file; without documents where it is no YAML, and then a problem tells why. Read `by_python`, as
-    rosparam does, a file may hold fewer tabs than libyaml takes."""
+    """Return the tree of a file. If it is not valid YAML, there are no documents, and one problem.
+
+    by_python: read the file with PyYAML's own parser, as rosparam does; it accepts fewer tabs than libyaml.
+    """
     reader = _Reader(source, yaml.SafeLoader if by_python else _LOADER)
     try:
         reader.read()
@@ -107,7 +121,7 @@ def read_yaml(source: SourceText, *, by_python: bool = False) -> YamlFile:
 
 
 class _Open:
-    """A list or map whose end is not read yet."""
+    """A list or map whose end has not been read yet."""
 
     __slots__ = ("anchor", "children", "depth", "is_map", "size", "start", "tag")
 
@@ -118,7 +132,7 @@ class _Open:
 
 
 class _Weight(NamedTuple):
-    """How many nodes a node stands for with its aliases written out, and how deep they are nested."""
+    """The number of nodes in a node with its aliases expanded, and their depth."""
 
     size: int
     depth: int
@@ -160,13 +174,19 @@ class _Reader:
         kind = type(event)
         if kind is yaml.ScalarEvent:
             start, end = self._offset(event.start_mark.index), self._offset(event.end_mark.index)
-            self._add(Scalar(event.value, event.style or "", event.tag, self.source, start, end), event.anchor, _LEAF)
+            self._add(
+                Scalar(
+                    text=event.value, style=event.style or "", tag=event.tag, source=self.source, start=start, end=end
+                ),
+                event.anchor,
+                _LEAF,
+            )
         elif kind is yaml.MappingStartEvent or kind is yaml.SequenceStartEvent:
             start = self._offset(event.start_mark.index)
             is_map = kind is yaml.MappingStartEvent
             self._open.append(_Open(event.anchor, event.tag, start, is_map=is_map))
             if len(self._open) > MOST_DEPTH:
-                raise self._over(start, f"the YAML is nested more than {MOST_DEPTH} deep")
+                raise self._over(start, f"the YAML is nested more than {MOST_DEPTH} levels deep")
         elif kind is yaml.MappingEndEvent or kind is yaml.SequenceEndEvent:
             self._close(event)
         elif kind is yaml.AliasEvent:
@@ -179,37 +199,37 @@ class _Reader:
         at = Place(self.source, start, end=self._offset(event.end_mark.index))
         if event.anchor not in self._anchors:
             within = any(opened.anchor == event.anchor for opened in self._open)
-            what = "stands in what it stands for" if within else "is defined nowhere before"
-            raise ReadError(Problem(ProblemKind.YAML_SYNTAX, at, f"the alias '*{event.anchor}' {what}"))
+            what = "refers to itself" if within else f"has no anchor '&{event.anchor}' before it"
+            raise ReadError(Problem(ProblemKind.YAML_SYNTAX, at, f"alias '*{event.anchor}' {what}"))
         self.aliases.append(at)
         node, weight = self._anchors[event.anchor]
         if len(self._open) + weight.depth > MOST_DEPTH:
-            raise self._over(start, f"the YAML is nested more than {MOST_DEPTH} deep")
+            raise self._over(start, f"the YAML is nested more than {MOST_DEPTH} levels deep")
         self._add(node, None, weight)
 
     def _close(self, event: Any) -> None:
         opened = self._open.pop()
         end = self._offset(event.end_mark.index)
-        if event.start_mark.index == event.end_mark.index:  # a block has no end of its own
+        if event.start_mark.index == event.end_mark.index:  # a block collection has no end token
             end = max((child.end for child in opened.children if child.start >= opened.start), default=opened.start)
         if opened.is_map:
             node: Node = Mapping(self._entries(opened), opened.tag, self.source, opened.start, end)
         else:
             node = Sequence(tuple(opened.children), opened.tag, self.source, opened.start, end)
-        self._size -= opened.size - 1  # the parts are counted; the whole adds itself
+        self._size -= opened.size - 1  # the children are counted already; _add counts this node
         self._add(node, opened.anchor, _Weight(opened.size, opened.depth))
 
     def _add(self, node: Node, anchor: str | None, weight: _Weight) -> None:
         self._size += weight.size
         if self._size > MOST_NODES:
-            raise self._over(node.start, f"the YAML stands for more than {MOST_NODES} values")
+            raise self._over(node.start, f"the YAML expands to more than {MOST_NODES} values")
         if anchor:
             self._anchors[anchor] = node, weight
         if self._open:
-            around = self._open[-1]
-            around.children.append(node)
-            around.size += weight.size
-            around.depth = max(around.depth, weight.depth + 1)
+            parent = self._open[-1]
+            parent.children.append(node)
+            parent.size += weight.size
+            parent.depth = max(parent.depth, weight.depth + 1)
         else:
             self.documents.append(node)
 
@@ -219,7 +239,7 @@ class _Reader:
         entries = []
         for key, value in zip(keys, values, strict=True):
             if not isinstance(key, Scalar):
-                message = "a list or a map is no name of a parameter: quote what is a text with braces or brackets"
+                message = "a list or map cannot be a parameter name. Quote text that contains braces or brackets"
                 raise ReadError(Problem(ProblemKind.YAML_SYNTAX, key.at, message))
             entry = Entry(key, value)
             if key.text in seen and key.text != "<<":
@@ -232,13 +252,11 @@ class _Reader:
         if len(self.problems) >= _MOST_DUPLICATES:
             return
         name, line = entry.key.text, self.source.position(first.key.start).line
-        message = f"'{name}' is given twice in this map, first in line {line}; the last one counts"
+        message = f"duplicate key '{name}', first in line {line}; the last value is used"
         kind = ProblemKind.YAML_DUPLICATE_KEY
         if isinstance(entry.value, Mapping) and isinstance(first.value, Mapping):
             kind = ProblemKind.YAML_DUPLICATE_MAP
-            message = (
-                f"'{name}' is given twice, first in line {line}: what reads YAML with Python takes the last one only"
-            )
+            message = f"duplicate key '{name}', first in line {line}; Python's YAML reader uses only the last map"
         self.problems.append(Problem(kind, entry.key.at, message, name))
 
     # -- places ------------------------------------------------------------------------------------------------------
@@ -260,7 +278,7 @@ class _Reader:
         return int(index) + self._base
 
     def _other_offset(self, index: int) -> int:
-        """The offset of a character, counted from the last one that was asked for: they come nearly in order."""
+        """The byte offset of a character index, counted from that of the last call: the indices are nearly sorted."""
         known, offset = self._known
         if index >= known:
             offset += len(self._text[known:index].encode())
@@ -269,7 +287,7 @@ class _Reader:
         self._known = index, offset
         return offset
 
-    # -- faults ------------------------------------------------------------------------------------------------------
+    # -- problems ----------------------------------------------------------------------------------------------------
 
     def _over(self, start: int, message: str) -> ReadError:
         return ReadError(Problem(ProblemKind.BUDGET, Place(self.source, start, end=start + 1), message))
@@ -283,18 +301,18 @@ class _Reader:
 
     def _syntax(self, error: yaml.MarkedYAMLError) -> ReadError:
         mark = error.problem_mark or error.context_mark
-        if error.context_mark and (error.context or "").startswith(_OPENED):  # where it should close is anybody's guess
+        if error.context_mark and (error.context or "").startswith(_OPENED):  # the place where it should end is unknown
             mark = error.context_mark
         start = min(self._offset(mark.index) if mark else 0, len(self.source.data))
         for line in (self.source.position(start).line, self.source.position(start).line - 1):
             indent = re.match(_TAB_INDENT, self.source.line(line))
             if indent:
                 at = Place(self.source, self.source.offset(line), end=self.source.offset(line) + indent.end())
-                message = "this line is indented with a tab, which YAML does not allow: use spaces"
+                message = "this line is indented with a tab, which YAML does not allow. Use spaces"
                 return ReadError(Problem(ProblemKind.YAML_TAB, at, message))
         if self.source.data[start : start + 1] == b"\t":
-            message = "a tab stands where YAML allows spaces only"
+            message = "tab where YAML allows only spaces"
             return ReadError(Problem(ProblemKind.YAML_TAB, Place(self.source, start, end=start + 1), message))
-        why = " ".join(part for part in (error.context, error.problem) if part) or "no YAML"
+        why = " ".join(part for part in (error.context, error.problem) if part) or "invalid YAML"
         at = Place(self.source, start, end=min(start + 1, len(self.source.data)))
-        return ReadError(Problem(ProblemKind.YAML_SYNTAX, at, f"the file is not YAML: {why}"))
+        return ReadError(Problem(ProblemKind.YAML_SYNTAX, at, f"the file is not valid YAML: {why}"))

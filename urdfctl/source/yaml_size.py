@@ -1,4 +1,7 @@
-"""How large a YAML text is with its aliases written out: a small one may be endless, or crash its reader."""
+"""Limit the size of a YAML text with its aliases expanded.
+
+A small text can expand without limit, or crash its reader by deep nesting.
+"""
 
 from __future__ import annotations
 
@@ -11,10 +14,10 @@ _HARMLESS_BYTES = 4096
 
 
 def check_size(text: bytes) -> None:
-    """OverBudget where a text is nested deeper than 64, or stands for more than 200 000 nodes."""
+    """Raise OverBudget if a YAML text is nested more than 64 deep, or expands to more than 200 000 nodes."""
     if len(text) < _HARMLESS_BYTES and b"*" not in text:
         return
-    from urdfctl.source.pyyaml import yaml
+    from urdfctl.startup.lazy_yaml import yaml
 
     total = 0
     sizes: dict[str | None, int] = {}
@@ -35,4 +38,4 @@ def check_size(text: bytes) -> None:
         if len(opened) > _MOST_DEPTH:
             raise OverBudget(f"the YAML file is nested more than {_MOST_DEPTH} deep")
         if total > _MOST_NODES:
-            raise OverBudget(f"the YAML file stands for more than {_MOST_NODES} nodes")
+            raise OverBudget(f"the YAML file expands to more than {_MOST_NODES} nodes")

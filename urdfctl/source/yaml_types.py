@@ -1,7 +1,7 @@
-"""What a YAML scalar is to those who read it: PyYAML for ROS 1, rcl_yaml_param_parser for ROS 2.
+"""The types of YAML scalars, as their readers see them: PyYAML for ROS 1, rcl_yaml_param_parser for ROS 2.
 
-PyYAML follows YAML 1.1 but for numbers with an exponent, which need both a point and a sign: `1e3` is a text. rosparam
-adds `deg(90)` and `rad(pi/2)`. rcl asks strtol and strtod, and knows neither null nor dates.
+PyYAML follows YAML 1.1, except that a number with an exponent needs both a point and a sign: `1e3` is a string.
+rosparam adds `deg(90)` and `rad(pi/2)`. rcl uses strtol and strtod, and has neither null nor dates.
 """
 
 from __future__ import annotations
@@ -10,13 +10,13 @@ import math
 import re
 from functools import lru_cache
 
-from urdfctl.hints import Any
-from urdfctl.record import NamedTuple
 from urdfctl.source.kinds import Kind
-from urdfctl.source.pyyaml import yaml
 from urdfctl.source.yaml import Scalar
+from urdfctl.startup.hints import Any
+from urdfctl.startup.lazy_yaml import yaml
+from urdfctl.startup.records import NamedTuple
 
-_SUBSTITUTION = r"\$\(|\$\{|<%|\{\{"
+_SUBSTITUTION = r"\$\(|\$\{|<%|\{\{|<[A-Za-z_][\w.-]*>"
 _RCL_TRUE = frozenset("Y y yes Yes YES true True TRUE on On ON".split())
 _RCL_FALSE = frozenset("N n no No NO false False FALSE off Off OFF".split())
 _C_INT = r"\s*[+-]?(0[xX][0-9a-fA-F]+|0[0-7]*|[1-9]\d*)"
@@ -30,19 +30,23 @@ _INT64 = range(-(1 << 63), 1 << 63)
 
 
 class Typed(NamedTuple):
-    """A scalar's kind and value: None where it has none, or none that can be told."""
+    """The kind and value of a scalar. The value is None if there is none, or if it is unknown."""
 
     kind: Kind
     value: bool | int | float | str | None
 
 
 def is_literal(text: str) -> bool:
-    """Whether nothing in a text waits to be substituted: `$(var x)`, `$(find x)`, `${x}`, `<%= x %>`, `{{ x }}`."""
+    """Return whether a text has no substitutions: `$(var x)`, `${x}`, `<%= x %>`, `{{ x }}`, or `<x>`,
+    which launch files replace."""
     return re.search(_SUBSTITUTION, text) is None
 
 
 def typed_by_rcl(scalar: Scalar) -> Typed:
-    """As rcl_yaml_param_parser's get_value reads it; tags are nothing to it, and an empty plain text it refuses."""
+    """Return a scalar as get_value of rcl_yaml_param_parser types it.
+
+    It ignores tags, and rejects an empty plain scalar, which has the kind NULL here.
+    """
     text = scalar.text
     if not is_literal(text):
         return Typed(Kind.UNKNOWN, None)
@@ -67,7 +71,7 @@ def _by_rcl(text: str) -> Typed:
 
 
 def _c_integer(text: str) -> int | None:
-    """As strtol with base 0, all of the text, in 64 bits; None where that fails."""
+    """The integer that strtol with base 0 reads from the whole text; None if it fails or exceeds 64 bits."""
     if len(text) > _MOST_DIGITS or not re.fullmatch(_C_INT, text):
         return None
     digits = text.strip().lstrip("+-")
@@ -77,7 +81,7 @@ def _c_integer(text: str) -> int | None:
 
 
 def _c_double(text: str) -> float | None:
-    """As strtod, all of the text; None where that fails or overflows."""
+    """The number that strtod reads from the whole text; None if it fails or overflows."""
     if re.fullmatch(_YAML_FLOAT, text):
         return float(text.replace(".", ""))
     if len(text) > _MOST_DIGITS:
@@ -93,7 +97,7 @@ def _c_double(text: str) -> float | None:
 
 
 def typed_by_pyyaml(scalar: Scalar) -> Typed:
-    """As PyYAML's safe loader reads it, with rosparam's angles."""
+    """Return a scalar as PyYAML's safe loader types it, with rosparam's angles (in rad)."""
     if not is_literal(scalar.text):
         return Typed(Kind.UNKNOWN, None)
     tag = scalar.tag
@@ -146,12 +150,12 @@ def _constructor() -> Any:
 
 
 def _angle(text: str, *, degrees: bool) -> float | None:
-    """The radians of an angle that is a plain number or a multiple of pi; None where it is more to work out."""
+    """An angle in radians, given as a number or a multiple of pi; None for any other expression."""
     inside = text.strip()[4:-1] if text.endswith(")") else text.strip()
-    found = re.fullmatch(r"\s*(-?)(?:(\d+\.?\d*|\.\d+)|(pi))\s*(?:([*/])\s*(?:(\d+\.?\d*)|(pi)))?\s*", inside)
-    if found is None:
+    match = re.fullmatch(r"\s*(-?)(?:(\d+\.?\d*|\.\d+)|(pi))\s*(?:([*/])\s*(?:(\d+\.?\d*)|(pi)))?\s*", inside)
+    if match is None:
         return None
-    sign, number, pi, operator, other, other_pi = found.groups()
+    sign, number, pi, operator, other, other_pi = match.groups()
     value = math.pi if pi else float(number)
     if operator:
         operand = math.pi if other_pi else float(other)

@@ -1,6 +1,6 @@
 # made by urdfctl gen-launch urdf/radu.urdf.xacro --type velocity --distro humble --simulator gazebo-classic
 # Start it: ros2 launch radu control.launch.py
-"""Brings the robot up in gazebo-classic, and starts its controllers."""
+"""Start the robot in gazebo-classic and its controllers."""
 
 from launch import LaunchDescription
 from launch.actions import IncludeLaunchDescription, RegisterEventHandler
@@ -13,11 +13,11 @@ from launch_ros.substitutions import FindPackageShare
 
 
 def generate_launch_description():
-    """What is started, and in which order."""
+    """Return the nodes to start, in order."""
     robot_file = PathJoinSubstitution([FindPackageShare("radu"), "urdf/radu.urdf.xacro"])
     robot_description = {"robot_description": ParameterValue(Command(["xacro ", robot_file]), value_type=str)}
 
-    # publishes the robot's description, and where its links are
+    # publishes the robot description and the transforms of its links
     state_publisher = Node(
         package="robot_state_publisher",
         executable="robot_state_publisher",
@@ -32,7 +32,7 @@ def generate_launch_description():
         arguments=["-topic", "robot_description", "-entity", "radu"],
     )
 
-    # the joints' states first, then what moves the joints
+    # the joint state broadcaster first, then the controllers that move joints
     spawner_1 = Node(
         package="controller_manager",
         executable="spawner",
@@ -57,7 +57,7 @@ def generate_launch_description():
             simulator,
             state_publisher,
             robot,
-            # each spawner waits for what is before it
+            # each spawner waits for the one before it
             RegisterEventHandler(OnProcessExit(target_action=robot, on_exit=[spawner_1])),
             RegisterEventHandler(OnProcessExit(target_action=spawner_1, on_exit=[spawner_2])),
         ]

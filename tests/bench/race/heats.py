@@ -106,7 +106,7 @@ class Heats:
     def package(self, name: str, package: Path) -> Row:
         if not package.is_dir():
             raise NotMeasured(f"{package} not found")
-        a = self.tools.urdfctl(package, "lint", ".")
+        a = self.tools.urdfctl(package, "lint", "--no-cache", ".")
         return self.row(name, "lint FOLDER | catkin_lint FOLDER", a, self.tools.catkin_lint(package))
 
     def starts(self) -> Iterator[Heat]:
@@ -143,7 +143,7 @@ class Heats:
             progress(f"corpus: warm-up {number}/{len(robots)}")
         if not pairs:
             raise NotMeasured("xacro and check_urdf accept no robot of the corpus")
-        a = self.tools.urdfctl(self.robots.corpus, "lint", "--exit-zero", *pairs, good=(0,))
+        a = self.tools.urdfctl(self.robots.corpus, "lint", "--no-cache", "--exit-zero", *pairs, good=(0,))
         a.run()
         times: tuple[list[float], list[float]] = ([], [])
         for turn in range(self.pace.corpus_runs):

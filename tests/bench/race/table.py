@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
-TARGETS = {"UR5e": 1.0, "UR5e controllers": 1.1, "PR2": 0.6, "1200 links": 0.25, "corpus": 0.2, "PR2 memory": 60.0}
+TARGETS = {"UR5e": 0.85, "UR5e controllers": 1.2, "PR2": 0.65, "1200 links": 0.25, "corpus": 0.14, "PR2 memory": 60.0}
 
 
 @dataclass(frozen=True)

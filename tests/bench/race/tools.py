@@ -25,7 +25,7 @@ class Tools:
         return Step((*self.command, *arguments), cwd, environment(), good)
 
     def lint(self, robot: Robot) -> Step:
-        return self.urdfctl(robot.folder, "lint", *robot.words, *robot.controllers)
+        return self.urdfctl(robot.folder, "lint", "--no-cache", *robot.words, *robot.controllers)
 
     def smoke(self, cwd: Path, engine: str, *arguments: str) -> Step:
         """The engine is looked for beside ours: urdfctl answers 2 where it is missing, as to any wrong command."""

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import since
 from urdfctl.control.chains import chained_claims
 from urdfctl.control.session import Configured, Session
-from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rule import Finding, Note, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.claims.common import home, of_each_candidate, place_of
 
 _ROBOT = """
@@ -36,6 +36,7 @@ _CONTROLLERS = """
 
 @rule(
     "UC453",
+    stage=StageDependsOn.MANAGER,
     severity=Severity.ERROR,
     distros=since("humble"),
     authority='ros2_control controller_manager/src/controller_manager.cpp: "No state/reference interface from '
@@ -47,30 +48,31 @@ _CONTROLLERS = """
     good={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "elbow"},
 )
 def chained_controller_exports_nothing(project: Project) -> Iterator[Finding]:
-    """A controller claims an interface of another controller whose type exports none.
+    """Claim of an interface of a controller that exports none.
 
-    Only chainable types, such as pid_controller, have interfaces for other controllers. The name before the first slash
-    is looked up among the controllers before the hardware is asked: a controller that is named like a joint therefore
-    hides the joint.
+    Only chainable types, such as pid_controller, export interfaces for other controllers. The name before the first
+    slash is looked up among the controllers first, then in the hardware: a controller with a joint's name hides the
+    joint.
     """
     return of_each_candidate(project, _unchainable)
 
 
-def _unchainable(session: Session, one: Configured) -> Iterator[Finding]:
-    for chained in chained_claims(session, one):
-        following, at = chained.following, place_of(one, chained.claim)
+def _unchainable(session: Session, controller: Configured) -> Iterator[Finding]:
+    for chained in chained_claims(session, controller):
+        following, at = chained.following, place_of(controller, chained.claim)
         exports = following.exports
         if chained.is_offered is not False or at is None or exports.reference or exports.state:
             continue
         name, kind = following.name, following.type.type if following.type else ""
         if session.hardware.has(name):
             message = (
-                f"'{chained.claim.name}' is looked for in the controller '{name}', which is named like '{name}' of the "
-                "hardware and exports no interfaces: give the controller another name"
+                f"controller '{name}' has the same name as '{name}' in the hardware, and hides "
+                f"'{chained.claim.name}'; rename the controller"
             )
         else:
             message = (
-                f"controller '{name}' exports no '{chained.claim.name}' for '{one.name}': '{kind}' is not chainable"
+                f"controller '{controller.name}' claims '{chained.claim.name}', "
+                f"but controller '{name}' exports nothing: type '{kind}' is not chainable"
             )
         declared = home(following.controller)
         yield Finding(at, message, (Note(f"controller '{name}' is declared here", declared),) if declared else ())

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import since
 from urdfctl.control.chains import circle, late
 from urdfctl.control.session import Configured, Session
-from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rule import Finding, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.claims.common import of_each_candidate, place_of
 
 _ROBOT = """
@@ -46,6 +46,7 @@ _BOTH = """pid: {type: pid_controller/PidController}
 
 @rule(
     "UC454",
+    stage=StageDependsOn.MANAGER,
     severity=Severity.ERROR,
     distros=since("humble"),
     authority="ros2_control controller_manager/src/controller_manager.cpp: \"The following controller with name 'pid' is "
@@ -57,32 +58,32 @@ _BOTH = """pid: {type: pid_controller/PidController}
     good={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % (_BOTH, "low/elbow")},
 )
 def chained_controller_not_started(project: Project) -> Iterator[Finding]:
-    """A controller is started that claims the interface of another one, which is not started before it.
+    """Chained controller is not started first.
 
-    A controller can be activated when those whose reference interfaces it claims are active, or become so in the same
-    request. The spawner activates the controllers that it is given one by one, in their order, unless it is told
-    `--activate-as-group`.
+    A controller can be activated only if the controllers whose reference interfaces it claims are active, or are
+    activated in the same request. The spawner activates its controllers one by one, in the given order, unless it has
+    the option `--activate-as-group`.
     """
     return of_each_candidate(project, _late)
 
 
-def _late(session: Session, one: Configured) -> Iterator[Finding]:
-    if session.started is None or circle(session, one):
+def _late(session: Session, controller: Configured) -> Iterator[Finding]:
+    if session.started is None or circle(session, controller):
         return
-    told = set()
-    for chained in late(session, one):
-        name, at = chained.following.name, place_of(one, chained.claim)
-        if not chained.is_offered or at is None or name in told:
+    reported = set()
+    for chained in late(session, controller):
+        name, at = chained.following.name, place_of(controller, chained.claim)
+        if not chained.is_offered or at is None or name in reported:
             continue
-        told.add(name)
+        reported.add(name)
         if chained.following in session.started:
             message = (
-                f"controller '{one.name}' is started before '{name}', whose interface '{chained.claim.name}' it claims: "
+                f"controller '{controller.name}' claims '{chained.claim.name}', but is started before '{name}'; "
                 f"start '{name}' first, or both at once with --activate-as-group"
             )
         else:
             message = (
-                f"controller '{one.name}' claims '{chained.claim.name}', and '{name}', which exports it, is not started: "
-                f"start '{name}' before it"
+                f"controller '{controller.name}' claims '{chained.claim.name}', but '{name}' is not started; "
+                f"start '{name}' first"
             )
         yield Finding(at, message)

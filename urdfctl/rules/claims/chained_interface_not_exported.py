@@ -8,9 +8,9 @@ from urdfctl.catalog.distros import since
 from urdfctl.control.chains import Chained, chained_claims
 from urdfctl.control.hardware import Kind
 from urdfctl.control.session import Configured, Session
-from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.names import nearest
+from urdfctl.rule import Finding, Note, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.claims.common import home, of_each_candidate, place_of
-from urdfctl.suggest import nearest
 
 _ROBOT = """
     <ros2_control name="arm" type="system">
@@ -44,6 +44,7 @@ _CONTROLLERS = """
 
 @rule(
     "UC452",
+    stage=StageDependsOn.MANAGER,
     severity=Severity.ERROR,
     distros=since("humble"),
     authority="ros2_control controller_manager/src/controller_manager.cpp: \"Unable to activate controller 'arm' since "
@@ -55,33 +56,32 @@ _CONTROLLERS = """
     good={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % ("pid/elbow", "position")},
 )
 def chained_interface_not_exported(project: Project) -> Iterator[Finding]:
-    """A controller claims an interface that another controller does not export.
+    """Claimed interface is not exported by the other controller.
 
-    What begins with the name of a controller is looked for among what that one exports: its reference interfaces, to be
-    commanded, and from jazzy on its state interfaces. Both hang on its parameters. The controller that claims is
-    refused when it is to be activated.
+    A name that starts with a controller's name is looked up in that controller's exports: its reference interfaces for
+    commands, and from jazzy on its state interfaces. Both depend on its parameters. The claiming controller cannot be
+    activated.
     """
     return of_each_candidate(project, _unexported)
 
 
-def _unexported(session: Session, one: Configured) -> Iterator[Finding]:
-    for chained in chained_claims(session, one):
+def _unexported(session: Session, controller: Configured) -> Iterator[Finding]:
+    for chained in chained_claims(session, controller):
         exports = chained.following.exports
         offered = exports.reference if chained.kind is Kind.COMMAND else exports.state
-        at = place_of(one, chained.claim)
+        at = place_of(controller, chained.claim)
         if chained.is_offered is False and at is not None and (exports.reference or exports.state):
             yield Finding(at, _message(chained, [claim.name for claim in offered]), _notes(chained))
 
 
 def _message(chained: Chained, offered: list[str]) -> str:
-    what = "reference interface" if chained.kind is Kind.COMMAND else "state interface"
-    start = (
-        f"controller '{chained.following.name}' exports no {what} '{chained.claim.name}' for '{chained.preceding.name}'"
-    )
+    kind = "reference interface" if chained.kind is Kind.COMMAND else "state interface"
+    following, preceding = chained.following.name, chained.preceding.name
+    message = f"controller '{following}' has no {kind} '{chained.claim.name}', which controller '{preceding}' claims"
     if not offered:
-        return f"{start}, and none at all"
+        return f"{message}; it exports no {kind}s"
     right = nearest(chained.claim.name, offered)
-    return start + (f"; did you mean '{right}'?" if right else f"; it exports: {', '.join(offered)}")
+    return message + (f"; did you mean '{right}'?" if right else f"; it exports: {', '.join(offered)}")
 
 
 def _notes(chained: Chained) -> tuple[Note, ...]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.control.hardware import Kind
-from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rule import Finding, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.claims.common import of_each_candidate
 from urdfctl.rules.claims.unoffered import unoffered
 
@@ -21,6 +21,7 @@ _ROBOT = """
 
 @rule(
     "UC450",
+    stage=StageDependsOn.MANAGER,
     severity=Severity.ERROR,
     distros=ROS2,
     authority="ros2_control controller_manager/src/controller_manager.cpp: \"Unable to activate controller 'arm' since "
@@ -58,10 +59,9 @@ _ROBOT = """
     },
 )
 def command_interface_not_exported(project: Project) -> Iterator[Finding]:
-    """A controller claims a command interface that no hardware exports.
+    """Command interface is not exported by any hardware.
 
-    The controller loads and is configured, and is refused when it is to be activated. Of each joint the hardware exports
-    the command interfaces that stand in its `<ros2_control>` tag; a controller claims those that its parameters or its
-    type name.
+    The controller is loaded and configured, but cannot be activated. For each joint, the hardware exports the command
+    interfaces listed in the `<ros2_control>` tag. A controller claims those that its parameters or its type name.
     """
-    return of_each_candidate(project, lambda session, one: unoffered(session, one, Kind.COMMAND))
+    return of_each_candidate(project, lambda session, controller: unoffered(session, controller, Kind.COMMAND))

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import since
 from urdfctl.control.chains import circle
 from urdfctl.control.session import Configured, Session
-from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rule import Finding, Note, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.claims.common import home, of_each_candidate
 
 _ROBOT = """
@@ -47,6 +47,7 @@ _PID = "pid_controller/PidController"
 
 @rule(
     "UC455",
+    stage=StageDependsOn.MANAGER,
     severity=Severity.ERROR,
     distros=since("humble"),
     authority="ros2_control controller_manager/src/controller_manager.cpp, check_following_controllers_for_activate: "
@@ -61,20 +62,21 @@ _PID = "pid_controller/PidController"
     good={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % (_PID, _PID, "elbow", "effort", "elbow")},
 )
 def controllers_chained_in_a_circle(project: Project) -> Iterator[Finding]:
-    """Controllers claim each other's interfaces in a circle.
+    """Controllers are chained in a loop.
 
-    Each of them can be activated only when the next one is, so none ever is. A chain has an end: a controller that
-    claims the interfaces of hardware.
+    Each controller can be activated only after the next one, so none can be activated. A chain must end with a
+    controller that claims interfaces of the hardware.
     """
-    return of_each_candidate(project, _round)
+    return of_each_candidate(project, _loop)
 
 
-def _round(session: Session, one: Configured) -> Iterator[Finding]:
-    way = circle(session, one)
-    at = home(one.controller)
-    first = min(way, key=session.controllers.index, default=None)
-    if at is None or first is not one or len(way) == 1:
+def _loop(session: Session, controller: Configured) -> Iterator[Finding]:
+    loop = circle(session, controller)
+    at = home(controller.controller)
+    first = min(loop, key=session.controllers.index, default=None)
+    if at is None or first is not controller or len(loop) == 1:
         return
-    names = " -> ".join(f"'{each.name}'" for each in (*way, one))
-    notes = [Note(f"controller '{each.name}' is declared here", home(each.controller)) for each in way[1:]]
-    yield Finding(at, f"controllers claim each other's interfaces, so none can be activated: {names}", tuple(notes))
+    names = " -> ".join(f"'{each.name}'" for each in (*loop, controller))
+    notes = [Note(f"controller '{each.name}' is declared here", home(each.controller)) for each in loop[1:]]
+    message = f"controllers claim each other's interfaces in a loop, so none can be activated: {names}"
+    yield Finding(at, message, tuple(notes))

@@ -1,4 +1,4 @@
-"""UC4: what a controller manager refuses of a robot's controllers together: claims, chains and conflicts."""
+"""UC4: errors in the interplay of a robot's controllers: claims, chains and conflicts."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from urdfctl.rules.claims.chained_interface_not_exported import chained_interfac
 from urdfctl.rules.claims.command_interface_not_exported import command_interface_not_exported
 from urdfctl.rules.claims.controllers_chained_in_a_circle import controllers_chained_in_a_circle
 from urdfctl.rules.claims.controllers_in_conflict import controllers_in_conflict
+from urdfctl.rules.claims.controllers_without_hardware import controllers_without_hardware
 from urdfctl.rules.claims.gains_missing import gains_missing
 from urdfctl.rules.claims.gazebo_gains_given import gazebo_gains_given
 from urdfctl.rules.claims.hardware_interface_not_in_gazebo import hardware_interface_not_in_gazebo
@@ -43,4 +44,5 @@ RULES: tuple[Rule, ...] = (
     joint_limits_incomplete,
     gazebo_gains_given,
     mapped_interface_not_exported,
+    controllers_without_hardware,
 )

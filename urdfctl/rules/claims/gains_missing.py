@@ -6,12 +6,11 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import generation
 from urdfctl.control.gains import Fate, MissingGain, missing_gains
+from urdfctl.control.readers import Reader, controllers_in, in_each_distro
 from urdfctl.model.controllers import Controller
-from urdfctl.rule import Finding, Fix, Project, Severity, rule
+from urdfctl.rule import Finding, Fix, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.claims.common import home
 from urdfctl.rules.common import in_words
-from urdfctl.rules.controllers.common import controllers_in
-from urdfctl.rules.controllers.readers import Reader, in_each_distro
 from urdfctl.source.span import Place
 
 _SEVERITIES = {Fate.REFUSED: Severity.ERROR, Fate.CRASH: Severity.ERROR, Fate.IDLE: Severity.WARNING}
@@ -19,9 +18,10 @@ _SEVERITIES = {Fate.REFUSED: Severity.ERROR, Fate.CRASH: Severity.ERROR, Fate.ID
 
 @rule(
     "UC464",
+    stage=StageDependsOn.GAINS,
     severity=Severity.ERROR,
-    authority="control_toolbox src/pid.cpp: 'No p gain specified for pid.  Namespace: /arm/pid'; in ROS 2 gains are 0.0 "
-    "where none is given (ros2_controllers, *_parameters.yaml)",
+    authority="control_toolbox src/pid.cpp: 'No p gain specified for pid.  Namespace: /arm/pid'; in ROS 2 a missing "
+    "gain is 0.0 (ros2_controllers, *_parameters.yaml)",
     options=["--distro=noetic"],
     bad={
         "controllers.yaml": """
@@ -42,13 +42,13 @@ _SEVERITIES = {Fate.REFUSED: Severity.ERROR, Fate.CRASH: Severity.ERROR, Fate.ID
     },
 )
 def gains_missing(project: Project) -> Iterator[Finding]:
-    """A controller that closes a loop has no gains.
+    """Closed-loop controller without gains.
 
     A controller that writes efforts to reach a position, or velocities to follow a trajectory, multiplies the error by
-    its gains. In ROS 1 most are not loaded without a gain `p` for each joint, and effort_controllers' and
-    velocity_controllers' JointTrajectoryController crash when they start. In ROS 2 gains are 0 where none is given: the
-    controller becomes active and the joint does not move. (The same words of Gazebo about
-    /gazebo_ros_control/pid_gains are harmless.)
+    its gains. In ROS 1 most such controllers are not loaded without a gain `p` for each joint. JointTrajectoryController
+    of effort_controllers and velocity_controllers crashes when it is started. In ROS 2 a missing gain is 0: the
+    controller becomes active, but the joint does not move. (Gazebo's similar message about
+    /gazebo_ros_control/pid_gains is harmless.)
     """
     if controllers_in(project).complete:
         yield from in_each_distro(project, _ungained)
@@ -64,40 +64,39 @@ def _ungained(reader: Reader) -> Iterator[Finding]:
     for fate, missing in by_fate.items():
         at = _place(controller, missing[0])
         if at is not None:
-            fix = Fix(f"add {_example(missing[0])}, and tune the numbers")
+            fix = Fix(f"add {_example(missing[0])}, and tune the values")
             yield Finding(at, _message(reader, missing), fix=fix, severity=_SEVERITIES[fate])
 
 
 def _message(reader: Reader, missing: list[MissingGain]) -> str:
     if generation(reader.distro) != 1:
         joints = in_words([gain.element or "" for gain in missing])
-        start = f"controller '{reader.name}' closes a loop, and its gains are all 0"
-        return f"{start} for {joints}: it becomes active and does not move"
+        return f"controller '{reader.name}' has only zero gains for {joints}; it becomes active but does not move"
     names = in_words([gain.name for gain in missing])
-    gives = "gain" if len(missing) == 1 else "gains"
-    return f"controller '{reader.name}' has no {gives} {names}, and so it {missing[0].fate.value}"
+    gains = "gain" if len(missing) == 1 else "gains"
+    return f"controller '{reader.name}' has no {gains} {names}; it {missing[0].fate.value}"
 
 
 def _place(controller: Controller, gain: MissingGain) -> Place | None:
-    """The map that the gain belongs into, as far as there is one; else the controller's type."""
+    """The innermost existing map around the gain, or else the controller's type."""
     name = gain.name
     while "." in name:
         name = name.rpartition(".")[0]
-        above = controller.parameters.get(name)
-        if above is not None:
-            return above.key
+        parent = controller.parameters.get(name)
+        if parent is not None:
+            return parent.key
     return home(controller)
 
 
 def _example(gain: MissingGain) -> str:
-    """Gains as they may be written: `gains: {elbow: {p: 100.0, i: 0.0, d: 1.0}}`."""
+    """Example of the missing gains: `gains: {elbow: {p: 100.0, i: 0.0, d: 1.0}}`."""
     text = "{p: 100.0, i: 0.0, d: 1.0}"
-    above = gain.name.rpartition(".")[0]
-    if gain.element and gain.element in above:
-        before, after = above.split(gain.element, 1)
+    parent = gain.name.rpartition(".")[0]
+    if gain.element and gain.element in parent:
+        before, after = parent.split(gain.element, 1)
         parts = [*before.strip(".").split("."), gain.element, *after.strip(".").split(".")]
     else:
-        parts = above.split(".")
+        parts = parent.split(".")
     for part in reversed([part for part in parts if part]):
         text = f"{{{part}: {text}}}"
     return text[1:-1]

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
+from urdfctl.control.gazebo_ros1 import in_gazebo
 from urdfctl.control.hardware import Kind
+from urdfctl.control.readers import controllers_in
+from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.claims.common import seen
 from urdfctl.rules.claims.ros1 import bare
-from urdfctl.rules.controllers.common import controllers_in
-from urdfctl.rules.transmissions.common import in_gazebo
-from urdfctl.suggest import nearest
 
 _SECTION, _GAINS = "gazebo_ros_control", "pid_gains"
 _BY_PID = ("PositionJointInterface", "VelocityJointInterface")
@@ -53,12 +53,12 @@ _ROBOT = """
     },
 )
 def gazebo_gains_given(project: Project) -> Iterator[Finding]:
-    """Gains under gazebo_ros_control change how Gazebo moves a joint.
+    """Gains in gazebo_ros_control change how Gazebo moves a joint.
 
-    Without them Gazebo puts a joint of the PositionJointInterface where it is told to, and prints in noetic "No p gain
-    specified for pid. Namespace: /gazebo_ros_control/pid_gains/...". Those words are harmless. With gains it pushes the
-    joint by forces instead, which have to be tuned: a joint that swings or sags often has gains that were given to
-    silence the words.
+    Without gains Gazebo sets a joint of the PositionJointInterface directly, and in noetic prints "No p gain specified
+    for pid. Namespace: /gazebo_ros_control/pid_gains/...". This message is harmless. With gains Gazebo applies forces
+    to the joint, and the gains must be tuned. A joint that swings or sags often has gains that were added only to
+    silence the message.
     """
     sessions = seen(project)
     if not sessions or in_gazebo(project) is not Severity.ERROR:
@@ -69,14 +69,15 @@ def gazebo_gains_given(project: Project) -> Iterator[Finding]:
             offers = hardware.of(Kind.COMMAND, joint.last)
             if not offers:
                 right = nearest(joint.last, hardware.command)
-                end = f"; did you mean '{right}'?" if right else ""
-                message = f"no transmission drives '{joint.last}', so that nobody reads its gains{end}"
+                hint = f"; did you mean '{right}'?" if right else ""
+                message = f"gains of '{joint.last}' are ignored: no transmission drives a joint of this name{hint}"
                 yield Finding(joint.key, message, severity=Severity.WARNING)
             elif any(bare(offer.interface) in _BY_PID for offer in offers):
                 message = (
-                    f"with these gains Gazebo pushes '{joint.last}' by forces; without them it sets the joint directly"
+                    f"with these gains Gazebo moves joint '{joint.last}' by forces. "
+                    "Without them it sets the joint directly, and prints a harmless 'No p gain specified for pid'"
                 )
-                yield Finding(joint.key, f"{message}, and prints a harmless 'No p gain specified for pid'")
+                yield Finding(joint.key, message)
             else:
-                message = f"these gains of '{joint.last}' are not read: its EffortJointInterface needs none"
+                message = f"gains of joint '{joint.last}' are ignored: its EffortJointInterface uses none"
                 yield Finding(joint.key, message)

@@ -48,23 +48,24 @@ _ROBOT = """
     },
 )
 def hardware_interface_not_in_gazebo(project: Project) -> Iterator[Finding]:
-    """A controller needs a hardware interface that Gazebo's own simulation does not have.
+    """Hardware interface is not available in Gazebo.
 
-    gazebo_ros_control's DefaultRobotHWSim has the interfaces of joints for position, velocity, effort and state, and no
-    others: sensors have Gazebo plugins of their own, which publish by themselves. The controller is not loaded.
+    DefaultRobotHWSim of gazebo_ros_control has only the joint interfaces for position, velocity, effort and state.
+    Sensors have Gazebo plugins of their own, which publish their data themselves. The controller is not loaded.
     """
-    return of_each_candidate(project, lambda session, one: _unexposed(project, session, one))
+    return of_each_candidate(project, lambda session, controller: _unavailable(project, session, controller))
 
 
-def _unexposed(project: Project, session: Session, one: Configured) -> Iterator[Finding]:
-    at, kind = home(one.controller), one.type
+def _unavailable(project: Project, session: Session, controller: Configured) -> Iterator[Finding]:
+    at, kind = home(controller.controller), controller.type
     simulation = project.catalog.hardware(_SIMULATION, session.distro)
     if at is None or kind is None or simulation is None:
         return
     offered = (_JOINT_STATES, *(simulation.command_interfaces or ()))
     lacking = [interface for interface in kind.hardware_interfaces if interface not in offered]
-    severity = mended_severity(project, session, one) if lacking else None
+    severity = mended_severity(project, session, controller) if lacking else None
     if severity in (None, Severity.WARNING):
-        return  # it may be hardware that has them
+        return  # the hardware may be another one, which has them
     names = in_words([bare(interface) for interface in lacking])
-    yield Finding(at, f"'{kind.type}' needs the {names}, which Gazebo's simulation does not have", severity=severity)
+    message = f"controller type '{kind.type}' requires {names}, which Gazebo's simulation does not have"
+    yield Finding(at, message, severity=severity)

@@ -8,7 +8,7 @@ from urdfctl.catalog.distros import since
 from urdfctl.control.hardware import Kind
 from urdfctl.control.session import Configured, Session
 from urdfctl.model.parameters import Value
-from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rule import Finding, Note, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.claims.common import home, of_each_candidate
 
 _STATES = "hardware_components_initial_state"
@@ -40,6 +40,7 @@ _CONTROLLERS = """
 
 @rule(
     "UC458",
+    stage=StageDependsOn.MANAGER,
     severity=Severity.ERROR,
     distros=since("humble"),
     authority="ros2_control controller_manager/src/controller_manager.cpp, init_resource_manager and, from jazzy 4.38.0 "
@@ -64,18 +65,18 @@ _CONTROLLERS = """
     },
 )
 def hardware_not_active(project: Project) -> Iterator[Finding]:
-    """A controller is started whose hardware the manager is told to leave inactive or unconfigured.
+    """Controller of hardware that is not activated.
 
-    Unconfigured hardware has no interfaces to be claimed. Of inactive hardware the interfaces are there, but from jazzy
-    on its controllers are refused all the same, unless the manager is told to allow them. Someone has to activate the
-    hardware first, with the hardware_spawner for one.
+    The controller manager is configured to leave the hardware inactive or unconfigured. Unconfigured hardware has no
+    interfaces to claim. Inactive hardware has them, but from jazzy on its controllers are refused too, unless the
+    manager is configured to allow them. Activate the hardware first, for example with hardware_spawner.
     """
     if _is_activated(project):
         return
-    told: set[int] = set()
-    for finding in of_each_candidate(project, _asleep):
-        if id(finding.at) not in told:
-            told.add(id(finding.at))
+    reported: set[int] = set()
+    for finding in of_each_candidate(project, _inactive):
+        if id(finding.at) not in reported:
+            reported.add(id(finding.at))
             yield finding
 
 
@@ -84,8 +85,8 @@ def _is_activated(project: Project) -> bool:
     return any(node.runs("controller_manager", "hardware_spawner") for node in nodes)
 
 
-def _asleep(session: Session, one: Configured) -> Iterator[Finding]:
-    manager = one.controller.manager
+def _inactive(session: Session, controller: Configured) -> Iterator[Finding]:
+    manager = controller.controller.manager
     if session.started is None or manager is None:
         return
     allowed = manager.parameters.value(_ALLOWED)
@@ -94,29 +95,27 @@ def _asleep(session: Session, one: Configured) -> Iterator[Finding]:
         states.append("inactive")
     for state in states:
         names = manager.parameters.value(f"{_STATES}.{state}")
-        for hardware in sorted(_claimed(session, one)):
+        for hardware in sorted(_claimed(session, controller)):
             place = _named(names, hardware)
             if place is not None:
-                yield _finding(one, place, hardware, state)
+                yield _finding(controller, place, hardware, state)
 
 
-def _finding(one: Configured, named: Value, hardware: str, state: str) -> Finding:
-    declared = home(one.controller)
-    notes = (Note(f"controller '{one.name}' is declared here", declared),) if declared else ()
-    message = (
-        f"controller '{one.name}' is started, and its hardware '{hardware}' is left {state}: it cannot be activated"
-    )
+def _finding(controller: Configured, named: Value, hardware: str, state: str) -> Finding:
+    declared = home(controller.controller)
+    notes = (Note(f"controller '{controller.name}' is declared here", declared),) if declared else ()
+    message = f"hardware '{hardware}' stays {state}, so controller '{controller.name}' cannot be activated"
     return Finding(named.at, message, notes)
 
 
-def _claimed(session: Session, one: Configured) -> set[str]:
-    """The hardware components of which a controller claims anything."""
-    found: set[str] = set()
+def _claimed(session: Session, controller: Configured) -> set[str]:
+    """The hardware components with interfaces that the controller claims."""
+    components: set[str] = set()
     for kind in Kind:
-        for claim in one.claimed(kind):
+        for claim in controller.claimed(kind):
             offers = session.hardware.of(kind, claim.component)
-            found.update(offer.by for offer in offers if offer.interface == claim.interface and offer.by)
-    return found
+            components.update(offer.by for offer in offers if offer.interface == claim.interface and offer.by)
+    return components
 
 
 def _named(names: Value | None, hardware: str) -> Value | None:

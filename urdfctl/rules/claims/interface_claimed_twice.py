@@ -8,7 +8,7 @@ from urdfctl.catalog.distros import generation
 from urdfctl.control.claims import Claim
 from urdfctl.control.conflicts import claimed_twice, resource
 from urdfctl.control.session import Configured, Session
-from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rule import Finding, Note, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.claims.common import of_each_candidate, place_of
 
 _ROBOT = """
@@ -33,6 +33,7 @@ _CONTROLLERS = """
 
 @rule(
     "UC457",
+    stage=StageDependsOn.MANAGER,
     severity=Severity.ERROR,
     authority='ros2_control controller_manager/src/controller_manager.cpp: "The command interfaces of the controller '
     "'arm' are not unique. Please make sure that the command interfaces are unique\"; ros_control "
@@ -44,28 +45,29 @@ _CONTROLLERS = """
     good={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "shoulder, elbow"},
 )
 def interface_claimed_twice(project: Project) -> Iterator[Finding]:
-    """A controller claims the same command interface twice.
+    """Controller claims an interface twice.
 
-    ROS 2 refuses the controller: when it is configured from jazzy on, before when it is to be activated, for the second
-    claim finds the interface taken. In ROS 1 it is the joint that counts: a controller that wants it in two interfaces
-    is in conflict with itself.
+    ROS 2 refuses the controller: from jazzy on when it is configured, earlier when it is activated, because its first
+    claim has taken the interface. ROS 1 compares joints: a controller that claims a joint in two hardware interfaces is
+    in conflict with itself.
     """
     return of_each_candidate(project, _twice)
 
 
-def _twice(session: Session, one: Configured) -> Iterator[Finding]:
-    for earlier, claim in claimed_twice(one, session.distro):
+def _twice(session: Session, controller: Configured) -> Iterator[Finding]:
+    for earlier, claim in claimed_twice(controller, session.distro):
         of_interface = claim.element == earlier.element and claim.parameter == earlier.parameter
-        at = place_of(one, claim, of_interface=of_interface and claim.interface_parameter is not None)
-        first = place_of(one, earlier, of_interface=of_interface and earlier.interface_parameter is not None)
-        if at is None or first is None or _is_told(one, claim):
+        at = place_of(controller, claim, of_interface=of_interface and claim.interface_parameter is not None)
+        first = place_of(controller, earlier, of_interface=of_interface and earlier.interface_parameter is not None)
+        if at is None or first is None or _is_reported_elsewhere(controller, claim):
             continue
-        what = "joint" if generation(session.distro) == 1 else "command interface"
-        notes = (Note("the first time", first),) if first is not at else ()
-        yield Finding(at, f"controller '{one.name}' claims the {what} '{resource(claim, session.distro)}' twice", notes)
+        kind = "joint" if generation(session.distro) == 1 else "command interface"
+        notes = (Note("first claimed here", first),) if first is not at else ()
+        message = f"controller '{controller.name}' claims {kind} '{resource(claim, session.distro)}' twice"
+        yield Finding(at, message, notes)
 
 
-def _is_told(one: Configured, claim: Claim) -> bool:
-    """Whether the controller refuses a list that names anything twice, as UC433 tells."""
-    parameter = one.type.parameters.get(claim.parameter) if one.type and claim.parameter else None
+def _is_reported_elsewhere(controller: Configured, claim: Claim) -> bool:
+    """Whether UC433 reports the duplicate, because the controller refuses a list with duplicates."""
+    parameter = controller.type.parameters.get(claim.parameter) if controller.type and claim.parameter else None
     return parameter is not None and "unique" in parameter.validators

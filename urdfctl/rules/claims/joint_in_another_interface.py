@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ROS1
 from urdfctl.control.hardware import Kind
 from urdfctl.control.session import Configured, Missing, Session
-from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
+from urdfctl.rule import Finding, Fix, Note, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.claims.common import home, of_each_candidate, place_of
 from urdfctl.rules.claims.ros1 import bare, mended_severity, unregistered
 from urdfctl.rules.common import in_words, replaced
@@ -30,6 +30,7 @@ _CONTROLLERS = """
 
 @rule(
     "UC461",
+    stage=StageDependsOn.MANAGER,
     severity=Severity.ERROR,
     distros=ROS1,
     authority="ros_control hardware_interface/internal/resource_manager.h: \"Could not find resource 'elbow' in "
@@ -42,27 +43,28 @@ _CONTROLLERS = """
     good={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "position_controllers/JointPositionController"},
 )
 def joint_in_another_interface(project: Project) -> Iterator[Finding]:
-    """A controller wants a joint in another hardware interface than its transmission offers it in.
+    """Controller and transmission use different hardware interfaces.
 
-    The first part of a controller's type says what it writes to the joint: effort_controllers write torques and look
-    for the joint in the EffortJointInterface. Gazebo puts a joint into the interface that its transmission names, and
-    into no other; so the controller does not find it and is not loaded. Either the type or the transmission is wrong.
+    The first part of a controller's type says what it writes to the joint: effort_controllers write torques, and expect
+    the joint in the EffortJointInterface. Gazebo registers a joint only with the interface that its transmission names.
+    The controller does not find the joint there, and is not loaded. Either the type or the transmission is wrong.
     """
-    return of_each_candidate(project, lambda session, one: _elsewhere(project, session, one))
+    return of_each_candidate(project, lambda session, controller: _mismatched(project, session, controller))
 
 
-def _elsewhere(project: Project, session: Session, one: Configured) -> Iterator[Finding]:
-    found = [each for each in unregistered(session, one) if session.hardware.of(Kind.COMMAND, each.claim.component)]
-    severity = mended_severity(project, session, one) if found else None
+def _mismatched(project: Project, session: Session, controller: Configured) -> Iterator[Finding]:
+    hardware = session.hardware
+    missing = [each for each in unregistered(session, controller) if hardware.of(Kind.COMMAND, each.claim.component)]
+    severity = mended_severity(project, session, controller) if missing else None
     if severity is None:
         return
-    joints = {claim.component for claim in one.claims.command}
-    offered = {_offered(session, each) for each in found}
-    if len(found) == len(joints) and len(offered) == 1:
-        yield from _finding(project, session, one, found, severity)
+    joints = {claim.component for claim in controller.claims.command}
+    offered = {_offered(session, each) for each in missing}
+    if len(missing) == len(joints) and len(offered) == 1:
+        yield from _finding(project, session, controller, missing, severity)
     else:
-        for each in found:
-            yield from _finding(project, session, one, [each], severity)
+        for each in missing:
+            yield from _finding(project, session, controller, [each], severity)
 
 
 def _offered(session: Session, missing: Missing) -> str:
@@ -70,31 +72,31 @@ def _offered(session: Session, missing: Missing) -> str:
 
 
 def _finding(
-    project: Project, session: Session, one: Configured, found: list[Missing], severity: Severity
+    project: Project, session: Session, controller: Configured, missing: list[Missing], severity: Severity
 ) -> Iterator[Finding]:
-    claim, offered = found[0].claim, _offered(session, found[0])
-    whole = len(found) == len({each.component for each in one.claims.command})
-    at = home(one.controller) if whole else place_of(one, claim)
-    if at is None or one.type is None:
+    claim, offered = missing[0].claim, _offered(session, missing[0])
+    is_whole = len(missing) == len({each.component for each in controller.claims.command})
+    at = home(controller.controller) if is_whole else place_of(controller, claim)
+    if at is None or controller.type is None:
         return
-    joints = in_words([each.claim.component for each in found])
-    other = _of_interface(project, one, offered) if whole else None
-    transmissions = "the transmission" if len(found) == 1 else "the transmissions"
-    mend = f"name '{claim.interface}' in {transmissions}"
-    mends = f"use '{other}', or {mend}" if other else mend
+    joints = in_words([each.claim.component for each in missing])
+    other = _of_interface(project, controller, offered) if is_whole else None
+    transmissions = "the transmission" if len(missing) == 1 else "the transmissions"
+    change = f"name '{claim.interface}' in {transmissions}"
+    advice = f"use '{other}', or {change}" if other else change
     message = (
-        f"controller '{one.name}' wants {joints} in the {bare(claim.interface)}, and {transmissions} "
-        f"offer{'s' * (len(found) == 1)} the {bare(offered)}: {mends}"
+        f"controller '{controller.name}' requires {joints} in the {bare(claim.interface)}, but {transmissions} "
+        f"offer{'s' * (len(missing) == 1)} the {bare(offered)}; {advice}"
     )
-    here = session.hardware.of(Kind.COMMAND, claim.component)[0].at
-    notes = (Note(f"the transmission of '{claim.component}' names its interface here", here.content),)
-    fix = replaced(at, one.type.type, other) if other else Fix(mend)
+    interface_at = session.hardware.of(Kind.COMMAND, claim.component)[0].at
+    notes = (Note(f"the transmission of '{claim.component}' names its interface here", interface_at.content),)
+    fix = replaced(at, controller.type.type, other) if other else Fix(change)
     yield Finding(at, message, notes, fix, severity)
 
 
-def _of_interface(project: Project, one: Configured, interface: str) -> str | None:
-    """The type that does the same with another interface: of the same name in another package."""
-    kind = one.type
+def _of_interface(project: Project, controller: Configured, interface: str) -> str | None:
+    """The type with the same class name in another package, which uses the given interface."""
+    kind = controller.type
     if kind is None:
         return None
     for name in project.catalog.known_types(kind.distro):

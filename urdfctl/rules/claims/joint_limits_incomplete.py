@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
+from urdfctl.control.gazebo_ros1 import in_gazebo
 from urdfctl.control.hardware import Kind
+from urdfctl.control.readers import controllers_in
 from urdfctl.model.parameters import Parameter, Parameters
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.claims.common import seen
 from urdfctl.rules.claims.ros1 import bare
 from urdfctl.rules.common import in_words
-from urdfctl.rules.controllers.common import controllers_in
-from urdfctl.rules.transmissions.common import in_gazebo
 
 _SECTION = "joint_limits"
 _PARTS = ("velocity", "acceleration", "jerk", "effort")
@@ -43,10 +43,11 @@ _LIMITS = """
     good={"robot.urdf": _ROBOT, "controllers.yaml": _LIMITS % "has_velocity_limits: true, max_velocity: 1.0"},
 )
 def joint_limits_incomplete(project: Project) -> Iterator[Finding]:
-    """A limit under joint_limits lacks its number, or the word that it counts.
+    """Incomplete limit in joint_limits.
 
-    A limit is read where `has_velocity_limits` is true and `max_velocity` gives it; either alone is passed over without
-    a word. A joint that has no <limit> in the URDF, and here not all that its interface needs, ends Gazebo.
+    A limit requires both `has_velocity_limits: true` and its value `max_velocity`; one without the other is ignored
+    silently. If a joint has no <limit> in the URDF, and joint_limits lacks a limit that its interface requires, Gazebo
+    exits.
     """
     for section in controllers_in(project).others:
         if section.name == _SECTION and "planning" not in section.path:
@@ -60,9 +61,11 @@ def _halves(joint: Parameter, limits: Parameters) -> Iterator[Finding]:
     for part in _PARTS:
         has, most = limits.get(f"has_{part}_limits"), limits.get(f"max_{part}")
         if has is not None and has.value.value is True and most is None:
-            yield Finding(has.key, f"'{joint.name}' has no 'max_{part}', so that its {part} is not limited")
+            yield Finding(has.key, f"joint '{joint.name}' has no 'max_{part}'; its {part} is not limited")
         if most is not None and has is None:
-            yield Finding(most.key, f"'max_{part}' of '{joint.name}' is not read without 'has_{part}_limits: true'")
+            yield Finding(
+                most.key, f"'max_{part}' of joint '{joint.name}' is ignored without 'has_{part}_limits: true'"
+            )
 
 
 def _unenforced(project: Project, joint: Parameter, limits: Parameters) -> Iterator[Finding]:
@@ -74,7 +77,9 @@ def _unenforced(project: Project, joint: Parameter, limits: Parameters) -> Itera
         lacking = [part for part in _NEEDED.get(bare(offer.interface), ()) if not _is_given(limits, part)]
         if lacking:
             names = in_words([f"max_{part}" for part in lacking])
-            message = f"'{joint.name}' has no <limit> in the URDF, and here no {names}: Gazebo ends with an exception"
+            message = (
+                f"joint '{joint.name}' has no <limit> in the URDF and no {names} here; Gazebo exits with an exception"
+            )
             yield Finding(joint.key, message, severity=Severity.ERROR)
 
 

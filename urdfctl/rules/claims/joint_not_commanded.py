@@ -41,24 +41,25 @@ _COMMAND = '<command_interface name="position"/>'
     good={"robot.urdf": _ROBOT % _COMMAND, "controllers.yaml": _CONTROLLERS % "shoulder, elbow"},
 )
 def joint_not_commanded(project: Project) -> Iterator[Finding]:
-    """The hardware takes commands for a joint, and no controller gives any.
+    """Joint is not commanded by any controller.
 
-    The joint stays where it is, or falls. That may be meant: its controller may stand in another file.
+    The hardware accepts commands for the joint, but no controller sends any: the joint stays where it is, or falls.
+    This may be intended, as its controller may be in another file.
     """
     sessions = seen(project)
     if not sessions or project.robot is None:
         return
     session = sessions[-1]
-    if session.hardware.known and all(one.claims.complete for one in session.controllers):
+    if session.hardware.known and all(controller.claims.complete for controller in session.controllers):
         yield from _idle(session, [joint.name for joint in project.robot.joints if joint.name])
 
 
 def _idle(session: Session, joints: list[str]) -> Iterator[Finding]:
-    claimed = {claim.component for one in session.controllers for claim in one.claims.command}
+    claimed = {claim.component for controller in session.controllers for claim in controller.claims.command}
     commanded = [joint for joint in joints if joint in session.hardware.command]
     idle = [joint for joint in commanded if joint not in claimed]
     if not idle or len(idle) == len(commanded):
         return
-    takes = "takes" if len(idle) == 1 else "take"
+    joint_is = "joint {} is" if len(idle) == 1 else "joints {} are"
     at = session.hardware.command[idle[0]][0].at
-    yield Finding(at, f"{in_words(idle)} {takes} commands, and no controller of these files gives any")
+    yield Finding(at, f"{joint_is.format(in_words(idle))} not commanded by any controller in these files")

@@ -45,11 +45,11 @@ _CONTROLLERS = """
     },
 )
 def joint_states_not_published(project: Project) -> Iterator[Finding]:
-    """No controller publishes the states of the joints.
+    """Joint states are not published.
 
-    Controllers move joints, and tell nobody where they are: that is what joint_state_broadcaster is for, in ROS 1
-    joint_state_controller. Without it there are no transforms, so that RViz shows the links in a heap, and MoveIt waits
-    for the robot's state. It may stand in another file, or another node may publish the joint states.
+    Controllers move joints, but only joint_state_broadcaster (in ROS 1 joint_state_controller) publishes their
+    positions. Without it there are no transforms: RViz shows all links in one place, and MoveIt waits for the robot's
+    state. It may be in another file, or another node may publish the joint states.
     """
     sessions = seen(project)
     if not sessions or not all(map(_is_silent, sessions)) or _is_published_by_plugin(project):
@@ -57,32 +57,34 @@ def joint_states_not_published(project: Project) -> Iterator[Finding]:
     session = sessions[-1]
     started = session.started is not None
     at = _place(session)
-    idle = next((one for one in session.controllers if _publishes(one)), None)
+    idle = next((controller for controller in session.controllers if _publishes(controller)), None)
     if at is None:
         return
     severity = Severity.WARNING if started and project.launch is not None else Severity.INFO
     if idle is not None:
-        yield Finding(at, f"'{idle.name}', which publishes the joint states, is not started", severity=severity)
+        yield Finding(
+            at, f"controller '{idle.name}', which publishes the joint states, is not started", severity=severity
+        )
     else:
         kinds = (
             project.catalog.controller(name, session.distro) for name in project.catalog.known_types(session.distro)
         )
         known = next((kind.type for kind in kinds if kind and kind.publishes_joint_states), "")
-        which = "that is started" if started else "that is declared"
-        message = f"no controller {which} publishes the joint states: add one of type '{known}'"
+        state = "started" if started else "declared"
+        message = f"no {state} controller publishes the joint states; add one of type '{known}'"
         yield Finding(at, message, severity=severity)
 
 
 def _is_silent(session: Session) -> bool:
-    """Whether controllers that move joints are known, and none of those that may run publishes their states."""
+    """Whether the candidates are known, some of them move joints, and none publishes the joint states."""
     candidates = session.candidates
-    if not all(one.type is not None for one in candidates) or any(_publishes(one) for one in candidates):
+    if any(controller.type is None or _publishes(controller) for controller in candidates):
         return False
-    return any(one.claims.command for one in candidates)
+    return any(controller.claims.command for controller in candidates)
 
 
-def _publishes(one: Configured) -> bool:
-    return one.type is not None and one.type.publishes_joint_states
+def _publishes(controller: Configured) -> bool:
+    return controller.type is not None and controller.type.publishes_joint_states
 
 
 def _is_published_by_plugin(project: Project) -> bool:
@@ -91,6 +93,6 @@ def _is_published_by_plugin(project: Project) -> bool:
 
 
 def _place(session: Session) -> Place | None:
-    first = next(one for one in session.candidates if one.claims.command)
+    first = next(controller for controller in session.candidates if controller.claims.command)
     manager = first.controller.manager
     return home(first.controller) if session.started is not None or manager is None else manager.at

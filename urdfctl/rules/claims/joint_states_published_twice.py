@@ -43,30 +43,32 @@ _ROBOT = """
     },
 )
 def joint_states_published_twice(project: Project) -> Iterator[Finding]:
-    """Two controllers that are started publish the states of the same joints on one topic.
+    """Joint states are published twice.
 
-    Whoever reads joint_states gets each joint twice, at two rates: transforms come in bursts, and in velocities the two
-    mix.
+    Two started controllers publish the same joints on one topic. Subscribers of joint_states get each joint twice, at
+    two rates: transforms arrive in bursts, and the velocities of both mix.
     """
     return of_each_candidate(project, _again)
 
 
-def _again(session: Session, one: Configured) -> Iterator[Finding]:
-    at, joints = home(one.controller), _joints(one)
+def _again(session: Session, controller: Configured) -> Iterator[Finding]:
+    at, joints = home(controller.controller), _joints(controller)
     for other in session.started or ():
-        if other is one:
+        if other is controller:
             return
         first = home(other.controller)
-        same = other.controller.namespace == one.controller.namespace
+        same = other.controller.namespace == controller.controller.namespace
         if same and joints & _joints(other) and at is not None and first is not None:
             message = (
-                f"'{one.name}' publishes the joint states that '{other.name}' publishes already: start one of them"
+                f"controller '{controller.name}' publishes the same joint states as controller '{other.name}'; "
+                "start only one of them"
             )
-            yield Finding(at, message, (Note(f"'{other.name}' is declared here", first),))
+            yield Finding(at, message, (Note(f"controller '{other.name}' is declared here", first),))
 
 
-def _joints(one: Configured) -> set[str]:
-    """The joints that a controller publishes on the common topic."""
-    if one.type is None or not one.type.publishes_joint_states or one.values.get(_LOCAL):
+def _joints(controller: Configured) -> set[str]:
+    """The joints that a controller publishes on the shared topic."""
+    kind = controller.type
+    if kind is None or not kind.publishes_joint_states or controller.values.get(_LOCAL):
         return set()
-    return {claim.component for claim in one.claims.state}
+    return {claim.component for claim in controller.claims.state}

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
 from urdfctl.control.session import Configured, Session
+from urdfctl.names import did_you_mean
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.claims.common import of_each_candidate
 from urdfctl.rules.common import is_known
-from urdfctl.suggest import did_you_mean
 
 _MAP = "map_interface_to_joint_state"
 _ROBOT = """
@@ -44,21 +44,22 @@ _CONTROLLERS = """
     good={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "angle"},
 )
 def mapped_interface_not_exported(project: Project) -> Iterator[Finding]:
-    """A state interface is to be published as position, velocity or effort, and no hardware exports it.
+    """Mapped state interface is not exported.
 
-    The broadcaster does not complain: the joint states are published without those values, for what bears the usual name
-    is not taken in its place.
+    `map_interface_to_joint_state` publishes this interface as position, velocity or effort, but no hardware exports it.
+    The broadcaster reports nothing, and does not use the interface with the usual name instead: the joint states lack
+    these values.
     """
     return of_each_candidate(project, _mapped)
 
 
-def _mapped(session: Session, one: Configured) -> Iterator[Finding]:
-    hardware = session.hardware
-    if one.type is None or not one.type.publishes_joint_states or not hardware.known or hardware.open:
+def _mapped(session: Session, controller: Configured) -> Iterator[Finding]:
+    hardware, kind = session.hardware, controller.type
+    if kind is None or not kind.publishes_joint_states or not hardware.known or hardware.open:
         return
     exported = {offer.interface for offers in hardware.state.values() for offer in offers}
-    for parameter in one.controller.parameters.below(_MAP):
+    for parameter in controller.controller.parameters.below(_MAP):
         name = parameter.value.text
         if name and is_known(name) and parameter.value.is_known and name not in exported and name != parameter.last:
-            message = f"no hardware exports a state interface '{name}', so that joint states have no {parameter.last}"
+            message = f"no hardware exports state interface '{name}'; the joint states have no {parameter.last}"
             yield Finding(parameter.value.at, f"{message}{did_you_mean(name, exported)}")

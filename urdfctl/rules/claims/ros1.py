@@ -1,30 +1,29 @@
-"""What the rules on ROS 1 share: how sure it is that Gazebo's default simulation makes the hardware, and of what."""
+"""Helpers shared by the rules on ROS 1: whether Gazebo's default simulation is the hardware, and what it lacks."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
+from urdfctl.control.gazebo_ros1 import GAZEBO_INTERFACES, in_gazebo
 from urdfctl.control.hardware import Kind
 from urdfctl.control.hardware_ros1 import PREFIX
 from urdfctl.control.session import Configured, Missing, Session
 from urdfctl.rule import Project, Severity
 from urdfctl.rules.claims.common import missing_of, severity_of
-from urdfctl.rules.transmissions.common import in_gazebo
-from urdfctl.rules.transmissions.facts import GAZEBO_INTERFACES
 
 
-def mended_severity(project: Project, session: Session, one: Configured) -> Severity | None:
-    """How bad it is what Gazebo's default simulation does not offer; None where it does not run the robot."""
+def mended_severity(project: Project, session: Session, controller: Configured) -> Severity | None:
+    """Return the severity of an interface that Gazebo's default simulation lacks; None if Gazebo is not used."""
     gazebo = in_gazebo(project)
     if gazebo is None:
         return None
-    return min(gazebo, severity_of(session, one, ()), key=lambda severity: severity.weight)
+    return min(gazebo, severity_of(session, controller, ()), key=lambda severity: severity.weight)
 
 
-def unregistered(session: Session, one: Configured) -> Iterable[Missing]:
-    """The joints that a controller asks for in an interface of Gazebo's simulation that they are not in."""
-    found = (*missing_of(session, one, Kind.COMMAND), *missing_of(session, one, Kind.STATE))
-    return (each for each in found if _is_of_gazebo(each.claim.interface))
+def unregistered(session: Session, controller: Configured) -> Iterable[Missing]:
+    """Return a controller's claims to joints that are not registered with the claimed interface of Gazebo."""
+    missing = (*missing_of(session, controller, Kind.COMMAND), *missing_of(session, controller, Kind.STATE))
+    return (each for each in missing if _is_of_gazebo(each.claim.interface))
 
 
 def _is_of_gazebo(interface: str) -> bool:
@@ -35,5 +34,5 @@ def _is_of_gazebo(interface: str) -> bool:
 
 
 def bare(interface: str) -> str:
-    """The name of a hardware interface without its package."""
+    """Return the name of a hardware interface without its package."""
     return interface.rpartition("/")[2]

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.control.hardware import Kind
-from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rule import Finding, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.claims.common import of_each_candidate
 from urdfctl.rules.claims.unoffered import unoffered
 
@@ -21,6 +21,7 @@ _ROBOT = """
 
 @rule(
     "UC451",
+    stage=StageDependsOn.MANAGER,
     severity=Severity.ERROR,
     distros=ROS2,
     authority="ros2_control controller_manager/src/controller_manager.cpp: \"Unable to activate controller 'arm' since "
@@ -60,10 +61,9 @@ _ROBOT = """
     },
 )
 def state_interface_not_exported(project: Project) -> Iterator[Finding]:
-    """A controller reads a state interface that no hardware exports.
+    """State interface is not exported by any hardware.
 
-    The controller loads and is configured, and is refused when it is to be activated. A joint, sensor or gpio has the
-    state interfaces that stand in its `<ros2_control>` tag, and no others: a joint that exports its position does not
-    thereby export its velocity.
+    The controller is loaded and configured, but cannot be activated. A joint, sensor or gpio exports only the state
+    interfaces listed in the `<ros2_control>` tag: a joint that exports its position does not also export its velocity.
     """
-    return of_each_candidate(project, lambda session, one: unoffered(session, one, Kind.STATE))
+    return of_each_candidate(project, lambda session, controller: unoffered(session, controller, Kind.STATE))

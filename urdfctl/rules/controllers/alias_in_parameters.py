@@ -6,12 +6,13 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.model.controllers import FaultKind
-from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
 from urdfctl.rules.controllers.common import faults
 
 
 @rule(
     "UC405",
+    stage=Stage.PARAMETERS,
     severity=Severity.ERROR,
     distros=ROS2,
     authority="rcl rcl_yaml_param_parser/src/parse.c: 'Will not support aliasing at line 8'",
@@ -44,10 +45,11 @@ from urdfctl.rules.controllers.common import faults
     },
 )
 def alias_in_parameters(project: Project) -> Iterator[Finding]:
-    """A parameter file uses a YAML alias (`*name`).
+    """YAML alias in a parameter file.
 
-    ROS 2's reader of parameter files knows no aliases: the node that is given the file ends at once. Anchors (`&name`)
-    and merge keys that hold a map of their own do no harm.
+    ROS 2's parameter file reader does not support aliases (`*name`): a node that gets this file exits at once. Anchors
+    (`&name`) and merge keys with an inline map are harmless.
     """
     for fault in faults(project, FaultKind.ALIAS):
-        yield Finding(fault.at, "ROS 2 reads no YAML aliases; write here what the anchor stands for")
+        message = f"YAML alias '{fault.at.span.text}' is not supported by ROS 2; write the value of the anchor instead"
+        yield Finding(fault.at, message)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.readers import Reader, in_each_distro
 from urdfctl.model.parameters import Kind
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import Names, replaced
 from urdfctl.rules.controllers.joints import robot_of
-from urdfctl.rules.controllers.readers import Reader, in_each_distro
 
 _BASE = """
     states: {type: joint_state_controller/JointStateController, publish_rate: 50}
@@ -39,8 +39,8 @@ _DRIVES = """
 @rule(
     "UC445",
     severity=Severity.WARNING,
-    authority="diff_drive_controller and its like publish the transform from odom to base_frame_id, and compare it with no "
-    "description",
+    authority="diff_drive_controller and similar types publish the transform from odom to base_frame_id without checking "
+    "it against the robot description",
     whole_robot=True,
     in_library=False,
     options=["--distro=noetic"],
@@ -48,18 +48,18 @@ _DRIVES = """
     good={"robot.urdf": _DRIVES, "controllers.yaml": _BASE % "base"},
 )
 def base_frame_not_a_link(project: Project) -> Iterator[Finding]:
-    """The base frame of a drive is no link of the robot.
+    """Base frame is not a link of the robot.
 
-    The odometry moves a frame that nothing hangs on, unless something else joins the two: the robot stands still where
-    it is shown, and is not found in the odometry's frame.
+    The drive publishes its odometry for a frame that no link is attached to, unless another node connects the two. RViz
+    then shows the robot standing still, and there is no transform from the odometry frame to the robot.
     """
     robot = robot_of(project)
     if robot is not None:
         names = Names(link.name for link in robot.links)
-        yield from in_each_distro(project, lambda reader: _elsewhere(reader, names))
+        yield from in_each_distro(project, lambda reader: _missing_frame(reader, names))
 
 
-def _elsewhere(reader: Reader, names: Names) -> Iterator[Finding]:
+def _missing_frame(reader: Reader, names: Names) -> Iterator[Finding]:
     given = reader.located.get("base_frame_id") if "base_frame_id" in reader.known else None
     if given is None or given.value.kind is not Kind.STRING or not given.value.is_known or not given.value.text:
         return
@@ -67,7 +67,7 @@ def _elsewhere(reader: Reader, names: Names) -> Iterator[Finding]:
     if name in names:
         return
     right = names.meant_by(name)
-    end = f"; did you mean '{right}'?" if right else ""
+    hint = f"; did you mean '{right}'?" if right else ""
     fix = replaced(given.value.at, name, right) if right else None
-    message = f"'base_frame_id' is '{given.value.text}', which is no link of the robot{end}"
+    message = f"'base_frame_id' is '{given.value.text}', but the robot has no such link{hint}"
     yield Finding(given.value.at, message, fix=fix, severity=Severity.WARNING)

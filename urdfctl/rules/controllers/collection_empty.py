@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
+from urdfctl.control.readers import controllers_in
 from urdfctl.model.controllers import FaultKind
-from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.controllers.common import controllers_in, faults
+from urdfctl.rule import Finding, Project, Severity, StageDependsOn, rule
+from urdfctl.rules.controllers.common import faults
 
 
 @rule(
     "UC407",
+    stage=StageDependsOn.PARAMETER_CHECKS,
     severity=Severity.ERROR,
     distros=ROS2,
     authority="rclcpp rclcpp/src/rclcpp/parameter_map.cpp: 'No parameter value set'",
@@ -40,15 +42,16 @@ from urdfctl.rules.controllers.common import controllers_in, faults
     },
 )
 def collection_empty(project: Project) -> Iterator[Finding]:
-    """A list or a map of parameters is empty.
+    """Empty list or map of parameters.
 
-    An empty list has no type that ROS 2's reader could tell, and the node that is given it fails, even where it does not
-    know the parameter: the controller is not loaded, or the controller manager ends. To have the default, leave it out.
+    ROS 2 cannot determine the type of an empty list. A node that gets one fails, even if it has no such parameter: the
+    controller is not loaded, or the controller manager exits. To use the default, remove the parameter.
     """
-    others = {section.path for section in controllers_in(project).others}
+    paths_of_other_nodes = {section.path for section in controllers_in(project).others}
     for fault in faults(project, FaultKind.EMPTY_COLLECTION):
-        own = "/".join(key.text for key in fault.keys) not in others
+        of_controller = "/".join(key.text for key in fault.keys) not in paths_of_other_nodes
         message = (
-            f"'{fault.subject}' is empty, and the node that reads it fails ('No parameter value set'); leave it out"
+            f"parameter '{fault.subject}' is empty; the node fails with 'No parameter value set'. "
+            "Remove it or give it a value"
         )
-        yield Finding(fault.at, message, severity=None if own else Severity.WARNING)
+        yield Finding(fault.at, message, severity=None if of_controller else Severity.WARNING)

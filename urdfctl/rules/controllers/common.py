@@ -1,22 +1,16 @@
-"""What the rules on controllers' files share."""
+"""Helpers shared by the rules on controller files."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.model.controllers import Controllers, Fault, FaultKind, Section
+from urdfctl.control.readers import controllers_in
+from urdfctl.model.controllers import Fault, FaultKind, Section
 from urdfctl.rule import Project
-
-NOTHING = Controllers(())
-
-
-def controllers_in(project: Project) -> Controllers:
-    """What the controllers' files say; of a project without any, nothing."""
-    return project.controllers or NOTHING
 
 
 def faults(project: Project, *kinds: FaultKind) -> Iterator[Fault]:
-    """What the readers of the controllers' files refuse, of some kinds."""
+    """Yield the faults of the given kinds for which ROS rejects a controller file."""
     controllers = controllers_in(project)
     for fault in controllers.faults:
         if fault.kind in kinds and is_judged(project, fault.at.source.path):
@@ -24,8 +18,11 @@ def faults(project: Project, *kinds: FaultKind) -> Iterator[Fault]:
 
 
 def is_judged(project: Project, path: str) -> bool:
-    """Whether a file is surely one of controllers for this generation of ROS: by what it holds, or because the robot
-    names it as one. Files of MoveIt and of other nodes may be named beside it; UC401 tells those of the other."""
+    """Return whether a file certainly is a controller file for this generation of ROS.
+
+    Its contents show it, or the robot names it as one. Files of MoveIt and other nodes may be listed beside it. UC401
+    and UC402 report files for the other generation.
+    """
     controllers = controllers_in(project)
     file = next((file for file in controllers.files if file.path == path), None)
     if file is None or file.form is None:
@@ -34,9 +31,9 @@ def is_judged(project: Project, path: str) -> bool:
 
 
 def sections(project: Project) -> Iterator[Section]:
-    """The sections that name a node, each once: those of managers, of controllers, and all others."""
+    """Yield each section that names a node once: first those of managers and controllers, then all others."""
     controllers = controllers_in(project)
-    found = {section.path: section for manager in controllers.managers for section in manager.sections}
-    found |= {section.path: section for controller in controllers.controllers for section in controller.sections}
-    yield from found.values()
+    by_path = {section.path: section for manager in controllers.managers for section in manager.sections}
+    by_path |= {section.path: section for controller in controllers.controllers for section in controller.sections}
+    yield from by_path.values()
     yield from controllers.others

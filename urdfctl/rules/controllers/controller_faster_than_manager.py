@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
+from urdfctl.control.readers import controllers_in
 from urdfctl.model.parameters import Kind, Value
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.controllers.common import controllers_in
 
 _DEFAULT = 100
+"""Update rate of a controller manager in Hz if none is given."""
 
 
 @rule(
@@ -47,26 +48,29 @@ _DEFAULT = 100
     },
 )
 def controller_faster_than_manager(project: Project) -> Iterator[Finding]:
-    """A controller shall run at a higher rate than its manager, or at one that the manager's is no multiple of.
+    """Controller update rate exceeds or does not divide its manager's rate.
 
-    A controller is updated in the manager's loop: never more often, and at a rate that does not divide the manager's
-    at uneven times.
+    The controller manager updates controllers in its own loop, so no controller runs faster than this loop. At a rate
+    that does not divide the manager's, a controller is updated at uneven intervals.
     """
     for controller in controllers_in(project).controllers:
         manager = controller.manager
-        rate, whole = controller.parameters.value("update_rate"), None
-        if manager is not None:
-            whole = manager.parameters.value("update_rate")
-        own, managers = _rate(rate), _DEFAULT if whole is None else _rate(whole)
-        if manager is None or rate is None or own is None or managers is None or managers % own == 0:
+        value = controller.parameters.value("update_rate")
+        manager_value = manager.parameters.value("update_rate") if manager is not None else None
+        rate, manager_rate = _rate(value), _DEFAULT if manager_value is None else _rate(manager_value)
+        if manager is None or value is None or rate is None or manager_rate is None or manager_rate % rate == 0:
             continue
-        notes = (Note(f"the rate of '{manager.name}' stands here", whole.at),) if whole else ()
-        words = "is higher than" if own > managers else "does not divide"
-        message = f"the update rate of '{controller.name}' is {own} Hz, which {words} the {managers} Hz of its manager"
-        yield Finding(rate.at, message, notes, severity=None if own > managers else Severity.INFO)
+        notes = (Note(f"rate of '{manager.name}' is set here", manager_value.at),) if manager_value else ()
+        is_faster = rate > manager_rate
+        relation = "is higher than" if is_faster else "does not divide"
+        message = (
+            f"update rate of controller '{controller.name}' is {rate} Hz, "
+            f"which {relation} the {manager_rate} Hz of its manager"
+        )
+        yield Finding(value.at, message, notes, severity=None if is_faster else Severity.INFO)
 
 
 def _rate(value: Value | None) -> int | None:
-    """A rate that is a whole number above 0; of another nothing is said here."""
+    """The rate if it is an integer above 0, else None."""
     rate = value.value if value is not None and value.kind is Kind.INT else None
     return rate if isinstance(rate, int) and rate > 0 else None

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 from urdfctl.control.hardware import Hardware
 from urdfctl.control.names import is_misnamed
+from urdfctl.control.readers import Reader, in_each_distro
 from urdfctl.model.robot import Robot
-from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rule import Finding, Note, Project, Severity, Stage, rule
 from urdfctl.rules.controllers.joints import hardware_in, named, robot_of, severity_of
-from urdfctl.rules.controllers.readers import Reader, in_each_distro
 
 _ROBOT = """
     <transmission name="arm">
@@ -28,9 +28,10 @@ _CONTROLLERS = """
 
 @rule(
     "UC441",
+    stage=Stage.ACTIVATE,
     severity=Severity.ERROR,
-    authority="ros_controllers: 'Could not find joint 'mount' in 'hardware_interface::EffortJointInterface'.'; Gazebo has "
-    "no joint for a fixed one, which it lumps into its parent",
+    authority="ros_controllers: 'Could not find joint 'mount' in 'hardware_interface::EffortJointInterface'.'; Gazebo "
+    "merges the link of a fixed joint into its parent, so the joint does not exist there",
     whole_robot=True,
     in_library=False,
     options=["--distro=noetic"],
@@ -38,10 +39,10 @@ _CONTROLLERS = """
     good={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "elbow"},
 )
 def controller_joint_fixed(project: Project) -> Iterator[Finding]:
-    """A controller names a joint that is fixed.
+    """Controller uses a fixed joint.
 
-    A fixed joint cannot be moved, and no hardware offers anything of it: the controller is not loaded (ROS 1), or never
-    activated (ROS 2).
+    A fixed joint cannot move, and no hardware exports interfaces for it. The controller is not loaded (ROS 1) or cannot
+    be activated (ROS 2).
     """
     robot = robot_of(project)
     if robot is not None:
@@ -50,9 +51,12 @@ def controller_joint_fixed(project: Project) -> Iterator[Finding]:
 
 
 def _fixed(reader: Reader, robot: Robot, hardware: Hardware, project: Project) -> Iterator[Finding]:
-    for one in named(reader):
-        if one.name in hardware.fixed and is_misnamed(one.claim, hardware):
-            joint = robot.joint(one.name)
-            notes = (Note("it is fixed here", joint.at),) if joint else ()
-            message = f"joint '{one.name}' of controller '{reader.name}' is fixed, and nothing can move it"
-            yield Finding(one.at, message, notes, severity=severity_of(project, hardware, meant=True, others=True))
+    for name in named(reader):
+        if name.name in hardware.fixed and is_misnamed(name.claim, hardware):
+            joint = robot.joint(name.name)
+            notes = (Note(f"joint '{name.name}' is defined here", joint.at),) if joint else ()
+            message = (
+                f"controller '{reader.name}' uses joint '{name.name}', which is fixed. "
+                "Remove it, or change the joint's type"
+            )
+            yield Finding(name.at, message, notes, severity=severity_of(project, hardware, meant=True, others=True))

@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 from urdfctl.control.hardware import Hardware
 from urdfctl.control.names import is_misnamed
+from urdfctl.control.readers import Reader, in_each_distro
 from urdfctl.model.robot import Robot
-from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
 from urdfctl.rules.common import Names, in_words, replaced
 from urdfctl.rules.controllers.joints import Named, hardware_in, links_called, meant_by, named, robot_of, severity_of
-from urdfctl.rules.controllers.readers import Reader, in_each_distro
 
 _ROBOT = """
     <ros2_control name="arm" type="system">
@@ -34,6 +34,7 @@ _CONTROLLERS = """
 
 @rule(
     "UC440",
+    stage=Stage.ACTIVATE,
     severity=Severity.ERROR,
     authority="ros_controllers: 'Could not find joint 'elbw' in URDF model.', 'Could not find resource 'elbw' in "
     "'hardware_interface::PositionJointInterface'.'; ros2_control: 'Unable to activate controller 'arm' since the command "
@@ -45,10 +46,11 @@ _CONTROLLERS = """
     good={"robot.urdf": _ROBOT, "controllers.yaml": _CONTROLLERS % "elbow"},
 )
 def controller_joint_unknown(project: Project) -> Iterator[Finding]:
-    """A controller names a joint that the robot does not have.
+    """Unknown joint in a controller.
 
-    The controller is not loaded (ROS 1), or loaded and never activated (ROS 2). Where it is not known which controllers
-    are started, those that name none of the robot's joints may be for another robot, and are told as worth knowing.
+    The controller is not loaded (ROS 1), or is loaded but cannot be activated (ROS 2). If it is unknown which
+    controllers are started, a controller that names none of the robot's joints may be for another robot: it is reported
+    as info.
     """
     robot = robot_of(project)
     if robot is None:
@@ -58,25 +60,27 @@ def controller_joint_unknown(project: Project) -> Iterator[Finding]:
 
 
 def _unknown(reader: Reader, robot: Robot, hardware: Hardware, names: Names, project: Project) -> Iterator[Finding]:
-    found = named(reader)
-    wrong = [one for one in found if is_misnamed(one.claim, hardware) and one.name not in hardware.fixed]
-    others = {one.name for one in found} - {one.name for one in wrong}
-    meant = [meant_by(names, one, others) for one in wrong]
-    if len(wrong) > 1 and not others:
-        yield _none(reader, wrong, meant, severity_of(project, hardware, meant=all(meant), others=False))
+    named_joints = named(reader)
+    unknown = [
+        joint for joint in named_joints if is_misnamed(joint.claim, hardware) and joint.name not in hardware.fixed
+    ]
+    others = {joint.name for joint in named_joints} - {joint.name for joint in unknown}
+    meant = [meant_by(names, joint, others) for joint in unknown]
+    if len(unknown) > 1 and not others:
+        yield _all_unknown(reader, unknown, meant, severity_of(project, hardware, meant=all(meant), others=False))
         return
-    for one, right in zip(wrong, meant, strict=True):
-        end = f"; did you mean '{right}'?" if right else ", and none of the robot's is like it"
-        message = f"unknown joint '{one.name}' of controller '{reader.name}'{end}"
-        fix = replaced(one.at, one.name, right) if right else None
+    for joint, right in zip(unknown, meant, strict=True):
+        hint = f"; did you mean '{right}'?" if right else ""
+        message = f"controller '{reader.name}' names joint '{joint.name}', which the robot does not have{hint}"
+        fix = replaced(joint.at, joint.name, right) if right else None
         severity = severity_of(project, hardware, meant=bool(right), others=bool(others))
-        yield Finding(one.at, message, tuple(links_called(robot, one.name)), fix, severity)
+        yield Finding(joint.at, message, tuple(links_called(robot, joint.name)), fix, severity)
 
 
-def _none(reader: Reader, wrong: list[Named], meant: list[str | None], severity: Severity) -> Finding:
-    """One finding for all joints, where the robot has none of them."""
-    names = in_words([one.name for one in wrong])
+def _all_unknown(reader: Reader, unknown: list[Named], meant: list[str | None], severity: Severity) -> Finding:
+    """One finding for all joints of a controller, if the robot has none of them."""
+    names = in_words([joint.name for joint in unknown])
     right = [name for name in meant if name]
-    end = f"; did you mean {in_words(right)}?" if len(right) == len(wrong) else ""
-    message = f"none of the joints of controller '{reader.name}' is one of the robot's: {names}{end}"
-    return Finding(wrong[0].at, message, severity=severity)
+    hint = f"; did you mean {in_words(right)}?" if len(right) == len(unknown) else ""
+    message = f"controller '{reader.name}' names only joints that the robot does not have: {names}{hint}"
+    return Finding(unknown[0].at, message, severity=severity)

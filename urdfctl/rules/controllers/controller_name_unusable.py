@@ -5,9 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from urdfctl.control.readers import controllers_in, is_of_ros2
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.controllers.common import controllers_in
-from urdfctl.rules.controllers.readers import is_of_ros2
 from urdfctl.source.opaque import UNKNOWN
 
 _IN_ROS1 = r"[A-Za-z0-9_]+"
@@ -18,7 +17,7 @@ _IN_ROS2 = r"[A-Za-z_][A-Za-z0-9_]*"
     "UC428",
     severity=Severity.ERROR,
     authority="ros_control controller_manager.cpp: 'Exception thrown while constructing nodehandle for controller with "
-    "name 'arm.left'' ; rmw: a node's name holds letters, digits and underscores",
+    "name 'arm.left'' ; rmw: a node's name consists of letters, digits and underscores",
     options=["--distro=noetic"],
     bad={
         "controllers.yaml": """
@@ -36,14 +35,20 @@ _IN_ROS2 = r"[A-Za-z_][A-Za-z0-9_]*"
     },
 )
 def controller_name_unusable(project: Project) -> Iterator[Finding]:
-    """A controller's name can be no name of a node.
+    """Invalid controller name.
 
-    Names of controllers become names of nodes and topics: letters, digits and underscores. A controller that is called
-    otherwise is not loaded.
+    A controller's name becomes the name of a node and part of topic names: only letters, digits and underscores are
+    allowed, and in ROS 2 no digit at the start. A controller with another name is not loaded.
     """
     for controller in controllers_in(project).controllers:
         name, at = controller.name, controller.declared_at
-        right = _IN_ROS2 if is_of_ros2(project, controller) else _IN_ROS1
-        if at is None or re.fullmatch(right, name) or UNKNOWN in name or re.search(r"[${}<>%]", name):
+        of_ros2 = is_of_ros2(project, controller)
+        if (
+            at is None
+            or re.fullmatch(_IN_ROS2 if of_ros2 else _IN_ROS1, name)
+            or UNKNOWN in name
+            or re.search(r"[${}<>%]", name)
+        ):
             continue
-        yield Finding(at, f"'{name}' is no name for a controller: only letters, digits and underscores are")
+        allowed = "letters, digits and underscores" + (", and no digit at the start" if of_ros2 else "")
+        yield Finding(at, f"controller name '{name}' is invalid; use only {allowed}")

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.readers import controllers_in
 from urdfctl.model.controllers import Controller, Controllers
 from urdfctl.model.parameters import Kind
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.controllers.common import controllers_in
 from urdfctl.rules.controllers.sections import meant_for
 from urdfctl.source.span import Place
 
@@ -46,40 +46,47 @@ from urdfctl.source.span import Place
     },
 )
 def controller_type_missing(project: Project) -> Iterator[Finding]:
-    """A controller has no type.
+    """Controller without a type.
 
-    The controller manager loads a controller by `<name>.type`, which stands below the manager in ROS 2, or in the
-    controller's own section that its spawner is given, and directly below the controller's name in ROS 1.
+    The controller manager cannot load a controller without its type. In ROS 2 it reads `<name>.type` below the manager,
+    or `type` in the controller's own section if the spawner gets that file. In ROS 1 it reads `type` directly below the
+    controller's name.
     """
     controllers = controllers_in(project)
     if not controllers.complete:
         return
     for controller in controllers.controllers:
         if controller.type is None:
-            if controller.declared_at is not None or project.launch is None:  # else the rules on launch files tell it
+            if controller.declared_at is not None or project.launch is None:  # else launch file rules report it
                 yield from _untyped(controllers, controller)
         elif controller.type.kind is Kind.STRING and not controller.type.text.strip():
-            yield Finding(controller.type.at, f"the type of '{controller.name}' is empty; no controller can be loaded")
+            yield Finding(
+                controller.type.at, f"controller '{controller.name}' has an empty type; write 'package/Class'"
+            )
         elif controller.type.kind is not Kind.STRING and controller.type.is_known and controller.manager is None:
-            yield Finding(controller.type.at, f"the type of '{controller.name}' is no text of the form 'package/Class'")
+            yield Finding(
+                controller.type.at, f"type of controller '{controller.name}' is not a string; write 'package/Class'"
+            )
 
 
 def _untyped(controllers: Controllers, controller: Controller) -> Iterator[Finding]:
     name = controller.name
     if controller.declared_at is not None:
-        yield Finding(controller.declared_at, f"'{name}' has no type; give it one: 'type: package/Class'")
+        yield Finding(controller.declared_at, f"controller '{name}' has no type; add 'type: package/Class'")
         return
     at = _where(controllers, controller)
     if at is None:
         return
     meant = meant_for(controllers, controller)
-    notes = (Note(f"'{meant.path}' stands here, which is another one", meant.at),) if meant else ()
-    tail = "; no file that is read here gives its type" if meant is None else ""
-    yield Finding(at, f"'{name}' is started, and has no type{tail}", notes)
+    if meant is None:
+        yield Finding(at, f"controller '{name}' is started, but no file read here gives its type")
+        return
+    note = Note(f"section '{meant.path}' is here; it has another name or namespace", meant.at)
+    yield Finding(at, f"controller '{name}' is started, but has no type", (note,))
 
 
 def _where(controllers: Controllers, controller: Controller) -> Place | None:
-    """The manager's section, else the beginning of the first file."""
+    """The manager's section, else the start of the first file."""
     manager = controller.manager or next(iter(controllers.managers), None)
     if manager is not None:
         return manager.at

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
+from urdfctl.control.controller_types import meant_by, typed
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.controllers.types import meant_by, typed
 
 
 @rule(
     "UC424",
     severity=Severity.INFO,
-    authority="the catalogue of urdfctl: ros_controllers, ros2_controllers and some packages of others",
+    authority="the catalogue of urdfctl: ros_controllers, ros2_controllers and some third-party packages",
     options=["--distro=jazzy"],
     bad={
         "controllers.yaml": """
@@ -32,20 +32,27 @@ from urdfctl.rules.controllers.types import meant_by, typed
     },
 )
 def controller_type_not_catalogued(project: Project) -> Iterator[Finding]:
-    """A type of controller is in no catalogue, so that its parameters and interfaces are not judged.
+    """Controller type is not in the catalogue.
 
-    It may well be right: packages bring their own. Add it to urdfctl.toml, and its parameters are looked at too.
+    Its parameters and interfaces cannot be checked. The type may be correct: many packages bring their own. Add it to
+    urdfctl.toml to have its parameters checked.
     """
-    told = set()
-    for one in typed(project):
-        hardware = any(one.type in project.catalog.known_hardware(distro) for distro in one.distros)
-        if one.known_in or hardware or not one.type.strip() or one.type in told or meant_by(project, one):
+    reported = set()
+    for controller in typed(project):
+        kind, distros = controller.type, controller.distros
+        own = project.own.controllers.get(kind)
+        if own is not None and "parameters" not in own and kind not in reported:
+            reported.add(kind)
+            why = f"package '{own['package']}' of this workspace does not define them as data"
+            yield Finding(controller.at.at, f"parameters of controller type '{kind}' are not checked: {why}")
+        is_hardware = any(kind in project.catalog.known_hardware(distro) for distro in distros)
+        if controller.known_in or is_hardware or not kind.strip() or kind in reported or meant_by(project, controller):
             continue
-        if not set(one.distros) & set(ROS2) and not _is_named_like_a_controller(one.type):
-            continue  # ROS 1 gives many things a type: no manager's section tells which are controllers
-        told.add(one.type)
-        message = f"'{one.type}' is not in the catalogue: its parameters and interfaces are not judged"
-        yield Finding(one.at.at, message)
+        if not set(distros) & set(ROS2) and not _is_named_like_a_controller(kind):
+            continue  # in ROS 1 other things have a type too, and no manager's section lists the controllers
+        reported.add(kind)
+        message = f"controller type '{kind}' is not in the catalogue; its parameters and interfaces are not checked"
+        yield Finding(controller.at.at, message)
 
 
 def _is_named_like_a_controller(name: str) -> bool:

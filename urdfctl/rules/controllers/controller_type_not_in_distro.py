@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import generation, in_words, since
+from urdfctl.control.controller_types import Typed, instead_of, typed
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
-from urdfctl.rules.controllers.types import Typed, instead_of, typed
 
 _MAINTAINED = {*since("humble"), "noetic"}
 
@@ -36,32 +36,31 @@ _MAINTAINED = {*since("humble"), "noetic"}
     },
 )
 def controller_type_not_in_distro(project: Project) -> Iterator[Finding]:
-    """A type of controller is gone in this distro, or is not there yet.
+    """Controller type does not exist in this ROS distro.
 
-    The controller manager cannot load it. Where it is not known which distro the robot is for, only types are told that
-    none has which is still maintained.
+    It was removed from this distro, or was added later; the controller manager cannot load it. If the ROS distro is
+    unknown, only types that no maintained distro has are reported.
     """
-    for one in typed(project):
-        own = [distro for distro in one.known_in if generation(distro) == one.ros]
-        absent = [distro for distro in one.distros if distro not in own]
-        if not own or not absent or _is_external(project, one, own[-1]):
+    for controller in typed(project):
+        having = [distro for distro in controller.known_in if generation(distro) == controller.ros]
+        absent = [distro for distro in controller.distros if distro not in having]
+        if not having or not absent or _is_external(project, controller, having[-1]):
             continue
-        if len(absent) == len(one.distros) or set(absent) >= _MAINTAINED & set(one.distros):
-            yield _finding(project, one, tuple(own), absent)
+        if len(absent) == len(controller.distros) or set(absent) >= _MAINTAINED & set(controller.distros):
+            yield _finding(project, controller, tuple(having), absent)
 
 
-def _is_external(project: Project, one: Typed, distro: str) -> bool:
-    """Whether another package than ros_control's and ros2_control's own brings it: nobody knows where it was built."""
-    kind = project.catalog.controller(one.type, distro)
+def _is_external(project: Project, controller: Typed, distro: str) -> bool:
+    """Whether a package outside ros_control and ros2_control has the type: it may be built for other distros too."""
+    kind = project.catalog.controller(controller.type, distro)
     return kind is not None and kind.external
 
 
-def _finding(project: Project, one: Typed, own: tuple[str, ...], absent: list[str]) -> Finding:
-    there = in_words(own)
-    where = absent[-1] if len(absent) == 1 else "any distro that is maintained"
-    found, words = instead_of(project, one.type, absent[-1])
-    message = f"there is no '{one.type}' in {where}, only in {there}{f'; {words}' if words else ''}"
-    fix = Fix(f"write '{found.type}'") if found else None
-    notes = (Note(found.note),) if found and found.note else ()
-    severity = Severity.ERROR if len(absent) == len(one.distros) else Severity.WARNING
-    return Finding(one.at.at, message, notes, fix, severity)
+def _finding(project: Project, controller: Typed, having: tuple[str, ...], absent: list[str]) -> Finding:
+    where = absent[-1] if len(absent) == 1 else "any maintained distro"
+    replacement, advice = instead_of(project, controller.type, absent[-1])
+    message = f"controller type '{controller.type}' does not exist in {where}, only in {in_words(having)}"
+    fix = Fix(f"write '{replacement.type}'") if replacement else None
+    notes = (Note(replacement.note),) if replacement and replacement.note else ()
+    severity = Severity.ERROR if len(absent) == len(controller.distros) else Severity.WARNING
+    return Finding(controller.at.at, f"{message}; {advice}" if advice else message, notes, fix, severity)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import generation
+from urdfctl.control.controller_types import instead_of, typed
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
-from urdfctl.rules.controllers.types import instead_of, typed
 
 
 @rule(
@@ -44,16 +44,17 @@ from urdfctl.rules.controllers.types import instead_of, typed
     },
 )
 def controller_type_of_other_ros(project: Project) -> Iterator[Finding]:
-    """A type of controller is one of the other generation of ROS.
+    """Controller type of the other ROS generation.
 
-    Controllers of ROS 1 cannot be loaded by ROS 2, and the other way round; most have a successor under another name.
+    ROS 2 cannot load controllers of ROS 1, nor ROS 1 those of ROS 2. Most types have a successor with another name.
     """
-    for one in typed(project):
-        if not one.known_in or any(generation(distro) == one.ros for distro in one.known_in):
+    for controller in typed(project):
+        ros = controller.ros
+        if not controller.known_in or any(generation(distro) == ros for distro in controller.known_in):
             continue
-        found, words = instead_of(project, one.type, one.distros[-1])
-        message = (
-            f"'{one.type}' is a type of ROS {3 - one.ros}; {words or f'there is none of this name in ROS {one.ros}'}"
-        )
-        fix = Fix(f"write '{found.type}'") if found else None
-        yield Finding(one.at.at, message, (Note(found.note),) if found and found.note else (), fix)
+        replacement, advice = instead_of(project, controller.type, controller.distros[-1])
+        advice = advice or f"no ROS {ros} package provides a controller of this type"
+        message = f"'{controller.type}' is a controller type of ROS {3 - ros}; {advice}"
+        fix = Fix(f"write '{replacement.type}'") if replacement else None
+        notes = (Note(replacement.note),) if replacement and replacement.note else ()
+        yield Finding(controller.at.at, message, notes, fix)

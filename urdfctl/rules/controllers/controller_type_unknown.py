@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.controller_types import Typed, meant_by, typed
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import replaced
-from urdfctl.rules.controllers.types import Typed, meant_by, typed
 
 
 @rule(
@@ -42,24 +42,23 @@ from urdfctl.rules.controllers.types import Typed, meant_by, typed
     },
 )
 def controller_type_unknown(project: Project) -> Iterator[Finding]:
-    """A controller's type is a misspelt one.
+    """Unknown controller type.
 
-    The controller manager compares the whole text with the types that the installed packages declare, so that each
-    letter counts, and the package before the slash is the one that the types were declared for.
+    The controller manager compares the whole string with the types that installed packages declare. Every letter
+    counts, and the part before the slash must be the package for which the type is declared.
     """
-    for one in typed(project):
-        if one.known_in or not one.type.strip():
+    for controller in typed(project):
+        if controller.known_in or not controller.type.strip():
             continue
-        distros = _hardware_in(project, one)
-        if distros:
-            message = f"'{one.type}' is a hardware plugin of <ros2_control>, and no controller"
-            yield Finding(one.at.at, message)
+        at = controller.at.at
+        if _is_hardware(project, controller):
+            yield Finding(at, f"'{controller.type}' is a hardware plugin for <ros2_control>, not a controller type")
             continue
-        meant = meant_by(project, one)
+        meant = meant_by(project, controller)
         if meant is not None:
-            message = f"unknown type of controller '{one.type}'; did you mean '{meant}'?"
-            yield Finding(one.at.at, message, fix=replaced(one.at.at, one.type, meant))
+            message = f"controller type '{controller.type}' is unknown; did you mean '{meant}'?"
+            yield Finding(at, message, fix=replaced(at, controller.type, meant))
 
 
-def _hardware_in(project: Project, one: Typed) -> bool:
-    return any(one.type in project.catalog.known_hardware(distro) for distro in one.distros)
+def _is_hardware(project: Project, controller: Typed) -> bool:
+    return any(controller.type in project.catalog.known_hardware(distro) for distro in controller.distros)

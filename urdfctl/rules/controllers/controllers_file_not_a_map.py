@@ -52,9 +52,9 @@ from urdfctl.rules.controllers.common import faults
     },
 )
 def controllers_file_not_a_map(project: Project) -> Iterator[Finding]:
-    """A controllers' file holds a list or a text, and no map of names.
+    """Controller file is not a map.
 
-    Parameters have names, and so a file of them is a map: `name: value`.
+    Parameters have names, so a parameter file must be a map of `name: value`, not a list or a string.
     """
     for fault in faults(project, FaultKind.ROOT):
-        yield Finding(fault.at, "a file of parameters is a map of names ('name: value'), and this is none")
+        yield Finding(fault.at, "controller file is not a map; a parameter file requires 'name: value' lines")

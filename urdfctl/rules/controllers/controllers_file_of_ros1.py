@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.control.readers import controllers_in
+from urdfctl.rule import Finding, Note, Project, Severity, Stage, rule
 from urdfctl.rules.common import in_words
-from urdfctl.rules.controllers.common import controllers_in
 
 _ROS2 = 2
 
 
 @rule(
     "UC401",
+    stage=Stage.PARAMETERS,
     severity=Severity.ERROR,
     distros=ROS2,
     authority="rcl rcl_yaml_param_parser/src/parse.c: 'Cannot have a value before ros__parameters at line 2'",
@@ -27,7 +28,13 @@ _ROS2 = 2
         """,
     },
     good={
-        "robot.urdf": "",
+        "robot.urdf": """
+            <ros2_control name="arm" type="system">
+              <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+              <joint name="shoulder"><command_interface name="position"/><state_interface name="position"/></joint>
+              <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+            </ros2_control>
+        """,
         "controllers.yaml": """
             controller_manager:
               ros__parameters:
@@ -41,10 +48,10 @@ _ROS2 = 2
     },
 )
 def controllers_file_of_ros1(project: Project) -> Iterator[Finding]:
-    """A controllers' file is written for ROS 1, and the robot is of ROS 2.
+    """Controller file for ROS 1 in a ROS 2 project.
 
-    ROS 2 reads parameters only below `ros__parameters`, and the types of controllers only below the controller manager.
-    A node that is given a file of ROS 1 ends at once.
+    ROS 2 reads parameters only below `ros__parameters`, and controller types only below the controller manager. A node
+    that gets a ROS 1 file exits at once.
     """
     if project.ros != _ROS2:
         return
@@ -52,13 +59,13 @@ def controllers_file_of_ros1(project: Project) -> Iterator[Finding]:
         if file.form == 1 and file.told_by:
             names = [key.text for key in file.told_by]
             message = (
-                f"this file is written for ROS 1, and ROS 2 refuses it: the type of {in_words(names, 3)} belongs below "
-                "'controller_manager: ros__parameters:', the rest into a section of its own with 'ros__parameters:'"
+                f"controller file is written for ROS 1; ROS 2 rejects it. Move the type of {in_words(names, 3)} below "
+                "'controller_manager: ros__parameters:', and the rest to separate sections with 'ros__parameters:'"
             )
-            severity = None if project.robot else Severity.WARNING  # it may be left over, and nobody reads it
+            severity = None if project.robot else Severity.WARNING  # may be an unused leftover
             yield Finding(file.told_by[0].at, message, tuple(_why(project)), severity=severity)
 
 
 def _why(project: Project) -> Iterator[Note]:
     if project.distro_from:
-        yield Note(f"{project.distro_from} says that it is ROS 2")
+        yield Note(f"the project uses ROS 2, according to {project.distro_from}")

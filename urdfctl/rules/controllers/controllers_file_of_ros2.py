@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
-from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.controllers.common import controllers_in
+from urdfctl.control.readers import controllers_in
+from urdfctl.rule import Finding, Note, Project, Severity, Stage, rule
 
 
 @rule(
     "UC402",
+    stage=Stage.PARAMETERS,
     severity=Severity.ERROR,
     distros=ROS1,
     authority="ros_control controller_manager/src/controller_manager.cpp: 'Could not load controller 'arm' because the "
@@ -35,18 +36,18 @@ from urdfctl.rules.controllers.common import controllers_in
     },
 )
 def controllers_file_of_ros2(project: Project) -> Iterator[Finding]:
-    """A controllers' file is written for ROS 2, and the robot is of ROS 1.
+    """Controller file for ROS 2 in a ROS 1 project.
 
-    ROS 1 looks for `type` and the other parameters directly below a controller's name. What stands below
-    `controller_manager` or `ros__parameters` it takes for names like any other, and no controller is found.
+    ROS 1 expects `type` and the other parameters directly below a controller's name. It treats `controller_manager` and
+    `ros__parameters` as ordinary names, and finds no controller.
     """
     if project.ros != 1:
         return
     for file in controllers_in(project).files:
         if file.form == 2 and file.told_by:  # noqa: PLR2004 (the generation)
             message = (
-                "this file is written for ROS 2, and ROS 1 finds no controller in it: a controller's type and parameters "
-                "belong directly below its name"
+                "controller file is written for ROS 2; ROS 1 finds no controller in it. "
+                "Put a controller's type and parameters directly below its name"
             )
-            why = (Note(f"{project.distro_from} says that it is ROS 1"),) if project.distro_from else ()
+            why = (Note(f"the project uses ROS 1, according to {project.distro_from}"),) if project.distro_from else ()
             yield Finding(file.told_by[0].at, message, why, severity=None if project.robot else Severity.WARNING)

@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
+from urdfctl.control.readers import controllers_in, type_of
 from urdfctl.diagnostic import Edit
 from urdfctl.model.parameters import Kind, Parameter, Value
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import label
-from urdfctl.rules.controllers.common import controllers_in
-from urdfctl.rules.controllers.readers import type_of
 
 _TYPE, _JOINTS = "joint_state_controller/JointStateController", "extra_joints"
 _NUMBERS = ("position", "velocity", "effort")
@@ -34,10 +33,10 @@ _CONTROLLERS = """
     good={"controllers.yaml": _CONTROLLERS % "0.0"},
 )
 def extra_joint_ignored(project: Project) -> Iterator[Finding]:
-    """An extra joint of joint_state_controller has no name, or a whole number where it wants one with a decimal point.
+    """Extra joint without a name or with an integer value.
 
-    XML-RPC, which carries parameters in ROS 1, tells 0 from 0.0, and the controller takes the latter alone: the joint is
-    left out of the joint states, with an error in the log.
+    joint_state_controller requires a name, and numbers with a decimal point: XML-RPC, which transports parameters in
+    ROS 1, distinguishes 0 from 0.0. Other extra joints are left out of the joint states, with an error in the log.
     """
     for controller in controllers_in(project).controllers:
         given = controller.parameters.value(_JOINTS) if type_of(controller) == _TYPE else None
@@ -49,7 +48,7 @@ def extra_joint_ignored(project: Project) -> Iterator[Finding]:
 def _faults(joint: Value) -> Iterator[Finding]:
     fields = {field.name: field for field in joint.fields}
     if "name" not in fields:
-        yield Finding(joint.at, "this extra joint has no name, and is left out: give it one, as 'name: caster_joint'")
+        yield Finding(joint.at, "extra joint has no name and is ignored; add one, e.g. 'name: caster_joint'")
         return
     for field in (fields[name] for name in _NUMBERS if name in fields):
         if field.value.kind not in (Kind.FLOAT, Kind.UNKNOWN):
@@ -58,7 +57,7 @@ def _faults(joint: Value) -> Iterator[Finding]:
 
 def _message(name: Parameter, field: Parameter) -> str:
     joint = label("extra joint", name.value.text)
-    return f"the {field.name} of {joint} is no number with a decimal point, so that the joint is left out"
+    return f"{field.name} of {joint} must be a number with a decimal point; the joint is ignored"
 
 
 def _fix(value: Value) -> Fix | None:

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
+from urdfctl.control.readers import controllers_in
 from urdfctl.model.controllers import Controller, Controllers
 from urdfctl.model.parameters import Value
-from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.names import nearest
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
 from urdfctl.rules.common import replaced
-from urdfctl.rules.controllers.common import controllers_in
 from urdfctl.source.opaque import UNKNOWN
-from urdfctl.suggest import nearest
 
 _FILE = """
     controller_manager:
@@ -34,6 +34,7 @@ _FILE = """
 
 @rule(
     "UC418",
+    stage=Stage.ACTIVATE,
     severity=Severity.ERROR,
     distros=since("jazzy"),
     authority="ros2_control controller_manager/src/controller_manager.cpp: 'Unable to find the fallback controller : "
@@ -44,9 +45,10 @@ _FILE = """
     good={"controllers.yaml": _FILE % "hold"},
 )
 def fallback_controller_unknown(project: Project) -> Iterator[Finding]:
-    """A fallback controller is none of the manager's, or the controller itself.
+    """Unknown fallback controller.
 
-    A controller that names itself is not loaded; one that names an unknown controller is never activated.
+    A fallback controller must be another controller of the same manager. A controller that names itself is not loaded;
+    one that names an unknown controller cannot be activated.
     """
     controllers = controllers_in(project)
     names = [controller.name for controller in controllers.controllers]
@@ -54,11 +56,11 @@ def fallback_controller_unknown(project: Project) -> Iterator[Finding]:
         given = _given(controller)
         for name, at in given.strings if given else ():
             if name == controller.name:
-                yield Finding(at, f"'{name}' cannot be its own fallback controller")
+                yield Finding(at, f"controller '{name}' cannot be its own fallback controller")
             elif _is_absent(controllers, name, names):
                 right = nearest(name, names)
-                end = f"; did you mean '{right}'?" if right else ""
-                message = f"there is no controller '{name}' that '{controller.name}' could fall back to{end}"
+                hint = f"; did you mean '{right}'?" if right else ""
+                message = f"fallback controller '{name}' of controller '{controller.name}' does not exist{hint}"
                 yield Finding(at, message, fix=replaced(at, name, right) if right else None)
 
 

@@ -1,4 +1,4 @@
-"""UC4: what controllers' files get wrong."""
+"""UC4: errors in controller files."""
 
 from __future__ import annotations
 

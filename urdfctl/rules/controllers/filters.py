@@ -1,34 +1,37 @@
-"""The chains of filters that controllers may hold: `filter_chain.filter1.type`, and the parameters of each filter."""
+"""Filter chains in controller parameters: `filter_chain.filter1.type`, and the parameters of each filter."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 from urdfctl.catalog.map_parameters import expanded
+from urdfctl.control.readers import Reader
 from urdfctl.model.parameters import Kind, Parameter, Parameters
-from urdfctl.record import NamedTuple
-from urdfctl.rules.controllers.readers import Reader
+from urdfctl.startup.records import NamedTuple
 
 _CHAIN = "filter_chain"
 
 
 class Chain(NamedTuple):
-    """A chain of filters: its full name, what is given below it, and the parameter itself."""
+    """A filter chain."""
 
     name: str
+    """Full parameter name of the chain."""
     parameters: Parameters
+    """Parameters below the chain, by names relative to it."""
     at: Parameter
+    """The parameter that holds the chain."""
 
     def filters(self) -> Iterator[tuple[str, Parameter]]:
-        """The filters that are loaded: filter1, filter2 and so on, as long as the numbers follow each other."""
+        """Yield name and parameter of each filter that ROS loads: filter1, filter2 and so on, up to the first gap."""
         number = 1
-        while (found := self.parameters.get(f"filter{number}")) is not None:
-            yield f"filter{number}", found
+        while (parameter := self.parameters.get(f"filter{number}")) is not None:
+            yield f"filter{number}", parameter
             number += 1
 
 
 def chains(reader: Reader) -> Iterator[Chain]:
-    """The chains that are given to a controller."""
+    """Yield the filter chains in a controller's parameters."""
     for parameter in reader.type.parameters.values() if reader.type else ():
         if not parameter.name.endswith(_CHAIN) or parameter.type != "none":
             continue

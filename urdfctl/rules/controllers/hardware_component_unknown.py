@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
+from urdfctl.control.readers import controllers_in
+from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, replaced
-from urdfctl.rules.controllers.common import controllers_in
 from urdfctl.rules.controllers.joints import robot_of
-from urdfctl.suggest import nearest
 
 _STATES = "hardware_components_initial_state"
 _ROBOT = """
@@ -41,9 +41,10 @@ _FILE = """
     good={"robot.urdf": _ROBOT, "controllers.yaml": _FILE % "arm_hardware"},
 )
 def hardware_component_unknown(project: Project) -> Iterator[Finding]:
-    """The controller manager shall leave a hardware component in some state, and there is none of this name.
+    """Unknown hardware component in hardware_components_initial_state.
 
-    The names are those of the `<ros2_control>` elements. The manager prints a warning and activates all components.
+    The names must be those of `<ros2_control>` elements. For an unknown name the manager prints a warning, and
+    activates all components.
     """
     robot = robot_of(project)
     names = [control.name for control in robot.ros2_controls] if robot else []
@@ -55,6 +56,6 @@ def hardware_component_unknown(project: Project) -> Iterator[Finding]:
             for name, at in given.strings if given and given.is_known else ():
                 if name not in names:
                     right = nearest(name, [known for known in names if known])
-                    end = f"; did you mean '{right}'?" if right else ""
+                    hint = f"; did you mean '{right}'?" if right else ""
                     fix = replaced(at, name, right) if right else None
-                    yield Finding(at, f"the robot has no hardware component '{name}'{end}", fix=fix)
+                    yield Finding(at, f"hardware component '{name}' does not exist in the robot{hint}", fix=fix)

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.readers import Reader, in_each_distro
 from urdfctl.model.parameters import Kind, Parameter, Value
-from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
+from urdfctl.rule import Edit, Finding, Fix, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.controllers.parameters import missing, number_slips, slips, unread
-from urdfctl.rules.controllers.readers import Reader, in_each_distro
 
 
 @rule(
     "UC444",
+    stage=StageDependsOn.PARAMETER_CHECKS,
     severity=Severity.ERROR,
     authority="ros_controllers effort_controllers/src/joint_position_controller.cpp: 'No joint given (namespace: /arm)'; "
     "forward_command_controller: ''joints' parameter was empty'",
@@ -32,9 +33,9 @@ from urdfctl.rules.controllers.readers import Reader, in_each_distro
     },
 )
 def joint_for_joints(project: Project) -> Iterator[Finding]:
-    """A controller is given `joints` where it reads `joint`, or the other way round.
+    """Parameter `joint` instead of `joints`, or the reverse.
 
-    Controllers of one joint read its name from `joint`, those of several a list from `joints`.
+    Controllers of one joint read its name from `joint`; controllers of several joints read a list from `joints`.
     """
     return in_each_distro(project, _slip)
 
@@ -46,10 +47,10 @@ def _slip(reader: Reader) -> Iterator[Finding]:
         if right is None or right not in others:
             continue
         needed = {lack.name for lack in missing(reader) if lack.refused}
-        kind = f"a {reader.type.type}" if reader.type else f"'{reader.name}'"
+        node = f"controller type '{reader.type.type}'" if reader.type else f"'{reader.name}'"
         wants_list = reader.known[right].type.endswith("_array")
         form = "a list" if wants_list else "one name"
-        message = f"{kind} reads no '{parameter.name}', but '{right}', {form}"
+        message = f"{node} has no parameter '{parameter.name}'; use '{right}' ({form})"
         severity = Severity.ERROR if right in needed else Severity.WARNING
         yield Finding(parameter.key, message, fix=_fix(parameter, right, wants_list=wants_list), severity=severity)
 
@@ -63,7 +64,7 @@ def _fix(parameter: Parameter, right: str, *, wants_list: bool) -> Fix | None:
 
 
 def _rewritten(value: Value, *, wants_list: bool) -> str | None:
-    """One name as a list, and a list of one name as that; None where it is neither."""
+    """The source text of one name as a list, or of a list of one name as a name; None for other values."""
     if wants_list and value.kind is Kind.STRING:
         return f"[{value.at.span.text}]"
     if not wants_list and len(value.items) == 1:

@@ -5,18 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
+from urdfctl.control.readers import Reader, in_each_distro
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.controllers.joints import Named, named
 from urdfctl.rules.controllers.parameters import is_ros1
-from urdfctl.rules.controllers.readers import Reader, in_each_distro
 
 
 @rule(
     "UC443",
     severity=Severity.WARNING,
     distros=ROS1,
-    authority="ros_controllers forward_command_controller/forward_joint_group_command_controller.h: a handle is taken for "
-    "each name in the list, and commands are as long as it is",
+    authority="ros_controllers forward_command_controller/forward_joint_group_command_controller.h: one handle for "
+    "each name in the list, and as many commands as names",
     options=["--distro=noetic"],
     bad={
         "controllers.yaml": """
@@ -34,9 +34,9 @@ from urdfctl.rules.controllers.readers import Reader, in_each_distro
     },
 )
 def joint_named_twice(project: Project) -> Iterator[Finding]:
-    """A controller of ROS 1 names a joint twice.
+    """Joint named twice in a ROS 1 controller.
 
-    It is loaded, expects a command for each name, and writes the joint's twice: the last one counts.
+    The controller is loaded and expects one command per name. It writes both commands to the joint; the last one wins.
     """
     return in_each_distro(project, _twice)
 
@@ -45,9 +45,9 @@ def _twice(reader: Reader) -> Iterator[Finding]:
     if not is_ros1(reader):
         return
     first: dict[tuple[str | None, str], Named] = {}
-    for one in named(reader):
-        earlier = first.setdefault((one.claim.parameter, one.name), one)
-        if earlier is not one:
-            notes = (Note("the first time", earlier.at),)
-            message = f"controller '{reader.name}' names the joint '{one.name}' twice"
-            yield Finding(one.at, message, notes, severity=Severity.WARNING)
+    for joint in named(reader):
+        earlier = first.setdefault((joint.claim.parameter, joint.name), joint)
+        if earlier is not joint:
+            notes = (Note("first named here", earlier.at),)
+            message = f"controller '{reader.name}' names joint '{joint.name}' twice"
+            yield Finding(joint.at, message, notes, severity=Severity.WARNING)

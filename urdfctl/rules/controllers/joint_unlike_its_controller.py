@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
+from urdfctl.control.readers import controllers_in
 from urdfctl.model.controllers import Controller
-from urdfctl.record import NamedTuple
+from urdfctl.names import is_slip
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import replaced
-from urdfctl.rules.controllers.common import controllers_in
 from urdfctl.rules.controllers.joints import in_row
 from urdfctl.source.span import Place
-from urdfctl.suggest import is_slip
+from urdfctl.startup.records import NamedTuple
 
 _LEAST = 3
-"""So many controllers show how joints are called after them."""
+"""At least this many controllers must be named after their joints to make a naming scheme."""
 _CONTROLLERS = """
     shoulder_pan_controller: {type: position_controllers/JointPositionController, joint: shoulder_pan_joint}
     shoulder_lift_controller: {type: position_controllers/JointPositionController, joint: %s}
@@ -34,22 +34,22 @@ _CONTROLLERS = """
     good={"controllers.yaml": _CONTROLLERS % "shoulder_lift_joint"},
 )
 def joint_unlike_its_controller(project: Project) -> Iterator[Finding]:
-    """A controller's joint is called almost, but not quite, as the controller is.
+    """Joint name differs slightly from its controller's name.
 
-    The other controllers of the file are named after their joints, this one's joint looks misspelt. That is told only
-    where no robot is known to ask.
+    The other controllers in the file are named after their joints, so this joint's name looks misspelt. Checked only if
+    no robot is known.
     """
     pairs = list(_pairs(project)) if project.robot is None else []
-    for (ending, other), count in Counter(pair.endings for pair in pairs).items():
-        if not ending or not other or count < _LEAST:
+    for (ending, joint_ending), count in Counter(pair.endings for pair in pairs).items():
+        if not ending or not joint_ending or count < _LEAST:
             continue
         alike = [pair for pair in pairs if pair.controller.endswith(ending)]
         for pair in alike if 2 * count > len(alike) else ():
             stem = pair.controller.removesuffix(ending)
-            right = stem + other
+            right = stem + joint_ending
             if _is_slip(pair, right) or _is_half(pair, stem):
-                name = f"joint '{pair.joint}' is not called after its controller '{pair.controller}'"
-                message = f"{name}, as those of the others are; did you mean '{right}'?"
+                start = f"joint '{pair.joint}' does not match the name of its controller '{pair.controller}'"
+                message = f"{start}, unlike the other joints; did you mean '{right}'?"
                 yield Finding(pair.at, message, fix=replaced(pair.at, pair.joint, right))
 
 
@@ -62,23 +62,23 @@ class _Pair(NamedTuple):
 
     @property
     def stem(self) -> str:
-        """The words that both names begin with."""
+        """The words at the start of both names."""
         words = zip(self.controller.split("_"), self.joint.split("_"), strict=False)
-        count = next((i for i, (one, other) in enumerate(words) if one != other), 0)
+        count = next((i for i, (word, other) in enumerate(words) if word != other), 0)
         return "_".join(self.controller.split("_")[:count])
 
     @property
     def endings(self) -> tuple[str, str]:
-        """What each name has behind that; empty where they have nothing in common."""
+        """The rest of each name after the stem; empty if the names have no stem in common."""
         length = len(self.stem)
         return (self.controller[length:], self.joint[length:]) if length else ("", "")
 
 
 def _pairs(project: Project) -> Iterator[_Pair]:
     for controller in controllers_in(project).controllers:
-        found = _only_joint(controller)
-        if found is not None:
-            yield _Pair(controller.name, *found)
+        joint = _only_joint(controller)
+        if joint is not None:
+            yield _Pair(controller.name, *joint)
 
 
 def _only_joint(controller: Controller) -> tuple[str, Place] | None:
@@ -88,10 +88,10 @@ def _only_joint(controller: Controller) -> tuple[str, Place] | None:
 
 
 def _is_slip(pair: _Pair, right: str) -> bool:
-    """Whether a joint is misspelt, and is not one of another side or number."""
+    """Whether a joint name is a misspelling, and not the name of a joint with another side or number."""
     return is_slip(right, pair.joint) and in_row(right) != in_row(pair.joint)
 
 
 def _is_half(pair: _Pair, stem: str) -> bool:
-    """Whether a joint has part of the ending of its controller in place of its own."""
+    """Whether a joint name has part of its controller's ending instead of its own ending."""
     return pair.controller.startswith(f"{pair.joint}_") and pair.joint.startswith(f"{stem}_")

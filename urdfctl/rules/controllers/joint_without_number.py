@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.readers import controllers_in
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import in_words
-from urdfctl.rules.controllers.common import controllers_in
 from urdfctl.source.span import Place
 
 _ARM = """
@@ -23,23 +23,23 @@ _ARM = """
 @rule(
     "UC425",
     severity=Severity.WARNING,
-    authority="controller_interface: a claimed interface that is not there, 'not available', keeps a controller from being activated "
-    "(ROS 2); 'Could not find joint' from being loaded (ROS 1)",
+    authority="controller_interface: a controller is not activated if a claimed interface is 'not available' (ROS 2), and "
+    "not loaded on 'Could not find joint' (ROS 1)",
     bad={"controllers.yaml": _ARM % "«arm_joint»"},
     good={"controllers.yaml": _ARM % "arm_joint1"},
 )
 def joint_without_number(project: Project) -> Iterator[Finding]:
-    """A joint has no number, and all that are called like it have one.
+    """Joint name without a number among numbered joints.
 
-    A robot whose joints are `arm_joint1` and `arm_joint2` hardly has an `arm_joint` too. That is told only where no robot
-    is known to ask.
+    A robot with joints `arm_joint1` and `arm_joint2` is unlikely to have a joint `arm_joint` too. Checked only if no
+    robot is known.
     """
-    found = list(_joints(project)) if project.robot is None else []
-    names = {name for name, _ in found}
-    for name, at in found:
+    joints = list(_joints(project)) if project.robot is None else []
+    names = {name for name, _ in joints}
+    for name, at in joints:
         numbered = sorted(other for other in names if other.startswith(name) and other[len(name) :].isdigit())
         if len(numbered) > 1:
-            message = f"joint '{name}' has no number, unlike {in_words(numbered)} of the other controllers"
+            message = f"joint '{name}' has no number, unlike {in_words(numbered)} in the other controllers"
             yield Finding(at, message)
 
 

@@ -7,26 +7,28 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.value_types import type_problem
 from urdfctl.control.claims import Claim, claims
-from urdfctl.control.hardware import Hardware, fixed_joints, hardware_of
-from urdfctl.memory import once_per_object
+from urdfctl.control.hardware import Hardware, fixed_joints
+from urdfctl.control.offered_hardware import hardware_of
+from urdfctl.control.readers import Reader, controllers_in
 from urdfctl.model.robot import Robot
-from urdfctl.record import NamedTuple
 from urdfctl.rule import Note, Project, Severity
 from urdfctl.rules.common import Names, whole_robot_in
-from urdfctl.rules.controllers.common import controllers_in
 from urdfctl.rules.controllers.parameters import known_as
-from urdfctl.rules.controllers.readers import Reader
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
+from urdfctl.startup.per_object import once_per_object
+from urdfctl.startup.records import NamedTuple
 
 _SIDES = {"left": "right", "front": "rear", "l": "r", "upper": "lower", "top": "bottom"}
 
 
 class Named(NamedTuple):
-    """A joint that a parameter names: the claim that it leads to, and where the name stands."""
+    """A joint that a parameter names."""
 
     claim: Claim
+    """The claim made with this name."""
     at: Place
+    """Where the name is written."""
 
     @property
     def name(self) -> str:
@@ -35,7 +37,7 @@ class Named(NamedTuple):
 
 
 def robot_of(project: Project) -> Robot | None:
-    """The robot, where nothing of it and of its controllers is missing: only then a name may be called unknown."""
+    """Return the robot if it and its controllers are completely known: only then can a name be called unknown."""
     robot = whole_robot_in(project)
     if robot is None or project.library or not project.complete or not robot.joints:
         return None
@@ -44,7 +46,7 @@ def robot_of(project: Project) -> Robot | None:
 
 @once_per_object
 def named(reader: Reader) -> tuple[Named, ...]:
-    """What a controller's parameters name for its claims, each place once."""
+    """Return the joints that a controller's parameters name for its claims, each place once."""
     return tuple(_named(reader))
 
 
@@ -52,26 +54,29 @@ def _named(reader: Reader) -> Iterator[Named]:
     if reader.type is None or reader.controller is None:
         return
     claimed = claims(reader.type, reader.controller.name, {name: _readable(reader, name) for name in reader.given})
-    told: set[Place] = set()
+    seen: set[Place] = set()
     for claim in (*claimed.command, *claimed.state) if claimed else ():
         value = reader.located.value(claim.parameter) if claim.parameter else None
         if value is None:
             continue
         at = value.items[claim.element].at if claim.element is not None and value.items else value.at
-        if at not in told:
-            told.add(at)
+        if at not in seen:
+            seen.add(at)
             yield Named(claim, at)
 
 
 def _readable(reader: Reader, name: str) -> object:
-    """A value that can be claimed from: one of a wrong type is not read."""
-    found, value = known_as(reader, name), reader.given[name]
-    wrong = found is not None and type_problem(value, reader.known[found[0]], reader.distro) is not None
+    """The value of a parameter; UNKNOWN if it has the wrong type, as the controller then does not read it."""
+    matched, value = known_as(reader, name), reader.given[name]
+    wrong = matched is not None and type_problem(value, reader.known[matched[0]], reader.distro) is not None
     return UNKNOWN if wrong else value
 
 
 def meant_by(names: Names, wrong: Named, beside: set[str]) -> str | None:
-    """The joint that a wrong name surely means: like it, not one of its `beside`, and not another of a row or side."""
+    """Return the joint that a wrong name almost certainly means, or None.
+
+    The joint has a similar name, is not in `beside`, and is not just a joint with another number or side.
+    """
     right = names.meant_by(wrong.name)
     if right is None or right in beside or in_row(right) == in_row(wrong.name):
         return None
@@ -79,30 +84,32 @@ def meant_by(names: Names, wrong: Named, beside: set[str]) -> str | None:
 
 
 def in_row(name: str) -> str:
-    """A name without what tells it from others of its row: numbers, and sides."""
+    """Return a name without numbers and sides, which distinguish it from others of its row."""
     words = re.split(r"([a-zA-Z]+)", re.sub(r"\d+", "0", name))
     swapped = {**{right: left for left, right in _SIDES.items()}}
     return "".join(swapped.get(word.lower(), word.lower()) for word in words)
 
 
 def hardware_in(project: Project, robot: Robot) -> dict[str, Hardware]:
-    """The hardware, by distro; where nothing can be said of it, one that has the robot's joints."""
-    joints = frozenset(robot.joint_names)
-    found = {distro: hardware_of(project, distro) for distro in project.distros}
-    only = Hardware(joints=joints, fixed=fixed_joints(robot), known=False)
-    return {distro: hardware if hardware.known else only for distro, hardware in found.items()}
+    """Return the hardware by distro; if it is unknown, a Hardware with only the robot's joints."""
+    by_distro = {distro: hardware_of(project, distro) for distro in project.distros}
+    joints_only = Hardware(joints=frozenset(robot.joint_names), fixed=fixed_joints(robot), known=False)
+    return {distro: hardware if hardware.known else joints_only for distro, hardware in by_distro.items()}
 
 
 def severity_of(project: Project, hardware: Hardware, *, meant: bool, others: bool) -> Severity:
-    """How bad a wrong name of a joint is. Where it is not known which controllers are started, a name that none of the
-    robot's is `meant` by may be for another robot, all the more where the `others` in the list are not its either."""
+    """Return the severity of a wrong joint name.
+
+    If it is unknown which controllers are started, the controller may be for another robot. This is less likely if the
+    name resembles a joint of the robot (`meant`), or if the robot has `others` of the list.
+    """
     if project.started is None and not (meant and others):
         return Severity.WARNING if meant or others else Severity.INFO
     return Severity.ERROR if hardware.known and not hardware.open else Severity.WARNING
 
 
 def links_called(robot: Robot, name: str) -> Iterator[Note]:
-    """That a name is a link's, and which joint moves that."""
+    """Yield a note if a name is that of a link: it names the joint that moves the link."""
     if not any(link.name == name for link in robot.links):
         return
     for joint in robot.joints:

@@ -6,12 +6,13 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.model.controllers import FaultKind
-from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
 from urdfctl.rules.controllers.common import faults
 
 
 @rule(
     "UC408",
+    stage=Stage.PARAMETERS,
     severity=Severity.ERROR,
     distros=ROS2,
     authority="rcl rcl_yaml_param_parser/src/parse.c: 'Sequence should be of same type'; 'Sequences cannot be key'",
@@ -48,16 +49,17 @@ from urdfctl.rules.controllers.common import faults
     },
 )
 def list_of_several_types(project: Project) -> Iterator[Finding]:
-    """A list holds values of several types, or lists.
+    """List with elements of several types, or with nested lists.
 
-    All elements of a list are of one type in ROS 2, and 1 is another type than 1.0: the reader refuses the whole file.
+    In ROS 2 all elements of a list must have the same type, and 1 and 1.0 have different types. ROS 2 rejects the whole
+    file.
     """
     for fault in faults(project, FaultKind.MIXED_LIST, FaultKind.NESTED_LIST):
         if fault.kind is FaultKind.NESTED_LIST:
-            message = f"'{fault.subject}' holds a list in a list, which no parameter of ROS 2 can"
+            message = f"'{fault.subject}' contains a nested list, which ROS 2 parameters do not support"
         else:
             message = (
-                f"'{fault.at.span.text}' is of another type than what stands before it in '{fault.subject}'; "
-                "all elements must be of one, and 1 is another type than 1.0"
+                f"element '{fault.at.span.text}' of '{fault.subject}' has another type than those before it; "
+                "use one type for all (1 and 1.0 are different types)"
             )
         yield Finding(fault.at, message)

@@ -14,7 +14,7 @@ from urdfctl.rules.controllers.common import faults
     "UC409",
     severity=Severity.WARNING,
     distros=ROS2,
-    authority="rcl rcl_yaml_param_parser/src/parse.c: a map that begins in a list is read as if there was no list",
+    authority="rcl rcl_yaml_param_parser/src/parse.c: a map in a list is read as if it were not in a list",
     options=["--distro=jazzy"],
     bad={
         "controllers.yaml": """
@@ -44,11 +44,11 @@ from urdfctl.rules.controllers.common import faults
     },
 )
 def map_in_list(project: Project) -> Iterator[Finding]:
-    """A list holds several maps (`- name: value`).
+    """List of maps (`- name: value`).
 
-    ROS 1 had parameters that are lists of maps, and ROS 2 has none: its reader takes such a list for its first map. What
-    stands in the others is lost.
+    Parameters of ROS 1 can be lists of maps; those of ROS 2 cannot. ROS 2 reads only the first map of such a list; the
+    others are lost.
     """
     for fault in faults(project, FaultKind.MAP_IN_LIST):
-        message = f"'{fault.subject}' is a list of maps, of which ROS 2 reads the first; write one map, without '-'"
+        message = f"'{fault.subject}' is a list of maps; ROS 2 reads only the first. Write one map, without '-'"
         yield Finding(fault.at, message)

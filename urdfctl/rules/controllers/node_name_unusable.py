@@ -6,12 +6,13 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.model.controllers import FaultKind
-from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
 from urdfctl.rules.controllers.common import faults
 
 
 @rule(
     "UC411",
+    stage=Stage.PARAMETERS,
     severity=Severity.ERROR,
     distros=ROS2,
     authority="rcl rcl_yaml_param_parser/src/parse.c checks each name with rmw_validate_node_name and rmw_validate_namespace",
@@ -38,18 +39,17 @@ from urdfctl.rules.controllers.common import faults
     },
 )
 def node_name_unusable(project: Project) -> Iterator[Finding]:
-    """The key before `ros__parameters` can be no name of a node.
+    """Invalid node name.
 
-    Names of nodes and namespaces are made of letters, digits and underscores, and begin with no digit; `*` and `**`
-    stand for whole parts. ROS 2's reader refuses the whole file otherwise.
+    The key before `ros__parameters` names a node. Names of nodes and namespaces consist of letters, digits and
+    underscores, and do not start with a digit; `*` and `**` replace whole parts. ROS 2 rejects a file with other names.
     """
     for fault in faults(project, FaultKind.NODE_NAME):
         if fault.subject:
             message = (
-                f"'{fault.subject}' is no name of a node: only letters, digits and underscores, no digit at the start"
+                f"node name '{fault.subject}' is invalid; "
+                "use only letters, digits and underscores, and no digit at the start"
             )
         else:
-            message = (
-                "'ros__parameters' stands below no name of a node; write one above it, such as 'controller_manager:'"
-            )
+            message = "'ros__parameters' has no node name above it; add one, e.g. 'controller_manager:'"
         yield Finding(fault.at, message)

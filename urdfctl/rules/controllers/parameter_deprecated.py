@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.readers import Reader, in_each_distro
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.controllers.parameters import known_as
-from urdfctl.rules.controllers.readers import Reader, in_each_distro
 
 
 @rule(
@@ -44,18 +44,19 @@ from urdfctl.rules.controllers.readers import Reader, in_each_distro
     },
 )
 def parameter_deprecated(project: Project) -> Iterator[Finding]:
-    """A parameter is deprecated: this distro reads it still, and a coming one does not.
+    """Deprecated parameter.
 
-    Coming distros ignore it without a word, and the controller takes the default.
+    This distro still reads the parameter. Later distros ignore it silently, and the controller uses the default.
     """
     return in_each_distro(project, _deprecated, newest=True)
 
 
 def _deprecated(reader: Reader) -> Iterator[Finding]:
     for leaf in reader.located.leaves:
-        found = known_as(reader, leaf.name)
-        parameter = reader.known[found[0]] if found else None
+        matched = known_as(reader, leaf.name)
+        parameter = reader.known[matched[0]] if matched else None
         if parameter is not None and parameter.deprecated:
-            instead = f"; instead: {parameter.replacement}" if parameter.replacement else ""
-            why = f": {parameter.note}" if parameter.note and not instead else ""
-            yield Finding(leaf.key, f"'{leaf.name}' is deprecated{instead}{why}", severity=Severity.WARNING)
+            replacement = f"; replacement: {parameter.replacement}" if parameter.replacement else ""
+            why = f": {parameter.note}" if parameter.note and not replacement else ""
+            message = f"parameter '{leaf.name}' is deprecated{replacement}{why}"
+            yield Finding(leaf.key, message, severity=Severity.WARNING)

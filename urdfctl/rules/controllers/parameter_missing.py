@@ -5,19 +5,20 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from urdfctl.control.readers import Reader, controllers_in, in_each_distro
 from urdfctl.model.controllers import Controller, Controllers, FaultKind
-from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rule import Finding, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.common import in_words
-from urdfctl.rules.controllers.common import controllers_in
 from urdfctl.rules.controllers.parameters import Missing, is_another, missing, slips
-from urdfctl.rules.controllers.readers import Reader, in_each_distro
 from urdfctl.rules.controllers.sections import meant_for
 
-_LOSING = (FaultKind.OUTSIDE_PARAMETERS, FaultKind.NODE_NAME, FaultKind.PARAMETERS_NOT_A_MAP, FaultKind.ROOT)
+_LOSES_PARAMETERS = (FaultKind.OUTSIDE_PARAMETERS, FaultKind.NODE_NAME, FaultKind.PARAMETERS_NOT_A_MAP, FaultKind.ROOT)
+"""Faults of a file that keep parameters from their nodes; other rules report them."""
 
 
 @rule(
     "UC431",
+    stage=StageDependsOn.PARAMETER_CHECKS,
     severity=Severity.ERROR,
     authority="generate_parameter_library: 'parameter 'joints' is not initialized', 'Parameter 'joints' cannot be "
     "empty'; ros_controllers: 'No joint given', 'Could not find 'joints' parameter'",
@@ -49,20 +50,22 @@ _LOSING = (FaultKind.OUTSIDE_PARAMETERS, FaultKind.NODE_NAME, FaultKind.PARAMETE
     },
 )
 def parameter_missing(project: Project) -> Iterator[Finding]:
-    """A controller is not given a parameter that it needs.
+    """Required parameter is missing.
 
-    The controller manager does not load, or not configure, the controller then. A default that the controller's own
-    checks refuse counts as none: an empty list of joints, a wheel radius of 0.
+    The controller manager cannot load or configure the controller. A default that the controller's own checks refuse
+    does not count: an empty list of joints, a wheel radius of 0.
     """
     controllers = controllers_in(project)
     if not controllers.complete:
         return
-    yield from in_each_distro(project, lambda reader: _lacking(project, reader), newest=True)
+    yield from in_each_distro(project, lambda reader: _incomplete(project, reader), newest=True)
 
 
-def _lacking(project: Project, reader: Reader) -> Iterator[Finding]:
+def _incomplete(project: Project, reader: Reader) -> Iterator[Finding]:
     controllers, controller = controllers_in(project), reader.controller
-    if controller is None or reader.at is None or _is_told_elsewhere(controllers, controller):
+    if controller is None and not reader.controllers and reader.name in project.own.nodes:
+        yield from _incomplete_node(reader)
+    if controller is None or reader.at is None or _is_reported_elsewhere(controllers, controller):
         return
     meant = slips(reader).values()
     lacks = [lack for lack in missing(reader) if lack.name not in controller.under_manager and lack.name not in meant]
@@ -72,28 +75,37 @@ def _lacking(project: Project, reader: Reader) -> Iterator[Finding]:
     severity = Severity.ERROR if any(lack.refused for lack in lacks) and not is_another(reader) else Severity.WARNING
     if not controller.sections:
         if not (project.robot or any(other.sections for other in controllers.controllers)):
-            return  # its section stands in a file that is not looked at
-        message = f"there is no section '{controller.name}:', and its type {kind} needs {_names(lacks)}"
+            return  # its section is in a file that is not linted
+        message = f"section '{controller.name}:' is missing; controller type '{kind}' requires {_names(lacks)}"
     else:
-        message = f"'{controller.name}' is not given {_names(lacks)}, which its type {kind} needs"
+        message = f"controller '{controller.name}' is missing {_names(lacks)}, which type '{kind}' requires"
     yield Finding(reader.at, message, severity=severity)
+
+
+def _incomplete_node(reader: Reader) -> Iterator[Finding]:
+    """The finding on a node whose parameters the user defines."""
+    meant = slips(reader).values()
+    lacks = [lack for lack in missing(reader) if lack.name not in meant]
+    if lacks and reader.at is not None:
+        message = f"node '{reader.name}' is missing {_names(lacks)}, which its definition requires"
+        yield Finding(reader.at, message, severity=Severity.ERROR)
 
 
 def _names(lacks: list[Missing]) -> str:
     [first, *others] = lacks
     if not others and first.words.startswith("or "):
-        return f"'{first.name}' {first.words.removesuffix(' must be given')}"
+        return f"'{first.name}' {first.words.removesuffix(' is required')}"
     return in_words([lack.name for lack in lacks])
 
 
-def _is_told_elsewhere(controllers: Controllers, controller: Controller) -> bool:
-    """Whether the controller reads a file of its own, or a greater fault than this keeps its parameters away."""
+def _is_reported_elsewhere(controllers: Controllers, controller: Controller) -> bool:
+    """Whether the controller reads a file of its own, or loses its parameters by a fault that another rule reports."""
     if controller.parameter_files or meant_for(controllers, controller) or _is_template(controller):
         return True
-    return not controller.sections and any(fault.kind in _LOSING for fault in controllers.faults)
+    return not controller.sections and any(fault.kind in _LOSES_PARAMETERS for fault in controllers.faults)
 
 
 def _is_template(controller: Controller) -> bool:
-    """Whether other sections take over what stands in this one: `d: &d {type: ...}`."""
+    """Whether other sections reuse the contents of this one through a YAML anchor: `d: &d {type: ...}`."""
     at = controller.declared_at
     return at is not None and re.match(rb"[ \t]*:\s*&", at.source.data[at.span.end : at.span.end + 80]) is not None

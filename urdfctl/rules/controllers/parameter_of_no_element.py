@@ -6,11 +6,11 @@ import re
 from collections.abc import Iterator
 
 from urdfctl.catalog.values import elements, is_known
+from urdfctl.control.readers import Reader, in_each_distro
+from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import replaced
 from urdfctl.rules.controllers.parameters import known_as
-from urdfctl.rules.controllers.readers import Reader, in_each_distro
-from urdfctl.suggest import nearest
 
 
 @rule(
@@ -50,29 +50,30 @@ from urdfctl.suggest import nearest
     },
 )
 def parameter_of_no_element(project: Project) -> Iterator[Finding]:
-    """A parameter is given for a joint, or the like, that is not in the list that it belongs to.
+    """Parameter for a joint that the controller does not list.
 
-    Constraints and gains are read for each of the controller's joints. Those of others are ignored without a word.
+    Constraints, gains and the like are read for each element of a list, such as `joints`. Those for other names are
+    ignored silently.
     """
-    return in_each_distro(project, _of_none, newest=True)
+    return in_each_distro(project, _unlisted, newest=True)
 
 
-def _of_none(reader: Reader) -> Iterator[Finding]:
-    told = set()
+def _unlisted(reader: Reader) -> Iterator[Finding]:
+    reported = set()
     for leaf in reader.own.leaves:
         pattern, element = known_as(reader, leaf.name) or ("", None)
         listing = re.search("<([^<>]+)>", pattern)
         if listing is None or element is None or not is_known(element):
             continue
         value = reader.given.get(listing[1])
-        there = [part for part in elements(value) if isinstance(part, str)]
-        if not there or element in there or not is_known(value) or element in told:
+        listed = [part for part in elements(value) if isinstance(part, str)]
+        if not listed or element in listed or not is_known(value) or element in reported:
             continue
-        told.add(element)
+        reported.add(element)
         start = pattern[: listing.start()] + element
-        found = reader.own.get(start)
-        at, written = (found.key, found.last) if found else (leaf.key, leaf.last)
-        right = nearest(element, there)
-        end = f"; did you mean '{right}'?" if right else f", and nobody reads '{start}'"
-        message = f"'{element}' is not in '{listing[1]}'{end}"
+        group = reader.own.get(start)
+        at, written = (group.key, group.last) if group else (leaf.key, leaf.last)
+        right = nearest(element, listed)
+        hint = f"; did you mean '{right}'?" if right else f"; '{start}' is ignored"
+        message = f"'{element}' is not in '{listing[1]}'{hint}"
         yield Finding(at, message, fix=replaced(at, written, right) if right else None, severity=Severity.WARNING)

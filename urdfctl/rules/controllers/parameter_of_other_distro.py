@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ALL, in_words
 from urdfctl.catalog.entries import FormerParameter
 from urdfctl.catalog.map_parameters import matching
+from urdfctl.control.readers import Reader, in_each_distro
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.controllers.parameters import known_as
-from urdfctl.rules.controllers.readers import Reader, in_each_distro
 
 
 @rule(
@@ -46,25 +46,29 @@ from urdfctl.rules.controllers.readers import Reader, in_each_distro
     },
 )
 def parameter_of_other_distro(project: Project) -> Iterator[Finding]:
-    """A parameter is one that a controller reads in other distros, and not in this one.
+    """Parameter of another ROS distro.
 
-    It was removed or renamed, or came later. The value is ignored without a word, and the default used.
+    The parameter was removed or renamed in this distro, or added later. The controller ignores it silently and uses the
+    default.
     """
     return in_each_distro(project, _of_others, newest=True)
 
 
 def _of_others(reader: Reader) -> Iterator[Finding]:
     for leaf in reader.own.leaves:
-        found = None if known_as(reader, leaf.name) else matching(leaf.name, reader.former)
-        if found is not None:
-            message = f"'{reader.name}' does not read '{leaf.name}'{_why(reader.former[found[0]], reader.distro)}"
+        matched = None if known_as(reader, leaf.name) else matching(leaf.name, reader.former)
+        if matched is not None:
+            why = _why(reader.former[matched[0]], reader.distro)
+            message = f"controller '{reader.name}' does not read '{leaf.name}'{why}"
             yield Finding(leaf.key, message, severity=Severity.WARNING)
 
 
 def _why(former: FormerParameter, distro: str) -> str:
-    instead = f"; instead: {former.replacement}" if former.replacement else f": {former.note}" if former.note else ""
+    advice = f": {former.note}" if former.note else ""
+    if former.replacement:
+        advice = f"; replacement: {former.replacement}"
     if former.last_version:
-        return f" since {distro} {former.last_version}{instead}"
+        return f" since {distro} {former.last_version}{advice}"
     if former.distros and ALL.index(former.distros[0]) > ALL.index(distro):
-        return f" in {distro}, only from {former.distros[0]} on{instead}"
-    return f" in {distro}" + (f", only in {in_words(former.distros)}" if former.distros else "") + instead
+        return f" in {distro}, only in {former.distros[0]} and later{advice}"
+    return f" in {distro}" + (f", only in {in_words(former.distros)}" if former.distros else "") + advice

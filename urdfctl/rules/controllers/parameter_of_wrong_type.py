@@ -7,17 +7,17 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.entries import Parameter
 from urdfctl.catalog.value_types import type_problem
+from urdfctl.control.readers import Reader, in_each_distro
 from urdfctl.model.parameters import Kind, Value
 from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
 from urdfctl.rules.controllers.parameters import is_ros1, known_as
-from urdfctl.rules.controllers.readers import Reader, in_each_distro
 
 
 @rule(
     "UC432",
     severity=Severity.ERROR,
     authority="rclcpp: 'Wrong parameter type, parameter {joints} is of type {string_array}, setting it to {string} is "
-    "not allowed.'; roscpp's getParam gives nothing where the type is another",
+    "not allowed.'; roscpp's getParam fails if the type differs",
     options=["--distro=jazzy"],
     bad={
         "controllers.yaml": """
@@ -49,48 +49,48 @@ from urdfctl.rules.controllers.readers import Reader, in_each_distro
     },
 )
 def parameter_of_wrong_type(project: Project) -> Iterator[Finding]:
-    """A parameter has a value of another type than its node reads.
+    """Parameter value of the wrong type.
 
-    From galactic on ROS 2 refuses it, an integer for a number with a decimal point too: the controller is not loaded, or
-    the manager ends. ROS 1 takes integers as numbers; what it cannot read counts as not given.
+    ROS 2 refuses it from galactic on, even an integer for a number with a decimal point: the controller is not loaded,
+    or the manager exits. ROS 1 accepts integers as numbers; it treats a value that it cannot read as missing.
     """
     return in_each_distro(project, _wrong)
 
 
 def _wrong(reader: Reader) -> Iterator[Finding]:
     for given in reader.located:
-        found = known_as(reader, given.name)
-        if found is None:
+        matched = known_as(reader, given.name)
+        if matched is None:
             continue
-        parameter = reader.known[found[0]]
-        if parameter.ignored or (given.value.kind is Kind.MAP and given.name in _fathers(reader)):
+        parameter = reader.known[matched[0]]
+        if parameter.ignored or (given.value.kind is Kind.MAP and given.name in _groups(reader)):
             continue
         if given.value.kind is Kind.NULL:
-            continue  # UC406 tells it
+            continue  # UC406 reports it
         if not is_ros1(reader) and len({item.kind for item in given.value.items}) > 1:
-            continue  # UC408 tells it
+            continue  # UC408 reports it
         value: object = {} if given.value.kind is Kind.MAP else reader.given.get(given.name)
         problem = type_problem(value, parameter, reader.distro)
         if problem is not None:
             message = f"'{given.name}' {problem}"
-            dire = parameter.needed or parameter.floats_only or parameter.if_absent == "crash"
-            refused = not is_ros1(reader) or dire
+            ros1_refuses = parameter.needed or parameter.floats_only or parameter.if_absent == "crash"
+            refused = not is_ros1(reader) or ros1_refuses
             severity = Severity.ERROR if refused else Severity.WARNING
             yield Finding(given.value.at, message, fix=_fix(given.value, parameter), severity=severity)
 
 
-def _fathers(reader: Reader) -> set[str]:
-    """The maps in which known parameters stand."""
+def _groups(reader: Reader) -> set[str]:
+    """The top-level maps that contain known parameters."""
     return {name.partition(".")[0] for name in reader.known if "." in name}
 
 
 def _fix(value: Value, parameter: Parameter) -> Fix | None:
-    """A decimal point for integers where numbers are wanted; the value without quotes, where that is one."""
+    """Add a decimal point to integers if a number is expected; put brackets around a string if a list is expected."""
     if "double" in parameter.type:
         integers = [item for item in (value.items or (value,)) if item.kind is Kind.INT]
         if integers and all(re.fullmatch(r"[+-]?[0-9]+", item.at.span.text) for item in integers):
             edits = tuple(Edit(item.at.span, f"{item.text}.0") for item in integers)
-            return Fix("write a decimal point", edits, safe=True)
+            return Fix("add a decimal point", edits, safe=True)
     if parameter.type == "string_array" and value.kind is Kind.STRING and value.text == value.at.span.text:
-        return Fix("write a list", (Edit(value.at.span, f"[{value.text}]"),))
+        return Fix("write it as a list", (Edit(value.at.span, f"[{value.text}]"),))
     return None

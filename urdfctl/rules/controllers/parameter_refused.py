@@ -6,14 +6,14 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.entries import Parameter
 from urdfctl.catalog.validators import problem
-from urdfctl.catalog.value_types import said, type_problem
+from urdfctl.catalog.value_types import shown, type_problem
 from urdfctl.catalog.values import is_list
+from urdfctl.control.readers import Reader, in_each_distro
 from urdfctl.model.parameters import Kind, Value
+from urdfctl.names import nearest
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import replaced
 from urdfctl.rules.controllers.parameters import is_ros1, known_as
-from urdfctl.rules.controllers.readers import Reader, in_each_distro
-from urdfctl.suggest import nearest
 
 
 @rule(
@@ -51,28 +51,28 @@ from urdfctl.suggest import nearest
     },
 )
 def parameter_refused(project: Project) -> Iterator[Finding]:
-    """A parameter has a value that its node refuses.
+    """Parameter value that the node refuses.
 
-    The controllers check their parameters: that numbers lie in a range, that lists are not empty and name nothing twice,
-    that texts are one of some. A controller that is given another value is not loaded.
+    Controllers check their parameters: numbers must be in a range, lists must not be empty or contain duplicates,
+    strings must be one of the allowed values. A controller with another value is not loaded.
     """
     return in_each_distro(project, _refused)
 
 
 def _refused(reader: Reader) -> Iterator[Finding]:
     for given in reader.located:
-        found = known_as(reader, given.name)
+        matched = known_as(reader, given.name)
         value = reader.given.get(given.name)
-        if found is None or value is None or given.value.kind is Kind.MAP:
+        if matched is None or value is None or given.value.kind is Kind.MAP:
             continue
-        parameter = reader.known[found[0]]
+        parameter = reader.known[matched[0]]
         if parameter.ignored or (value == [] and not is_ros1(reader)) or type_problem(value, parameter, reader.distro):
-            continue  # UC438, UC407 and UC432 tell them
+            continue  # reported by UC438, UC407 and UC432
         for limits, severity in ((parameter.validators, Severity.ERROR), (parameter.useful, Severity.WARNING)):
             broken = problem(value, limits)
             if broken is not None:
-                what = "" if is_list(value) else f", not {said(value)}"
-                message = f"'{given.name}' {broken}{what}"
+                actual = "" if is_list(value) or broken.startswith("must not") else f", not {shown(value)}"
+                message = f"'{given.name}' {broken}{actual}"
                 yield Finding(given.value.at, message, fix=_fix(given.value, parameter), severity=severity)
                 break
 

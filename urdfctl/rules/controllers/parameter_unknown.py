@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.map_parameters import matching
+from urdfctl.control.readers import Reader, in_each_distro
 from urdfctl.model.parameters import Parameter
-from urdfctl.rule import Finding, Fix, Project, Severity, rule
+from urdfctl.rule import Finding, Fix, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.common import replaced
 from urdfctl.rules.controllers.parameters import (
     is_another,
@@ -18,11 +19,11 @@ from urdfctl.rules.controllers.parameters import (
     slips,
     unread,
 )
-from urdfctl.rules.controllers.readers import Reader, in_each_distro
 
 
 @rule(
     "UC430",
+    stage=StageDependsOn.PARAMETER_CHECKS,
     severity=Severity.WARNING,
     authority="generate_parameter_library and rclcpp: a value for a parameter that no node declares is ignored; "
     "ros_control's controllers ask the parameter server for the names they know",
@@ -57,10 +58,11 @@ from urdfctl.rules.controllers.readers import Reader, in_each_distro
     },
 )
 def parameter_unknown(project: Project) -> Iterator[Finding]:
-    """A parameter is none that its node reads, most often a misspelt one.
+    """Unknown parameter.
 
-    Nobody tells: the value is ignored and the default used. Of ROS 1's controllers only those are told that are much
-    like one that is read, for others may read what stands beside. It is an error where the one that is meant is needed.
+    The node ignores it silently and uses the default; most unknown parameters are misspelt. In ROS 1, other nodes may
+    read them, so only names similar to a known parameter are reported. It is an error if the parameter that was meant
+    is required.
     """
     return in_each_distro(project, lambda reader: _unknown(project, reader), newest=True)
 
@@ -70,25 +72,27 @@ def _unknown(project: Project, reader: Reader) -> Iterator[Finding]:
     needed = {lack.name for lack in missing(reader) if lack.refused}
     for parameter in unread(reader):
         right = meant.get(parameter.name)
-        told = matching(parameter.name, reader.former) is not None or right in number_slips(reader, parameter.name)
-        why = None if told else _why(project, reader, parameter, right)
+        of_other_distro = matching(parameter.name, reader.former) is not None  # UC436 reports it
+        is_number_slip = right in number_slips(reader, parameter.name)  # UC444 reports it
+        why = None if of_other_distro or is_number_slip else _why(project, reader, parameter, right)
         if why is not None:
-            message = f"'{reader.name}' reads no '{parameter.name}'{why}"
+            message = f"'{reader.name}' has no parameter '{parameter.name}'{why}"
             severity = Severity.ERROR if right in needed else Severity.WARNING
             yield Finding(parameter.key, message, fix=_fix(parameter, right), severity=severity)
 
 
 def _why(project: Project, reader: Reader, parameter: Parameter, right: str | None) -> str | None:
-    """What to say of a parameter that is not read; None where it may be meant for somebody else."""
+    """The end of the message on a parameter that is not read; None if it may be for another node."""
     if right:
         return f"; did you mean '{right}'?"
     other = of_other_ros(project, reader, parameter.name)
     if other:
-        return f", which is one of ROS {other} and is ignored"
+        return f", which exists only in ROS {other}; it is ignored"
     alike = namesakes(reader, parameter)
-    if alike:
+    if alike and not (reader.type and reader.type.open):
         return f"; did you mean {' or '.join(repr(name) for name in alike[:2])}?"
-    return None if is_ros1(reader) or is_another(reader) else ", which is ignored"
+    is_open = reader.type is not None and reader.type.open
+    return None if is_open or is_ros1(reader) or is_another(reader) else "; it is ignored"
 
 
 def _fix(parameter: Parameter, right: str | None) -> Fix | None:

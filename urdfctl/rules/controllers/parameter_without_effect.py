@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.readers import Reader, in_each_distro
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.controllers.parameters import known_as
-from urdfctl.rules.controllers.readers import Reader, in_each_distro
 
 
 @rule(
@@ -43,21 +43,21 @@ from urdfctl.rules.controllers.readers import Reader, in_each_distro
     },
 )
 def parameter_without_effect(project: Project) -> Iterator[Finding]:
-    """A parameter is documented, or looks right, and its node does not read it.
+    """Parameter without effect.
 
-    The value is ignored without a word.
+    The parameter is documented or looks plausible, but the node does not read it. The value is ignored silently.
     """
     return in_each_distro(project, _ignored)
 
 
 def _ignored(reader: Reader) -> Iterator[Finding]:
     for leaf in reader.own.leaves:
-        found = known_as(reader, leaf.name)
-        if found is not None and reader.known[found[0]].ignored:
-            message = f"'{leaf.name}' has no effect in {reader.distro}: controllers do not read it there"
+        matched = known_as(reader, leaf.name)
+        if matched is not None and reader.known[matched[0]].ignored:
+            message = f"'{leaf.name}' has no effect in {reader.distro}; controllers do not read it"
             yield Finding(leaf.key, message, severity=Severity.WARNING)
     for name in reader.type.ignored if reader.type else ():
         given = None if name in reader.known else reader.own.get(name)
         if given is not None and reader.type is not None:
-            message = f"'{name}' has no effect: a {reader.type.type} does not read it"
+            message = f"'{name}' has no effect; controller type '{reader.type.type}' does not read it"
             yield Finding(given.key, message, severity=Severity.WARNING)

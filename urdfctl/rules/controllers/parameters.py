@@ -1,4 +1,4 @@
-"""Which of a node's parameters it does not read, which of them are slips, and which it lacks."""
+"""A node's unread, misspelt and missing parameters."""
 
 from __future__ import annotations
 
@@ -11,34 +11,39 @@ from urdfctl.catalog.map_parameters import expected, matching, prefixes
 from urdfctl.catalog.validators import problem
 from urdfctl.catalog.value_types import type_problem
 from urdfctl.control.parameter_rules import breaches
-from urdfctl.memory import once_per_object
+from urdfctl.control.readers import Reader, readers_of
 from urdfctl.model.controllers import Controller
 from urdfctl.model.parameters import Kind
 from urdfctl.model.parameters import Parameter as Given
-from urdfctl.record import NamedTuple
+from urdfctl.names import nearest
 from urdfctl.rule import Project
-from urdfctl.rules.controllers.readers import Reader, readers_of
-from urdfctl.suggest import nearest
+from urdfctl.startup.per_object import once_per_object
+from urdfctl.startup.records import NamedTuple
 
 OF_EVERY_NODE = ("qos_overrides", "start_type_description_service", "diagnostic_updater", "enable_logger_service")
-"""What rclcpp and its helpers read in any node, besides what ros2_control tells of it."""
+"""Parameters that rclcpp and its helpers read in any node, in addition to those in the catalogue."""
 OF_THE_SPAWNER = ("type", "params_file", "fallback_controllers", "node_options_args", "ros__parameters")
-"""What may stand in a controller's section, and is not for the controller."""
+"""Keys of a controller's section that are not for the controller itself."""
 _MOST_COMPARED = 20
+"""Unread parameters of a node that are compared with known ones; comparing takes long."""
 _FEW = 4
-_NEEDING = ("not_empty", "needs", "any_set", "one_group_set", "length")
+"""Up to this many unknown parameters, a controller is never taken for a fork."""
+_REQUIRING = ("not_empty", "needs", "any_set", "one_group_set", "length")
+"""Kinds of rules on parameters that a missing parameter can break."""
 
 
 class Missing(NamedTuple):
-    """A parameter that a node needs and is not given. `words` follow its name, where it is more than to be given."""
+    """A required parameter that a node does not get."""
 
     name: str
     refused: bool
+    """Whether the controller is refused without it."""
     words: str = ""
+    """The message of the broken rule, to follow the name; empty if the parameter is simply required."""
 
 
 def known_as(reader: Reader, name: str) -> tuple[str, str | None] | None:
-    """The parameter that a node reads under a full name, and the element that it is for."""
+    """Return the parameter that a node reads under a full name, and the list element that it is for."""
     given = _known_as(reader)
     return given[name] if name in given else matching(name, reader.known)
 
@@ -49,26 +54,26 @@ def _known_as(reader: Reader) -> dict[str, tuple[str, str | None] | None]:
 
 
 def is_ros1(reader: Reader) -> bool:
-    """Whether the node is one of ROS 1, which reads its parameters one by one and takes others for none of its own."""
+    """Return whether the node is one of ROS 1, which reads its parameters one by one and ignores all others."""
     return generation(reader.distro) == 1
 
 
 @once_per_object
 def unread(reader: Reader) -> list[Given]:
-    """What is given to a node alone, and it does not read; of a map that it knows nothing of, the map."""
-    told: dict[str, Given] = {}
+    """Return the parameters given to this node alone that it does not read; for an unknown map, the map itself."""
+    by_name: dict[str, Given] = {}
     for leaf in reader.own.leaves:
         if _is_foreign(reader, leaf.name) or known_as(reader, leaf.name):
             continue
         top = _unknown_part(leaf.name, _starts(reader))
-        found = reader.own.get(top)
-        if found is not None:
-            told[top] = found
-    return list(told.values())
+        parameter = reader.own.get(top)
+        if parameter is not None:
+            by_name[top] = parameter
+    return list(by_name.values())
 
 
 def _is_foreign(reader: Reader, name: str) -> bool:
-    """Whether somebody else reads it, or another rule tells that nobody does."""
+    """Whether another node reads the parameter, or another rule reports it."""
     first = name.partition(".")[0]
     if first in reader.controllers or ".ros__parameters" in name:
         return True
@@ -79,13 +84,13 @@ def _is_foreign(reader: Reader, name: str) -> bool:
 
 @once_per_object
 def _starts(reader: Reader) -> dict[str, FormerParameter]:
-    """What stands before the dots in the names that a node reads, or that others read, as something to be matched."""
+    """The prefixes, up to a dot, of all names that the node reads now or in other distros, in a form to match with."""
     names = prefixes((*reader.known, *reader.former))
     return {name: FormerParameter(name) for name in names}
 
 
 def _unknown_part(name: str, starts: Mapping[str, FormerParameter]) -> str:
-    """As much of a name as is needed to see that it is not known."""
+    """The shortest part of a dotted name that is unknown."""
     parts = name.split(".")
     for size in range(1, len(parts)):
         part = ".".join(parts[:size])
@@ -104,62 +109,65 @@ def _of_last(names: frozenset[str]) -> dict[str, list[str]]:
 
 @once_per_object
 def slips(reader: Reader) -> dict[str, str]:
-    """Of the unread parameters those that surely mean one that is read, and which: both by their full names."""
-    found: dict[str, str] = {}
+    """Return for unread parameters the known parameter that they almost certainly mean, both by full name."""
+    meant_by: dict[str, str] = {}
     if not unread(reader):
-        return found
+        return meant_by
     candidates = frozenset(
         name for name in (*_expected(reader), *_starts(reader)) if "<" not in name and name not in reader.own
     )
     for parameter in unread(reader)[:_MOST_COMPARED]:
         meant = nearest(parameter.name, candidates) or _misplaced(parameter, candidates)
         if meant is not None and matching(parameter.name, reader.former) is None:
-            found[parameter.name] = meant
-    return found
+            meant_by[parameter.name] = meant
+    return meant_by
 
 
 def _misplaced(parameter: Given, candidates: frozenset[str]) -> str | None:
-    """The one parameter that is called so within a map: `goal_time` for `constraints.goal_time`."""
+    """The only known parameter in a map with this last name: `constraints.goal_time` for `goal_time`."""
     same = _of_last(candidates).get(parameter.last, [])
     return same[0] if len(same) == 1 and parameter.value.kind is not Kind.MAP else None
 
 
 def namesakes(reader: Reader, parameter: Given) -> list[str]:
-    """The parameters that are called so within maps, where there are several: `linear.x.max_velocity` and its like."""
+    """Return the known parameters in maps with this last name, e.g. `linear.x.max_velocity` for `max_velocity`."""
     if parameter.value.kind is Kind.MAP or "." in parameter.name:
         return []
     return [name for name in _expected(reader) if name.endswith(f".{parameter.name}")]
 
 
 def of_other_ros(project: Project, reader: Reader, name: str) -> int | None:
-    """The other generation of ROS, where the type's counterpart there reads a parameter of this name."""
+    """Return the other generation of ROS if the type's counterpart there reads a parameter of this name, else None."""
     if reader.type is None:
         return None
     distro = "rolling" if is_ros1(reader) else "noetic"
-    found = project.catalog.replacement(reader.type.type, distro)
-    counterpart = project.catalog.controller(found.type if found else reader.type.type, distro)
+    replacement = project.catalog.replacement(reader.type.type, distro)
+    counterpart = project.catalog.controller(replacement.type if replacement else reader.type.type, distro)
     known = counterpart is not None and matching(name, counterpart.parameters) is not None
     return generation(distro) if known else None
 
 
 @once_per_object
 def _expected(reader: Reader) -> dict[str, Parameter]:
-    """The parameters by the full names that they have with the values that are given."""
+    """The parameters of the node by full name, with map placeholders replaced by the given elements."""
     return expected(reader.known, reader.given)
 
 
 @once_per_object
 def missing(reader: Reader) -> list[Missing]:
-    """What a node needs and is not given, but for the gains of ROS 1's PID controllers, which have rules of their own."""
-    found = {name: Missing(name, refused=True) for name, parameter in _needed(reader) if not _is_given(reader, name)}
+    """Return the required parameters that a node does not get.
+
+    Gains of ROS 1's PID controllers are not included; they have rules of their own.
+    """
+    by_name = {name: Missing(name, refused=True) for name, parameter in _needed(reader) if not _is_given(reader, name)}
     for breach in breaches(reader.type, reader.given) if reader.type else ():
         name = breach.parameter
-        if name in found or _is_given(reader, name) or breach.rule.kind not in _NEEDING or name == "gains":
+        if name in by_name or _is_given(reader, name) or breach.rule.kind not in _REQUIRING or name == "gains":
             continue
-        if "<" in name:  # what it stands for is not given, or of no use, which is a fault of its own
+        if "<" in name:  # the list for the placeholder is missing or invalid, which is reported by itself
             continue
-        found[name] = Missing(name, breach.rule.severity == "error", breach.message)
-    return list(found.values())
+        by_name[name] = Missing(name, breach.rule.severity == "error", breach.message)
+    return list(by_name.values())
 
 
 def _needed(reader: Reader) -> Iterator[tuple[str, Parameter]]:
@@ -174,12 +182,14 @@ def _is_given(reader: Reader, name: str) -> bool:
 
 
 def is_sound(reader: Reader, name: str) -> bool:
-    """Whether what a rule on several parameters is asked about is fit to be asked about: given, or not needed, of the
-    right type, no empty list of ROS 2, and nothing that its own checks refuse."""
-    found, value = known_as(reader, name), reader.given.get(name)
-    if found is None:
+    """Return whether a parameter has no fault of its own, so that rules on several parameters can check it.
+
+    It is given or not required, has the right type, is no empty list in ROS 2, and passes its own validators.
+    """
+    matched, value = known_as(reader, name), reader.given.get(name)
+    if matched is None:
         return True
-    parameter = reader.known[found[0]]
+    parameter = reader.known[matched[0]]
     if name not in reader.given:
         return not parameter.needed
     if type_problem(value, parameter, reader.distro) or (value == [] and not is_ros1(reader)):
@@ -188,23 +198,28 @@ def is_sound(reader: Reader, name: str) -> bool:
 
 
 def is_another(reader: Reader) -> bool:
-    """Whether a controller is rather another one of the same name, a fork: it reads less than half of its parameters."""
+    """Return whether a controller is probably a fork with the same type name: most of its parameters are unknown."""
     leaves = reader.own.leaves
     known = sum(1 for leaf in leaves if known_as(reader, leaf.name) or matching(leaf.name, reader.former))
     return len(leaves) - known > max(known, _FEW)
 
 
 def is_lacking(project: Project, controller: Controller, names: Collection[str] | None = None) -> bool:
-    """Whether a controller is refused for want of parameters (of some names), in each distro that has it."""
+    """Return whether every distro that has the controller refuses it because required parameters are missing.
+
+    names: if given, only parameters with these names count.
+    """
     for readers in readers_of(project):
         if readers[0].controller is controller:
-            lacks = [[lack.name for lack in missing(reader) if lack.refused] for reader in readers]
-            return all(any(names is None or name in names for name in one) for one in lacks)
+            missing_by_distro = [[lack.name for lack in missing(reader) if lack.refused] for reader in readers]
+            return all(any(names is None or name in names for name in lacks) for lacks in missing_by_distro)
     return False
 
 
 def number_slips(reader: Reader, name: str) -> list[str]:
-    """The parameters that a name is the plural of, or that are its plural: `joints` for `joint`, which has a rule of
-    its own."""
+    """Return the known parameters that are the singular or plural of a name: `joints` for `joint`.
+
+    This confusion has a rule of its own.
+    """
     others = (f"{name}s", name.removesuffix("s"))
     return [other for other in others if other in reader.known and reader.known[other].type.startswith("string")]

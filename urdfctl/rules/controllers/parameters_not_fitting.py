@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.control.parameter_rules import breaches
-from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.control.readers import Reader, in_each_distro
+from urdfctl.rule import Finding, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.controllers.parameters import is_sound
-from urdfctl.rules.controllers.readers import Reader, in_each_distro
 
 
 @rule(
     "UC434",
+    stage=StageDependsOn.MANAGER,
     severity=Severity.ERROR,
-    authority="the controllers' own checks, as joint_trajectory_controller's: ''velocity' command interface can only be "
+    authority="the controllers' own checks, e.g. joint_trajectory_controller: ''velocity' command interface can only be "
     "used alone if 'velocity' and 'position' state interfaces are present'",
     options=["--distro=jazzy"],
     bad={
@@ -46,10 +47,10 @@ from urdfctl.rules.controllers.readers import Reader, in_each_distro
     },
 )
 def parameters_not_fitting(project: Project) -> Iterator[Finding]:
-    """Parameters of a controller do not fit together.
+    """Inconsistent controller parameters.
 
-    Each may be right by itself: the controller checks lists that must be of one length, interfaces that go together
-    only in some combinations, groups of which one must be chosen.
+    Each value may be valid by itself. But lists must have the same length, interfaces must form a supported
+    combination, or one of several groups must be given. The controller checks these conditions.
     """
     return in_each_distro(project, _unfit)
 
@@ -59,8 +60,8 @@ def _unfit(reader: Reader) -> Iterator[Finding]:
         return
     for breach in breaches(reader.type, reader.given):
         given = reader.located.get(breach.parameter)
-        asked = (*breach.rule.params, str(breach.rule.details.get("of_param", "")))
-        if given is None or not all(is_sound(reader, name) for name in asked):
-            continue  # UC431, UC432, UC433 and UC407 tell them
+        checked = (*breach.rule.params, str(breach.rule.details.get("of_param", "")))
+        if given is None or not all(is_sound(reader, name) for name in checked):
+            continue  # reported by UC431, UC432, UC433 and UC407
         severity = Severity.ERROR if breach.rule.severity == "error" else Severity.WARNING
         yield Finding(given.value.at, f"'{given.name}' {breach.message}", severity=severity)

@@ -5,18 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.rule import Finding, Fix, Project, Severity, rule
+from urdfctl.control.readers import controllers_in
+from urdfctl.rule import Finding, Fix, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.common import in_words
-from urdfctl.rules.controllers.common import controllers_in
 from urdfctl.rules.controllers.parameters import OF_THE_SPAWNER, is_lacking
 
 
 @rule(
     "UC415",
+    stage=StageDependsOn.PARAMETER_CHECKS,
     severity=Severity.WARNING,
     distros=ROS2,
-    authority="ros2_control controller_manager/src/controller_manager.cpp: of a controller the manager's own node reads "
-    "type, params_file and fallback_controllers only",
+    authority="ros2_control controller_manager/src/controller_manager.cpp: for a controller the manager's node reads only "
+    "type, params_file and fallback_controllers",
     options=["--distro=jazzy"],
     bad={
         "controllers.yaml": """
@@ -44,20 +45,20 @@ from urdfctl.rules.controllers.parameters import OF_THE_SPAWNER, is_lacking
     },
 )
 def parameters_under_manager(project: Project) -> Iterator[Finding]:
-    """A controller's parameters stand below the controller manager, where the controller does not look.
+    """Controller parameters below the controller manager.
 
-    Each controller is a node of its own and reads the section of its own name. Below the manager belong its type and
-    little else; what else stands there is ignored, and a controller that needs it is not loaded.
+    Each controller is a node of its own and reads the section with its name. The manager's section holds only its type
+    and a few other keys. Other parameters there are ignored, and a controller that requires them is not loaded.
     """
     for controller in controllers_in(project).controllers:
-        lost = [p for p in controller.under_manager.below() if p.name not in OF_THE_SPAWNER]
-        if not lost:
+        ignored = [p for p in controller.under_manager.below() if p.name not in OF_THE_SPAWNER]
+        if not ignored:
             continue
-        names = [parameter.name for parameter in lost]
+        names = [parameter.name for parameter in ignored]
         message = (
-            f"{in_words(names, 3)} of '{controller.name}' cannot stand below the controller manager; "
-            f"a section '{controller.name}:' of its own, with 'ros__parameters:', is where the controller reads"
+            f"controller '{controller.name}' does not read {in_words(names, 3)} below the controller manager; "
+            f"it reads only its own section '{controller.name}:' with 'ros__parameters:'"
         )
-        fix = Fix(f"move it into '{controller.name}: ros__parameters:'")
+        fix = Fix(f"move to '{controller.name}: ros__parameters:'")
         severity = Severity.ERROR if is_lacking(project, controller, names) else None
-        yield Finding(lost[0].key, message, fix=fix, severity=severity)
+        yield Finding(ignored[0].key, message, fix=fix, severity=severity)

@@ -6,10 +6,11 @@ import re
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
+from urdfctl.control.readers import controllers_in
 from urdfctl.model.controllers import FaultKind, Key
-from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
 from urdfctl.rules.common import replaced
-from urdfctl.rules.controllers.common import controllers_in, is_judged
+from urdfctl.rules.controllers.common import is_judged
 from urdfctl.source.span import Place
 
 _RIGHT = "ros__parameters"
@@ -18,6 +19,7 @@ _MEANT = ("rosparameters", "rosparameter", "rosparams", "rosparam", "parameters"
 
 @rule(
     "UC403",
+    stage=Stage.PARAMETERS,
     severity=Severity.ERROR,
     distros=ROS2,
     authority="rcl rcl_yaml_param_parser/src/parse.c: 'Cannot have a value before ros__parameters at line 3'",
@@ -48,28 +50,28 @@ _MEANT = ("rosparameters", "rosparameter", "rosparams", "rosparam", "parameters"
     },
 )
 def ros_parameters_missing(project: Project) -> Iterator[Finding]:
-    """Parameters stand below no `ros__parameters` (two underscores).
+    """Missing or misspelt `ros__parameters` (two underscores).
 
-    ROS 2's reader refuses the whole file then, and the node that is given it, most often the controller manager, ends at
-    once. A key without a value, as a section that is still empty, is refused likewise.
+    ROS 2 rejects the whole file. The node that gets it, usually the controller manager, exits at once. A key without a
+    value, e.g. a section that is still empty, is rejected too.
     """
     controllers = controllers_in(project)
-    of_ros1 = {file.path for file in controllers.files if file.form == 1}  # UC401 tells them
-    told: set[Place] = set()
+    of_ros1 = {file.path for file in controllers.files if file.form == 1}  # UC401 reports them
+    reported: set[Place] = set()
     for fault in controllers.faults:
         if fault.kind is not FaultKind.OUTSIDE_PARAMETERS or fault.at.source.path in of_ros1:
             continue
         slip = next((key for key in fault.keys if _is_meant(key.text)), None)
-        surely = is_judged(project, fault.at.source.path) or (slip is not None and "ros" in slip.text)
+        is_certain = is_judged(project, fault.at.source.path) or (slip is not None and "ros" in slip.text)
         key = slip or (fault.keys[0] if fault.keys else Key(fault.subject, fault.at))
-        if key.at in told or not surely:
+        if key.at in reported or not is_certain:
             continue
-        told.add(key.at)
+        reported.add(key.at)
         if slip:
-            message = f"'{slip.text}' is not '{_RIGHT}', and ROS 2 refuses the file; mind the two underscores"
+            message = f"'{slip.text}' should be '{_RIGHT}' (two underscores, plural); ROS 2 rejects the file"
             yield Finding(slip.at, message, fix=replaced(slip.at, slip.text, _RIGHT, safe=True))
         else:
-            message = f"there is no '{_RIGHT}:' between '{key.text}' and what stands below it; ROS 2 refuses the file"
+            message = f"'{_RIGHT}:' is missing between '{key.text}' and its contents; ROS 2 rejects the file"
             yield Finding(key.at, message)
 
 

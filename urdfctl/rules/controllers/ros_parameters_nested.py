@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
+from urdfctl.control.readers import controllers_in
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.controllers.common import controllers_in, sections
+from urdfctl.rules.controllers.common import sections
 
 
 @rule(
@@ -44,20 +45,20 @@ from urdfctl.rules.controllers.common import controllers_in, sections
     },
 )
 def ros_parameters_nested(project: Project) -> Iterator[Finding]:
-    """`ros__parameters` stands once more below itself.
+    """`ros__parameters` nested in another `ros__parameters`.
 
-    Only the first one counts. The second is taken for a part of the parameters' names, and nobody reads them: a
-    controller's parameters, for one, belong into a section of its own, beside that of the controller manager.
+    Only the outer one counts. The inner one becomes part of the parameter names, and no node reads them. For example, a
+    controller's parameters belong in a section of its own, beside that of the controller manager.
     """
     names = {controller.name for controller in controllers_in(project).controllers}
     for section in sections(project):
         for parameter in section.parameters:
             if parameter.last != "ros__parameters":
                 continue
-            around = parameter.name.partition(".")[0]
-            where = f"a section '{around}:' of its own" if parameter.name.count(".") else "the outer one"
-            if around in names or where == "the outer one":
-                message = f"'ros__parameters' stands below another one, where it is part of a name; its contents belong into {where}"
+            outer = parameter.name.partition(".")[0]
+            target = f"a separate section '{outer}:'" if parameter.name.count(".") else "the outer one"
+            if outer in names or target == "the outer one":
+                message = f"nested 'ros__parameters' becomes part of a parameter name; move its contents to {target}"
             else:
-                message = "'ros__parameters' stands below another one, where it is part of a name that nobody reads"
+                message = "nested 'ros__parameters' becomes part of a parameter name that no node reads"
             yield Finding(parameter.key, message)

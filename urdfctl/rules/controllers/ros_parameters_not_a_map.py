@@ -6,12 +6,13 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.model.controllers import FaultKind
-from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rule import Finding, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.controllers.common import faults
 
 
 @rule(
     "UC410",
+    stage=StageDependsOn.PARAMETER_CHECKS,
     severity=Severity.ERROR,
     distros=ROS2,
     authority="rcl rcl_yaml_param_parser/src/parse.c: parameters are the keys of a map",
@@ -42,12 +43,10 @@ from urdfctl.rules.controllers.common import faults
     },
 )
 def ros_parameters_not_a_map(project: Project) -> Iterator[Finding]:
-    """Below `ros__parameters` stands a list or a text, and no map.
+    """`ros__parameters` is not a map.
 
-    Nothing of it reaches the node: a controller that needs parameters is not loaded.
+    A list or a string gives no parameters to the node; a controller that requires parameters is not loaded.
     """
     for fault in faults(project, FaultKind.PARAMETERS_NOT_A_MAP):
-        message = (
-            f"'ros__parameters' of '{fault.subject}' holds no 'name: value' lines, and the node gets nothing of it"
-        )
+        message = f"'ros__parameters' of '{fault.subject}' is not a map; the node requires 'name: value' lines"
         yield Finding(fault.at, message)

@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.control.readers import controllers_in
+from urdfctl.rule import Finding, Note, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.common import replaced
-from urdfctl.rules.controllers.common import controllers_in
 from urdfctl.rules.controllers.parameters import is_lacking
 from urdfctl.rules.controllers.sections import meant_for
 
 
 @rule(
     "UC416",
+    stage=StageDependsOn.PARAMETER_CHECKS,
     severity=Severity.WARNING,
     distros=ROS2,
     authority="rclcpp rclcpp/src/rclcpp/parameter_map.cpp: a section is read by the node whose full name it matches; "
@@ -45,10 +46,10 @@ from urdfctl.rules.controllers.sections import meant_for
     },
 )
 def section_not_read(project: Project) -> Iterator[Finding]:
-    """A section was meant for a controller, and has another name or namespace.
+    """Controller section with a wrong name or namespace.
 
-    A controller reads the section of its full name, which is its manager's namespace and its own name, and those with
-    wildcards that match it. Nobody tells that a section is read by no node.
+    A controller reads the section with its full name, i.e. its manager's namespace and its own name, and sections with
+    matching wildcards. ROS ignores a section that matches no node silently.
     """
     controllers = controllers_in(project)
     for controller in controllers.controllers:
@@ -56,11 +57,12 @@ def section_not_read(project: Project) -> Iterator[Finding]:
         if section is None:
             continue
         fix = None
-        message = f"no node reads '{section.path}': the controller is '{controller.namespace or ''}/{controller.name}'"
+        full_name = f"{controller.namespace or ''}/{controller.name}"
+        message = f"section '{section.path}' matches no node; the controller is '{full_name}'"
         if section.name != controller.name:
-            message = f"no node reads '{section.path}'; did you mean the controller '{controller.name}'?"
+            message = f"section '{section.path}' matches no node; did you mean controller '{controller.name}'?"
             fix = replaced(section.at, section.name, controller.name)
         at = controller.declared_at
-        notes = (Note(f"'{controller.name}' is declared here", at),) if at else ()
+        notes = (Note(f"controller '{controller.name}' is declared here", at),) if at else ()
         severity = Severity.ERROR if is_lacking(project, controller) else None
         yield Finding(section.at, message, notes, fix, severity)

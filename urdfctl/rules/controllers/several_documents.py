@@ -6,12 +6,13 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
 from urdfctl.model.controllers import FaultKind
-from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
 from urdfctl.rules.controllers.common import faults
 
 
 @rule(
     "UC413",
+    stage=Stage.PARAMETERS,
     severity=Severity.ERROR,
     distros=ROS1,
     authority="ros_comm roslaunch/src/roslaunch/loader.py: yaml.safe_load, 'expected a single document in the stream'",
@@ -39,11 +40,9 @@ from urdfctl.rules.controllers.common import faults
     },
 )
 def several_documents(project: Project) -> Iterator[Finding]:
-    """A file for ROS 1 holds several YAML documents.
+    """Several YAML documents in a ROS 1 file.
 
-    roslaunch reads one, and refuses a file with more: take the line `---` out.
+    roslaunch reads only one document and rejects a file with more: remove the line `---`.
     """
     for fault in faults(project, FaultKind.DOCUMENTS):
-        yield Finding(
-            fault.at, "roslaunch reads one YAML document, and here begins another; take the '---' before it out"
-        )
+        yield Finding(fault.at, "second YAML document in a file; roslaunch rejects it. Remove the '---' before it")

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.readers import controllers_in
 from urdfctl.model.parameters import Parameter
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.controllers.common import controllers_in
 
 _MARK = b"TODO"
 _MAKER = b"made by urdfctl "
@@ -15,7 +15,7 @@ _MAKER = b"made by urdfctl "
 @rule(
     "UC449",
     severity=Severity.WARNING,
-    authority="urdfctl gen-controllers: what the robot does not tell is written as a stand-in, and marked TODO",
+    authority="urdfctl gen-controllers: a value that the robot does not give is written as a placeholder and marked TODO",
     options=["--distro=noetic"],
     bad={
         "controllers.yaml": """
@@ -41,21 +41,21 @@ _MAKER = b"made by urdfctl "
     },
 )
 def stand_in_left(project: Project) -> Iterator[Finding]:
-    """A value that a generator could not know is still the stand-in that it wrote.
+    """Placeholder value left in a generated file.
 
-    It keeps the file in order, and it is not the robot's: a drive with another wheel radius goes another way than it
-    is told. Set the value, and take the TODO out of its comment.
+    The generator could not determine the value. The placeholder makes the file valid, but is not the robot's value: a
+    drive with a wrong wheel radius does not go where it should. Set the value, and remove the TODO from its comment.
     """
     for controller in controllers_in(project).controllers:
         for parameter in controller.parameters.leaves:
-            told = _told(parameter)
-            if told is not None:
-                message = f"'{parameter.name}' of '{controller.name}' is a stand-in that waits for its value{told}"
+            todo = _todo(parameter)
+            if todo is not None:
+                message = f"'{parameter.name}' of controller '{controller.name}' is still a placeholder{todo}"
                 yield Finding(parameter.value.at, message)
 
 
-def _told(parameter: Parameter) -> str | None:
-    """What the comment behind a generated parameter says that is to be done; None where it has no TODO."""
+def _todo(parameter: Parameter) -> str | None:
+    """The text after TODO in the comment of a generated parameter; None without a TODO."""
     span = parameter.key.span
     source = span.source
     if _MARK not in source.data or not source.data.startswith(b"# " + _MAKER):

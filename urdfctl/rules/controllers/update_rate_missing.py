@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import until
+from urdfctl.control.readers import controllers_in
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.controllers.common import controllers_in
 
 
 @rule(
@@ -33,13 +33,13 @@ from urdfctl.rules.controllers.common import controllers_in
     },
 )
 def update_rate_missing(project: Project) -> Iterator[Finding]:
-    """The controller manager is not given the rate it shall run at.
+    """Controller manager without an update rate.
 
-    It takes 100 Hz, and up to iron prints that it does. From jazzy on 100 is the documented default.
+    It runs at 100 Hz, and up to iron prints a message about it. From jazzy on, 100 Hz is the documented default.
     """
     controllers = controllers_in(project)
     if not controllers.complete:
         return
     for manager in controllers.managers:
         if manager.own and "update_rate" not in manager.parameters:
-            yield Finding(manager.at, f"'{manager.name}' is not given its 'update_rate'; it takes 100 Hz")
+            yield Finding(manager.at, f"'{manager.name}' has no 'update_rate'; it runs at 100 Hz")

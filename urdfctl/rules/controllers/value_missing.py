@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.model.controllers import FaultKind
-from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
 from urdfctl.rules.controllers.common import faults
 
 
 @rule(
     "UC406",
+    stage=Stage.PARAMETERS,
     severity=Severity.ERROR,
     authority="rcl rcl_yaml_param_parser/src/parse.c: 'No value at line 7'; ros_comm's rosparam: 'cannot marshal None "
     "unless allow_none is enabled'",
@@ -42,15 +43,16 @@ from urdfctl.rules.controllers.common import faults
     },
 )
 def value_missing(project: Project) -> Iterator[Finding]:
-    """A parameter, or an element of a list, has no value.
+    """Parameter or list element without a value.
 
-    Neither ROS 1 nor ROS 2 has parameters without one: ROS 2's reader refuses the whole file, roslaunch ends with an
-    error. An empty text is written '', and a parameter that shall keep its default is left out.
+    Parameters always have a value: ROS 2 rejects the whole file, and roslaunch (ROS 1) exits with an error. Write an
+    empty string as ''. To use the default, remove the parameter.
     """
     for fault in faults(project, FaultKind.EMPTY):
-        what = "has no value" if fault.at.span.text == fault.subject else "holds an element without value"
-        yield Finding(fault.at, f"'{fault.subject}' {what}, which {_reader(project)} refuses; give one, or take it out")
+        lack = "has no value" if fault.at.span.text == fault.subject else "has an element without a value"
+        message = f"'{fault.subject}' {lack}; {_reader(project)} rejects the file. Add a value, or remove it"
+        yield Finding(fault.at, message)
 
 
 def _reader(project: Project) -> str:
-    return "roslaunch" if project.ros == 1 else "ROS 2's reader of parameters"
+    return "roslaunch" if project.ros == 1 else "ROS 2"

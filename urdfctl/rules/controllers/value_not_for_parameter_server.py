@@ -6,12 +6,13 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
 from urdfctl.model.controllers import Fault, FaultKind
-from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
 from urdfctl.rules.controllers.common import faults
 
 
 @rule(
     "UC414",
+    stage=Stage.PARAMETERS,
     severity=Severity.ERROR,
     distros=ROS1,
     authority="ros_comm roslaunch over XML-RPC: 'int exceeds XML-RPC limits', 'dictionary key must be string', "
@@ -35,10 +36,10 @@ from urdfctl.rules.controllers.common import faults
     },
 )
 def value_not_for_parameter_server(project: Project) -> Iterator[Finding]:
-    """ROS 1's parameter server cannot hold a value or a key.
+    """Value or key that the ROS 1 parameter server does not support.
 
-    It takes integers of 32 bits, numbers, booleans, texts, lists, and maps whose keys are texts. roslaunch ends with an
-    error at others: dates, larger integers, keys such as `1` or `on`.
+    It supports 32-bit integers, numbers, booleans, strings, lists, and maps with string keys. roslaunch exits with an
+    error on other values: dates, larger integers, keys such as `1` or `on`.
     """
     for fault in faults(project, FaultKind.OVERFLOW, FaultKind.UNUSABLE, FaultKind.KEY):
         yield Finding(fault.at, _message(fault))
@@ -46,7 +47,7 @@ def value_not_for_parameter_server(project: Project) -> Iterator[Finding]:
 
 def _message(fault: Fault) -> str:
     if fault.kind is FaultKind.OVERFLOW:
-        return f"'{fault.at.span.text}' does not fit into 32 bits, which is all that ROS 1's integers have; quote it"
+        return f"integer '{fault.at.span.text}' exceeds the 32 bits of a ROS 1 integer; quote it to make it a string"
     if fault.kind is FaultKind.KEY:
-        return f"the key '{fault.subject}' is no text to YAML, and ROS 1 takes no other keys; quote it"
-    return f"'{fault.at.span.text}' is nothing that ROS 1's parameter server can hold; quote it to make it a text"
+        return f"key '{fault.subject}' is not a string in YAML, but ROS 1 requires string keys; quote it"
+    return f"ROS 1's parameter server cannot store '{fault.at.span.text}'; quote it to make it a string"

@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import until
 from urdfctl.catalog.values import elements
+from urdfctl.control.readers import Reader, in_each_distro
 from urdfctl.model.robot import Link, Robot
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known
 from urdfctl.rules.controllers.joints import robot_of
-from urdfctl.rules.controllers.readers import Reader, in_each_distro
 
 _TYPE = "diff_drive_controller/DiffDriveController"
 _ROBOT = """
@@ -58,17 +58,17 @@ _CONTROLLERS = """
     good={"robot.urdf": _ROBOT % '<sphere radius="0.2"/>', "controllers.yaml": _CONTROLLERS % "wheel_joint"},
 )
 def wheel_radius_not_in_robot(project: Project) -> Iterator[Finding]:
-    """A drive of ROS 1 is not given its wheels' radius, and cannot take it from the robot either.
+    """Wheel radius is neither given nor in the robot.
 
-    Without the parameter `wheel_radius` it takes that of the cylinder, or from kinetic on of the sphere, by which the
-    left wheel collides; it is not loaded where the wheel has another shape, or none.
+    Without the parameter `wheel_radius`, diff_drive_controller of ROS 1 uses the collision shape of the left wheel: a
+    cylinder, or from kinetic on a sphere. If the wheel has another shape or none, the controller is not loaded.
     """
     robot = robot_of(project)
     if robot is not None:
-        yield from in_each_distro(project, lambda reader: _unknowable(reader, robot))
+        yield from in_each_distro(project, lambda reader: _without_radius(reader, robot))
 
 
-def _unknowable(reader: Reader, robot: Robot) -> Iterator[Finding]:
+def _without_radius(reader: Reader, robot: Robot) -> Iterator[Finding]:
     given = reader.located.get("left_wheel")
     if reader.type is None or reader.type.type != _TYPE or given is None or "wheel_radius" in reader.located:
         return
@@ -79,13 +79,13 @@ def _unknowable(reader: Reader, robot: Robot) -> Iterator[Finding]:
     problem = _problem(link, reader.distro) if link else None
     if problem and link is not None:
         at = given.value.items[0].at if given.value.items else given.value.at
-        message = f"give 'wheel_radius': the collision of wheel '{link.name}' {problem}, and its radius is not known"
-        yield Finding(at, message, (Note("the wheel stands here", link.at),), severity=Severity.ERROR)
+        message = f"radius of wheel '{link.name}' is unknown, as its collision {problem}; add 'wheel_radius'"
+        yield Finding(at, message, (Note(f"link '{link.name}' is defined here", link.at),), severity=Severity.ERROR)
 
 
 def _problem(link: Link, distro: str) -> str | None:
     shapes = [geometry.shape for geometry in link.geometries if geometry.role == "collision"]
     if not shapes or shapes[0] is None:
-        return "has no shape" if shapes else "is not described"
-    round_ones = ("cylinder",) if distro in ("indigo", "jade") else ("cylinder", "sphere")
-    return None if shapes[0].name in round_ones else f"is a {shapes[0].name}"
+        return "has no shape" if shapes else "is missing"
+    round_shapes = ("cylinder",) if distro in ("indigo", "jade") else ("cylinder", "sphere")
+    return None if shapes[0].name in round_shapes else f"is a {shapes[0].name}"

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from urdfctl.catalog.values import elements
+from urdfctl.control.readers import Reader, in_each_distro
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.controllers.readers import Reader, in_each_distro
 
 _PAIRS = (("left_wheel", "right_wheel"), ("left_wheel_names", "right_wheel_names"))
 
@@ -14,7 +14,7 @@ _PAIRS = (("left_wheel", "right_wheel"), ("left_wheel_names", "right_wheel_names
 @rule(
     "UC446",
     severity=Severity.WARNING,
-    authority="diff_drive_controller takes the wheels as they are named",
+    authority="diff_drive_controller uses the wheels as listed",
     options=["--distro=jazzy"],
     bad={
         "controllers.yaml": """
@@ -46,9 +46,9 @@ _PAIRS = (("left_wheel", "right_wheel"), ("left_wheel_names", "right_wheel_names
     },
 )
 def wheels_on_wrong_sides(project: Project) -> Iterator[Finding]:
-    """The left wheels of a drive are called right, and its right ones left.
+    """Left and right wheels are swapped.
 
-    The controller takes them as they are given, and the robot turns to the other side.
+    The controller uses the wheels as listed, so the robot turns to the wrong side.
     """
     return in_each_distro(project, _swapped)
 
@@ -58,10 +58,10 @@ def _swapped(reader: Reader) -> Iterator[Finding]:
         given = reader.located.get(left)
         wrong = _all_say(reader.given, left, "right", "left") and _all_say(reader.given, right, "left", "right")
         if given is not None and left in reader.known and wrong:
-            message = f"the wheels of '{left}' are called right, and those of '{right}' left; are they exchanged?"
+            message = f"'{left}' lists right wheels, and '{right}' lists left wheels; they are probably swapped"
             yield Finding(given.value.at, message, severity=Severity.WARNING)
 
 
 def _all_say(values: Mapping[str, object], name: str, word: str, other: str) -> bool:
-    names = [str(one).lower() for one in elements(values.get(name))]
-    return bool(names) and all(word in one and other not in one for one in names)
+    wheels = [str(wheel).lower() for wheel in elements(values.get(name))]
+    return bool(wheels) and all(word in wheel and other not in wheel for wheel in wheels)

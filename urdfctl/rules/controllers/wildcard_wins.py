@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
+from urdfctl.control.readers import controllers_in
 from urdfctl.model.parameters import Kind
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.controllers.common import controllers_in
 
 _MANAGER = """
     controller_manager:
@@ -32,29 +32,29 @@ _ALL = """
     "UC417",
     severity=Severity.WARNING,
     distros=ROS2,
-    authority="rclcpp rclcpp/src/rclcpp/parameter_map.cpp: sections that match a node are taken in the order of the file",
+    authority="rclcpp rclcpp/src/rclcpp/parameter_map.cpp: sections that match a node are read in file order",
     options=["--distro=jazzy"],
     bad={"controllers.yaml": _MANAGER + _ARM % "«[shoulder, elbow]»" + _ALL},
     good={"controllers.yaml": _MANAGER + _ARM % "[shoulder, elbow]"},
 )
 def wildcard_wins(project: Project) -> Iterator[Finding]:
-    """A section with a wildcard gives a node's parameter another value than the node's own section before it.
+    """Section with a wildcard overrides a node's own section.
 
-    The sections that match a node are read in the order of the file, and the last one counts, however general it is: put
-    those with wildcards first.
+    ROS 2 reads all sections that match a node in the order of the file. The last value wins, however general its
+    section is. Put sections with wildcards first.
     """
     controllers = controllers_in(project)
-    readers = [(one.name, one.own, one.parameters) for one in controllers.controllers]
-    readers += [(one.name, one.own, one.parameters) for one in controllers.managers]
-    for name, own, reaching in readers:
+    nodes = [(controller.name, controller.own, controller.parameters) for controller in controllers.controllers]
+    nodes += [(manager.name, manager.own, manager.parameters) for manager in controllers.managers]
+    for name, own, effective in nodes:
         for leaf in own.leaves:
-            winner = reaching.get(leaf.name)
+            winner = effective.get(leaf.name)
             if winner is None or winner.value == leaf.value or leaf.value.kind is Kind.MAP:
                 continue
-            if _said(winner.value.text, winner.value.items) != _said(leaf.value.text, leaf.value.items):
-                message = f"'{leaf.name}' of '{name}' is overridden by a section with a wildcard that stands behind it"
-                yield Finding(leaf.value.at, message, (Note("this value counts", winner.value.at),))
+            if _written(winner.value.text, winner.value.items) != _written(leaf.value.text, leaf.value.items):
+                message = f"'{leaf.name}' of '{name}' is overridden by a later section with a wildcard"
+                yield Finding(leaf.value.at, message, (Note("this value is used", winner.value.at),))
 
 
-def _said(text: str, items: tuple[object, ...]) -> tuple[str, tuple[object, ...]]:
+def _written(text: str, items: tuple[object, ...]) -> tuple[str, tuple[object, ...]]:
     return text, tuple(getattr(item, "text", "") for item in items)

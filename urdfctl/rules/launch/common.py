@@ -1,15 +1,15 @@
-"""What the rules on launch files share: what is surely started, and by which programs."""
+"""Helpers for the rules on launch files: which nodes, controller managers and spawners are started."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.simulator_plugins import control_plugins, namespace_of
 from urdfctl.model.launch import Launch, Node, Spawn
-from urdfctl.record import NamedTuple
 from urdfctl.rule import Project
 from urdfctl.rules.common import is_known
-from urdfctl.rules.simulation.common import control_plugins, namespace_of
 from urdfctl.source.span import Place
+from urdfctl.startup.records import NamedTuple
 
 ROS_2 = 2
 MANAGER = "ros2_control_node"
@@ -17,74 +17,78 @@ CONTROLLER_MANAGER = "controller_manager"
 
 
 class Running(NamedTuple):
-    """A controller manager that runs: its namespace (None where it is not known) and name, and what starts it: a node,
-    or a plugin of the robot in a simulator."""
+    """A running controller manager, started by a node or by a plugin of the robot in a simulator."""
 
     namespace: str | None
+    """None if it is unknown."""
     name: str | None
+    """None if it is unknown."""
     at: Place
+    """The node or plugin that starts it."""
     node: Node | None = None
+    """The node that starts it, None for a plugin."""
 
     @property
     def full_name(self) -> str:
-        """The name with its namespace."""
+        """The name with its namespace, e.g. `/left/controller_manager`."""
         return f"{self.namespace or ''}/{self.name}"
 
 
 def launch_of(project: Project, ros: int) -> Launch | None:
-    """The launch file, where it is of a generation of ROS."""
+    """Return the project's launch file if it is for this generation of ROS, 1 or 2."""
     launch = project.launch
     return launch if launch is not None and launch.ros == ros else None
 
 
 def spawners(launch: Launch) -> tuple[Spawn, ...]:
-    """The spawners of a launch file, those that run only with other arguments too."""
+    """Return all spawners of a launch file, including those that run only with other arguments."""
     return (*launch.spawns, *launch.elsewhere)
 
 
 def manager_nodes(launch: Launch) -> tuple[Node, ...]:
-    """The nodes that are controller managers of ROS 2."""
+    """Return the nodes that are controller managers of ROS 2."""
     return tuple(node for node in launch.nodes if node.runs(CONTROLLER_MANAGER, MANAGER))
 
 
 def simulators_managers(project: Project) -> Iterator[Running]:
-    """The controller managers that plugins of the robot bring into a simulator of ROS 2."""
-    for one in control_plugins(project):
-        if one.library == "gazebo_ros_control":
+    """Yield the controller managers that plugins of the robot start in a simulator of ROS 2."""
+    for control_plugin in control_plugins(project):
+        if control_plugin.library == "gazebo_ros_control":
             continue
-        namespace, name = one.setting("ros/namespace"), one.setting("controller_manager_name")
+        namespace = control_plugin.setting("ros/namespace")
+        name = control_plugin.setting("controller_manager_name")
         texts = [tag.text for tag in (namespace, name) if tag]
         known = is_known(*texts)
         yield Running(
             namespace_of(namespace.text if namespace else "") if known else None,
             (name.text.strip() if name else CONTROLLER_MANAGER) if known else None,
-            one.plugin.at,
+            control_plugin.plugin.at,
         )
 
 
 def managers(project: Project, launch: Launch) -> tuple[Running, ...]:
-    """The controller managers of ROS 2 that run."""
+    """Return the running controller managers of ROS 2."""
     nodes = (Running(node.namespace, node.name or CONTROLLER_MANAGER, node.at, node) for node in manager_nodes(launch))
     return (*nodes, *simulators_managers(project))
 
 
 def is_sure(launch: Launch) -> bool:
-    """Whether all that the launch file starts is known, and surely started."""
+    """Return whether everything that the launch file starts is known and always started."""
     return launch.complete and all(spawn.sure and spawn.complete for spawn in launch.spawns)
 
 
 def is_spawner(spawn: Spawn) -> bool:
-    """Whether a spawner loads controllers, and no command."""
+    """Return whether controllers are loaded by the spawner program, not by a command."""
     return spawn.program is not None and spawn.program.text in {"spawner", "spawner.py"}
 
 
 def full_name(name: str, spawn: Spawn) -> str:
-    """A spawned controller's name with its namespace and its manager's name."""
+    """Return a spawned controller's name with its namespace and its manager's name."""
     return f"{spawn.namespace}/{spawn.manager}: {name}"
 
 
 def state_publishers(launch: Launch) -> list[Node]:
-    """The nodes that publish the robot's transforms and description."""
+    """Return the nodes that publish the robot's transforms and description."""
     return [node for node in launch.nodes if node.runs("robot_state_publisher", *_OF_TRANSFORMS)]
 
 
@@ -92,7 +96,7 @@ _OF_TRANSFORMS = ("robot_state_publisher", "state_publisher")
 
 
 def publishers_of_states(launch: Launch) -> list[Node]:
-    """The nodes that publish states of joints by themselves."""
+    """Return the nodes of joint_state_publisher."""
     return [node for node in launch.nodes if node.executable.text.startswith("joint_state_publisher")]
 
 
@@ -105,5 +109,5 @@ _NO_MANAGERS = frozenset(
 
 
 def hosts_no_manager(node: Node) -> bool:
-    """Whether a node is surely no controller manager: of drivers of hardware nobody knows."""
+    """Return whether a node cannot contain a controller manager. Drivers of unknown hardware can."""
     return node.package.text in _NO_MANAGERS and not node.runs(CONTROLLER_MANAGER, MANAGER)

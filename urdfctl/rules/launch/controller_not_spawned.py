@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.names import nearest
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import in_words
 from urdfctl.rules.launch.common import is_sure, spawners
-from urdfctl.rules.launch.samples import BROADCASTER, CONTROLLERS, MANAGER, PUBLISHER, SOUND, launched
-from urdfctl.suggest import nearest
+from urdfctl.rules.launch_samples import BROADCASTER, CONTROLLERS, MANAGER, PUBLISHER, SOUND, launched
 
 
 @rule(
@@ -25,20 +25,23 @@ from urdfctl.suggest import nearest
     good=SOUND,
 )
 def controller_not_spawned(project: Project) -> Iterator[Finding]:
-    """A controller is configured, and the launch file that loads its configuration does not spawn it.
+    """Configured controller that the launch file does not spawn.
 
-    The manager loads only what a spawner, or `ros2 control load_controller`, asks for. That is all right where another
-    launch file does, or where the file lists alternatives.
+    The controller manager loads only the controllers that a spawner or `ros2 control load_controller` names. This is
+    intended if another launch file spawns the controller, or if the file lists alternatives.
     """
     launch, controllers = project.launch, project.controllers
     if launch is None or controllers is None or not launch.spawns or not is_sure(launch):
         return
     spawned = {name.rpartition("/")[2] for spawn in spawners(launch) for name, _ in spawn.names}
-    declared = [one.name for one in controllers.controllers if one.declared_at]
-    spawned |= {nearest(name, declared) or name for name in spawned if name not in declared}  # UC601 tells of slips
+    declared = [controller.name for controller in controllers.controllers if controller.declared_at]
+    spawned |= {
+        nearest(name, declared) or name for name in spawned if name not in declared
+    }  # UC601 reports misspellings
     left = [c for c in controllers.controllers if c.declared_at and c.type and c.name not in spawned]
     if left and left[0].declared_at:
         names = in_words(dict.fromkeys(controller.name for controller in left))
-        verb = "are" if len({controller.name for controller in left}) > 1 else "is"
-        note = Note("the spawner is here", launch.spawns[0].at)
-        yield Finding(left[0].declared_at, f"{names} {verb} configured, and not spawned by the launch file", (note,))
+        several = len({controller.name for controller in left}) > 1
+        subject = f"controllers {names} are" if several else f"controller {names} is"
+        note = Note("controllers are spawned here", launch.spawns[0].at)
+        yield Finding(left[0].declared_at, f"{subject} configured but not spawned by the launch file", (note,))

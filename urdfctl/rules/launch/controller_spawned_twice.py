@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.launch.common import full_name, is_spawner
-from urdfctl.rules.launch.samples import ARM, BROADCASTER, FILE, MANAGER, PUBLISHER, SOUND, launched, spawner
+from urdfctl.rules.launch_samples import ARM, BROADCASTER, FILE, MANAGER, PUBLISHER, SOUND, launched, spawner
 from urdfctl.source.span import Place
 
 
@@ -19,10 +19,10 @@ from urdfctl.source.span import Place
     good=SOUND,
 )
 def controller_spawned_twice(project: Project) -> Iterator[Finding]:
-    """A launch file spawns a controller twice.
+    """Controller is spawned twice.
 
-    The second spawner finds the controller loaded and active, cannot configure it again, and ends with an error: what
-    waits for its end may never start.
+    The second spawner finds the controller loaded and active. It cannot configure it again and exits with an error.
+    Actions that wait for the spawner to finish may never start.
     """
     seen: dict[str, Place] = {}
     for spawn in project.launch.spawns if project.launch else ():
@@ -31,4 +31,8 @@ def controller_spawned_twice(project: Project) -> Iterator[Finding]:
         for name, at in spawn.names:
             first = seen.setdefault(full_name(name, spawn), at)
             if first is not at and first.start != at.start:
-                yield Finding(at, f"'{name}' is spawned twice; the second spawner fails", (Note("first here", first),))
+                yield Finding(
+                    at,
+                    f"controller '{name}' is spawned twice; the second spawner fails",
+                    (Note("it is first spawned here", first),),
+                )

@@ -8,7 +8,7 @@ from urdfctl.catalog.distros import ROS2, since, until
 from urdfctl.model.launch import Launch, Node, joined
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.launch.common import ROS_2, launch_of, manager_nodes, state_publishers
-from urdfctl.rules.launch.samples import ARM, BROADCASTER, PUBLISHER, SOUND, launched
+from urdfctl.rules.launch_samples import ARM, BROADCASTER, PUBLISHER, SOUND, launched
 
 _NAME = "robot_description"
 _ELSEWHERE = PUBLISHER.replace("<node ", '<node namespace="left" ')
@@ -33,11 +33,11 @@ _ELSEWHERE = PUBLISHER.replace("<node ", '<node namespace="left" ')
     good=SOUND,
 )
 def description_not_published(project: Project) -> Iterator[Finding]:
-    """The controller manager gets no robot description.
+    """Controller manager gets no robot description.
 
-    Since jazzy it waits for the topic robot_description in its namespace, which robot_state_publisher publishes; until
-    iron it takes the parameter robot_description, or in humble and iron the topic ~/robot_description, which is
-    remapped. Without the description it has no hardware, and no spawner gets an answer.
+    Since jazzy it waits for the topic robot_description in its namespace, which robot_state_publisher publishes. Until
+    iron it takes the parameter robot_description. In humble and iron it also takes the topic ~/robot_description, which
+    must be remapped. Without the description it has no hardware, and no spawner gets an answer.
     """
     launch = launch_of(project, ROS_2)
     if launch is None or not launch.complete:
@@ -57,7 +57,7 @@ def _of_parameter(node: Node) -> Iterator[Finding]:
     given = any(word.text == _NAME for word in node.parameters)
     if not given and not any(before.endswith(f"/{_NAME}") for before, _ in node.remaps):
         yield Finding(
-            node.at, "the controller manager gets no robot description: neither as parameter nor by a remapping"
+            node.at, "the controller manager gets no robot description, neither as a parameter nor through a remapping"
         )
 
 
@@ -67,17 +67,17 @@ def _of_topic(node: Node, launch: Launch, publishers: list[Node]) -> Iterator[Fi
     if asked in topics:
         return
     if not topics:
-        message = f"nothing in the launch file publishes '{asked}', which the controller manager waits for"
+        message = f"no node in the launch file publishes '{asked}', which the controller manager waits for"
         yield Finding(node.at, message, severity=Severity.WARNING)
         return
     topic, publisher = next(iter(topics.items()))
-    message = f"the controller manager waits for '{asked}', and robot_state_publisher publishes '{topic}'"
-    severity = Severity.ERROR if all(one.sure for one in launch.nodes) else Severity.WARNING
-    yield Finding(node.at, message, (Note("it is started here", publisher.at),), severity=severity)
+    message = f"the controller manager waits for '{asked}', but robot_state_publisher publishes '{topic}'"
+    severity = Severity.ERROR if all(started.sure for started in launch.nodes) else Severity.WARNING
+    yield Finding(node.at, message, (Note("robot_state_publisher is started here", publisher.at),), severity=severity)
 
 
 def _topic(node: Node) -> str:
-    """The topic that a node calls robot_description."""
+    """Return the full name of the topic that a node calls robot_description."""
     own = joined(node.namespace or "", _NAME)
     renamed = next((after for before, after in node.remaps if before in {_NAME, own}), _NAME)
     return joined(node.namespace or "", renamed)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
+from urdfctl.control.simulator_plugins import control_plugins, namespace_of
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known
 from urdfctl.rules.launch.common import launch_of
-from urdfctl.rules.simulation.common import control_plugins, namespace_of
 
 
 def _robot(namespace: str) -> str:
@@ -45,22 +45,23 @@ def _files(namespace: str) -> dict[str, str]:
     good={name: text.replace("«", "").replace("»", "") for name, text in _files("/arm").items()},
 )
 def description_of_other_namespace(project: Project) -> Iterator[Finding]:
-    """The robot description is in another namespace than the simulated robot's.
+    """Robot description is in a different namespace than the simulated robot.
 
-    gazebo_ros_control looks for it in `<robotNamespace>` and the namespaces around that, and waits until it is there.
+    gazebo_ros_control looks for the description in `<robotNamespace>` and the namespaces above it. It waits until it
+    finds one.
     """
     launch = launch_of(project, 1)
-    hosts = [one for one in control_plugins(project) if one.library == "gazebo_ros_control"]
-    setting = hosts[0].setting("robotNamespace") if len(hosts) == 1 else None
-    if launch is None or setting is None or not is_known(setting.text) or hosts[0].setting("robotParam"):
+    plugins = [plugin for plugin in control_plugins(project) if plugin.library == "gazebo_ros_control"]
+    setting = plugins[0].setting("robotNamespace") if len(plugins) == 1 else None
+    if launch is None or setting is None or not is_known(setting.text) or plugins[0].setting("robotParam"):
         return
     ours = namespace_of(setting.text)
-    described = [one for one in launch.descriptions if one.sure and one.namespace is not None]
+    described = [
+        description for description in launch.descriptions if description.sure and description.namespace is not None
+    ]
     if not launch.complete or not described or len(described) < len(launch.descriptions):
         return
-    if not any(f"{ours}/".startswith(f"{namespace_of(one.namespace or '')}/") for one in described):
+    if not any(f"{ours}/".startswith(f"{namespace_of(description.namespace or '')}/") for description in described):
         theirs = namespace_of(described[0].namespace or "")
-        message = (
-            f"the robot description is in '{theirs}', and the simulated robot's manager looks for it in '{ours or '/'}'"
-        )
-        yield Finding(described[0].at, message, (Note("the plugin says so here", setting.at),))
+        message = f"the robot description is in '{theirs}', but the controller manager looks for it in '{ours or '/'}'"
+        yield Finding(described[0].at, message, (Note("the plugin's namespace is set here", setting.at),))

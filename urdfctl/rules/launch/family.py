@@ -1,4 +1,4 @@
-"""UC6: what launch files get wrong, and the packages around them."""
+"""UC6: launch files and the packages around them."""
 
 from __future__ import annotations
 

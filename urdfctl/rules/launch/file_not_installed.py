@@ -8,7 +8,7 @@ from urdfctl.model.launch import Launch
 from urdfctl.model.package import Package
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.launch.common import ROS_2, launch_of
-from urdfctl.rules.launch.samples import MANIFEST, SOUND
+from urdfctl.rules.launch_samples import MANIFEST, SOUND
 from urdfctl.source.span import Place
 
 _MANIFEST = MANIFEST.replace("</package>", "<export><build_type>ament_cmake</build_type></export></package>")
@@ -42,10 +42,10 @@ def _files(folders: str, mark: str = "") -> dict[str, str]:
     good=_files("launch urdf config"),
 )
 def file_not_installed(project: Project) -> Iterator[Finding]:
-    """A launch file uses a file of its package that the package does not install.
+    """File used by a launch file is not installed.
 
-    `ros2 launch` looks in the installed package: there is only what `install()` in CMakeLists.txt, or `data_files` in
-    setup.py names. In the sources all looks well.
+    `ros2 launch` looks in the installed package. It contains only what `install()` in CMakeLists.txt or `data_files` in
+    setup.py lists. The missing install rule does not show in the source tree.
     """
     launch = launch_of(project, ROS_2)
     package = launch.package if launch else None
@@ -55,13 +55,13 @@ def file_not_installed(project: Project) -> Iterator[Finding]:
         if package.installs(path) is False:
             inner = path.removeprefix(package.folder).lstrip("/")
             folder = inner.rpartition("/")[0]
-            what = f"the folder '{folder}'" if folder else f"'{inner}'"
-            message = f"'{inner}' is not installed: {package.build_file} does not name {what}"
-            yield Finding(at, message, (Note("the package is described here", package.at),))
+            what = f"folder '{folder}'" if folder else "it"
+            message = f"'{inner}' is not installed: {package.build_file} does not list {what}"
+            yield Finding(at, message, (Note("the package's manifest is here", package.at),))
 
 
 def _own(launch: Launch, package: Package) -> Iterator[tuple[str, Place]]:
-    """The files of the package that the launch file surely uses."""
+    """Yield the package's files that the launch file uses in every case."""
     for reference in launch.references:
         path = reference.file.path
         if path and reference.sure and reference.file.exists and path.startswith(f"{package.folder}/"):

@@ -33,9 +33,9 @@ def _files(name: str) -> dict[str, str]:
     good=_files("gui"),
 )
 def include_argument_unknown(project: Project) -> Iterator[Finding]:
-    """An included launch file is given an argument that it does not have.
+    """Unknown argument for an included launch file.
 
-    roslaunch refuses the whole launch file then. Of ROS 2 no such fault is made.
+    roslaunch in ROS 1 then rejects the whole launch file. ROS 2 accepts such arguments.
     """
     for word in project.launch.strays if project.launch else ():
-        yield Finding(word.at, f"the included launch file has no argument '{word.text}'")
+        yield Finding(word.at, f"included launch file has no argument '{word.text}'")

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.launch.common import is_spawner, publishers_of_states
-from urdfctl.rules.launch.samples import ARM, BROADCASTER, MANAGER, PUBLISHER, SOUND, launched
+from urdfctl.rules.launch_samples import ARM, BROADCASTER, MANAGER, PUBLISHER, SOUND, launched
 
 _NODE = """
       «<node pkg="joint_state_publisher" exec="joint_state_publisher"/>»"""
@@ -17,16 +17,16 @@ _TOPICS = ("joint_states", "/joint_states")
 @rule(
     "UC604",
     severity=Severity.WARNING,
-    authority="joint_state_publisher: publishes joint_states of all joints, zero where it is told nothing; "
+    authority="joint_state_publisher: publishes joint_states of all joints, zero for joints without input; "
     "robot_state_publisher takes whatever comes on joint_states",
     bad=launched(PUBLISHER, MANAGER, BROADCASTER, ARM, _NODE),
     good=SOUND,
 )
 def joint_state_publisher_beside_broadcaster(project: Project) -> Iterator[Finding]:
-    """joint_state_publisher runs beside the broadcaster of the controllers.
+    """joint_state_publisher and the broadcaster both publish joint states.
 
-    Both publish joint_states, one of them the measured positions, the other zeros: the robot in RViz jumps between the
-    two, and planners see a wrong state. joint_state_publisher is for robots that nothing drives.
+    The broadcaster publishes measured positions and joint_state_publisher publishes zeros. The robot in RViz jumps
+    between the two, and planners see a wrong state. Use joint_state_publisher only for robots without controllers.
     """
     launch = project.launch
     started = [
@@ -37,11 +37,10 @@ def joint_state_publisher_beside_broadcaster(project: Project) -> Iterator[Findi
         if name in _NAMES
     ]
     for node in publishers_of_states(launch) if launch else ():
-        told = any(word.text == "source_list" or "joint" in word.text for word in node.parameters) or node.files
+        configured = any(word.text == "source_list" or "joint" in word.text for word in node.parameters) or node.files
         renamed = any(before in _TOPICS for before, _ in node.remaps)
         same = [at for spawn, at in started if spawn.namespace == node.namespace]
-        if node.sure and node.complete and not told and not renamed and same:
+        if node.sure and node.complete and not configured and not renamed and same:
             notes = (Note("the broadcaster is spawned here", same[0]),)
-            yield Finding(
-                node.at, "joint_state_publisher runs beside the broadcaster: both publish joint_states", notes
-            )
+            message = "joint_state_publisher and the broadcaster both publish joint_states; start only one of them"
+            yield Finding(node.at, message, notes)

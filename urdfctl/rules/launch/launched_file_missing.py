@@ -6,9 +6,10 @@ from collections.abc import Iterator
 
 from urdfctl.model.launch import Reference
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.launch.samples import BROADCASTER, MANAGER, PUBLISHER, SOUND, launched, spawner
+from urdfctl.rules.launch_samples import BROADCASTER, MANAGER, PUBLISHER, SOUND, launched, spawner
 
-_NEEDED = ("description", "parameters", "include")
+_NEEDED = {"description": "robot description", "parameters": "parameter file", "include": "included launch file"}
+"""The uses for which a file must exist, and what messages call such a file."""
 
 
 @rule(
@@ -25,19 +26,20 @@ _NEEDED = ("description", "parameters", "include")
     good=SOUND,
 )
 def launched_file_missing(project: Project) -> Iterator[Finding]:
-    """A launch file names a file that does not exist.
+    """Launch file uses a file that does not exist.
 
-    The launch ends there, or the node that is to read it: the robot's description, a parameter file, or another launch
-    file.
+    The file is the robot description, a parameter file or another launch file. The launch stops there, or the node that
+    reads the file exits.
     """
     for reference in project.launch.references if project.launch else ():
         if reference.file.exists is False and reference.use in _NEEDED:
             severity = None if reference.sure else Severity.WARNING
-            yield Finding(reference.file.at, f"no such file: '{_shown(reference, project)}'", severity=severity)
+            message = f"{_NEEDED[reference.use]} does not exist: '{_shown(reference, project)}'"
+            yield Finding(reference.file.at, message, severity=severity)
 
 
 def _shown(reference: Reference, project: Project) -> str:
-    """A file's path, from the package's folder on where it is in that."""
+    """Return a file's path, starting with the package name if it is in the package."""
     path = reference.file.path or reference.file.text
     package = project.launch.package if project.launch else None
     if package is None or not path.startswith(f"{package.folder}/"):

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import replaced
-from urdfctl.suggest import nearest
 
 
 def _files(names: str) -> dict[str, str]:
@@ -24,18 +24,18 @@ def _files(names: str) -> dict[str, str]:
     good=_files("shoulder, elbow"),
 )
 def listed_joint_unknown(project: Project) -> Iterator[Finding]:
-    """A package lists a joint for the robot's driver that the robot does not have.
+    """Unknown joint in controller_joint_names.
 
-    The driver streams and reports the joints of controller_joint_names, in that order. One more than the robot has shifts
-    the others, or lets each trajectory fail.
+    The robot's driver streams and reports these joints in the listed order. An extra joint shifts the others, or every
+    trajectory fails.
     """
     joints = {joint.name for joint in project.robot.joints if joint.name} if project.robot else set()
     unknown = [(name, at) for name, at in project.listed if name and name not in joints]
-    if len(unknown) * 2 > len(project.listed):  # then it is another robot's list
+    if len(unknown) * 2 > len(project.listed):  # the list is for another robot
         return
     left = joints - {name for name, _ in project.listed}
     for name, at in unknown:
         meant = nearest(name, left)
         hint = f"; did you mean '{meant}'?" if meant else ""
         fix = replaced(at, name, meant) if meant else None
-        yield Finding(at, f"'{name}' is listed for the robot's driver, and the robot has no such joint{hint}", (), fix)
+        yield Finding(at, f"controller_joint_names lists joint '{name}', which the robot does not have{hint}", (), fix)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
+from urdfctl.control.simulator_plugins import IN_GAZEBO, components, simulator_of
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.launch.common import ROS_2, launch_of, manager_nodes
-from urdfctl.rules.launch.samples import ARM, BROADCASTER, PUBLISHER, ROBOT, SOUND, launched
-from urdfctl.rules.simulation.common import IN_GAZEBO, components, simulator_of
+from urdfctl.rules.launch_samples import ARM, BROADCASTER, PUBLISHER, ROBOT, SOUND, launched
 
 _MANAGER = """
       «<node pkg="controller_manager" exec="ros2_control_node">»
@@ -28,10 +28,10 @@ _SIMULATED = ROBOT.replace("mock_components/GenericSystem", "gz_ros2_control/Gaz
     good=SOUND,
 )
 def manager_beside_simulator(project: Project) -> Iterator[Finding]:
-    """ros2_control_node is started for a robot whose hardware is the simulator's.
+    """ros2_control_node is started for a robot with simulated hardware.
 
-    That hardware lives in the simulator's process, and only the manager of the simulator's plugin can load it: a
-    second manager finds no such class, and ends. In a simulation ros2_control_node is not started.
+    That hardware runs in the simulator's process, and only the controller manager of the simulator's plugin can load
+    it. A second manager does not find the class and exits. Do not start ros2_control_node in a simulation.
     """
     launch = launch_of(project, ROS_2)
     if launch is None or launch.description is None:
@@ -44,6 +44,6 @@ def manager_beside_simulator(project: Project) -> Iterator[Finding]:
     for node in manager_nodes(launch):
         if node.sure and node.namespace == (launch.description.namespace or ""):
             message = (
-                f"ros2_control_node cannot load '{hardware.plugin}': {where} runs that hardware, with its own manager"
+                f"ros2_control_node cannot load '{hardware.plugin}'; {where} runs it in its own controller manager"
             )
-            yield Finding(node.at, message, (Note("the hardware is named here", hardware.at),))
+            yield Finding(node.at, message, (Note("the hardware is defined here", hardware.at),))

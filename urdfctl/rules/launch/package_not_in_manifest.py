@@ -8,17 +8,17 @@ from urdfctl.catalog.distros import MAINTAINED
 from urdfctl.model.launch import Launch
 from urdfctl.model.package import Package
 from urdfctl.rule import Edit, Finding, Fix, Note, Project, Severity, rule
-from urdfctl.rules.launch.samples import MANIFEST, SOUND
+from urdfctl.rules.launch_samples import MANIFEST, SOUND
 from urdfctl.source.span import Place, SourceSpan
 
 _LACKING = MANIFEST.replace("<exec_depend>xacro</exec_depend>", "").replace(
     '<package format="3">', '«<package format="3">»'
 )
-_TOLD = frozenset(
+_CHECKED = frozenset(
     "xacro robot_state_publisher joint_state_publisher joint_state_publisher_gui controller_manager gazebo_ros ros_gz_sim "
     "ros_ign_gazebo ros_gz_bridge gazebo_ros_control gazebo_ros2_control gz_ros2_control".split()
 )
-"""What control needs, besides the controllers: of other packages nothing is told."""
+"""The packages that control requires besides the controllers. Other packages are not checked."""
 _BRINGS = {
     "ros2_control": "controller_manager",
     "ros_control": "controller_manager",
@@ -32,7 +32,7 @@ _BRINGS = {
     "joint_state_publisher": "xacro",
     "urdf_launch": "robot_state_publisher joint_state_publisher joint_state_publisher_gui xacro",
 }
-"""Packages that bring others with them."""
+"""Packages, and the packages that they depend on."""
 _EVERYTHING = ("desktop", "desktop_full", "robot", "viz", "simulators", "moveit", "ros_base")
 _CONTROLLERS = ("ros_controllers", "ros2_controllers")
 
@@ -46,32 +46,33 @@ _CONTROLLERS = ("ros_controllers", "ros2_controllers")
     good=SOUND,
 )
 def package_not_in_manifest(project: Project) -> Iterator[Finding]:
-    """A launch file uses a package that its own package does not declare to need.
+    """Package used by a launch file is missing in package.xml.
 
-    `rosdep install` then leaves it out, and the robot starts only on computers where somebody has installed it by hand.
-    Looked at are the packages that control needs: of the controllers that are spawned, their manager, the simulator, the
-    publishers of states, and xacro.
+    `rosdep install` does not install it, so the robot starts only on computers that already have it. The rule checks
+    the packages that control requires: controllers, controller manager, simulator, state publishers and xacro.
     """
     launch = project.launch
     package = launch.package if launch else None
     if launch is None or package is None:
         return
-    told: set[str] = set()
+    reported: set[str] = set()
     for name, at, severity in _used(project, launch, package):
-        if name and name not in told and not _is_needed(name, package):
-            told.add(name)
-            message = f"'{name}' is used by a launch file, and is no <{package.tag}>"
-            yield Finding(package.at, message, (Note("it is used here", at),), _fix(package, name), severity)
+        if name and name not in reported and not _is_declared(name, package):
+            reported.add(name)
+            message = f"launch file uses package '{name}', but package.xml has no <{package.tag}> for it"
+            yield Finding(package.at, message, (Note("the package is used here", at),), _fix(package, name), severity)
 
 
 def _used(project: Project, launch: Launch, package: Package) -> Iterator[tuple[str, Place, Severity]]:
-    """The packages that the package's own launch files surely use, each with its place: without a controller nothing
-    moves, the rest is soon seen."""
+    """Yield the packages that the package's own launch files use in every case, with place and severity.
+
+    A missing controller is a warning, since the robot does not move. Other missing packages are noticed at once.
+    """
     for spawn in launch.spawns:
         for name, at in spawn.names if package.holds(spawn.at) else ():
             yield _of_controller(project, name), at, Severity.WARNING
     for word in (*(node.package for node in launch.nodes if node.sure), *launch.packages):
-        if word.text in _TOLD and package.holds(word.at):
+        if word.text in _CHECKED and package.holds(word.at):
             severity = Severity.WARNING if word.text == "controller_manager" else Severity.INFO
             yield word.text, word.at, severity
     for described in launch.descriptions:
@@ -80,15 +81,15 @@ def _used(project: Project, launch: Launch, package: Package) -> Iterator[tuple[
 
 
 def _of_controller(project: Project, name: str) -> str:
-    """The package of a spawned controller's type; empty where it is not known, or gone from all that is maintained."""
-    found = project.controllers.controller(name.rpartition("/")[2]) if project.controllers else None
-    kind = found.type.text if found and found.type else ""
+    """Return the package of a spawned controller's type. Empty if it is unknown or in no maintained distro."""
+    controller = project.controllers.controller(name.rpartition("/")[2]) if project.controllers else None
+    kind = controller.type.text if controller and controller.type else ""
     distros = [distro for distro in project.distros if distro in MAINTAINED] or project.distros
     known = (project.catalog.controller(kind, distro) for distro in distros) if kind else ()
-    return next((one.package for one in known if one), "")
+    return next((entry.package for entry in known if entry), "")
 
 
-def _is_needed(name: str, package: Package) -> bool:
+def _is_declared(name: str, package: Package) -> bool:
     declared = package.dependencies
     if name == package.name or name in declared or package.reaches(name) or set(_EVERYTHING) & declared:
         return True

@@ -9,9 +9,9 @@ from urdfctl.model.controllers import Controller
 from urdfctl.model.launch import Spawn
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.launch.common import ROS_2, is_spawner, launch_of
-from urdfctl.rules.launch.samples import BROADCASTER, MANAGER, PUBLISHER, SOUND, launched, spawner
+from urdfctl.rules.launch_samples import BROADCASTER, MANAGER, PUBLISHER, SOUND, launched, spawner
 
-_REFUSING = ("lyrical", "rolling")
+_REJECTING = since("lyrical")
 
 
 @rule(
@@ -25,33 +25,33 @@ _REFUSING = ("lyrical", "rolling")
     good=SOUND,
 )
 def parameters_not_given_to_controller(project: Project) -> Iterator[Finding]:
-    """The parameters of a controller are given to the manager, and not to its spawner.
+    """Controller parameters are passed to the manager, not to the spawner.
 
-    Since jazzy the spawner's `--param-file` is the way to give them; jazzy and kilted still hand on what the manager was
-    given. From lyrical on the controller gets none: it is refused where one is required, and else does what its defaults
-    say.
+    Since jazzy, parameters are passed with the spawner's `--param-file`. In jazzy and kilted the manager still passes
+    its own parameters on. Since lyrical it does not. The controller is then rejected if it has required parameters, and
+    otherwise uses its defaults.
     """
     launch, controllers = launch_of(project, ROS_2), project.controllers
     if launch is None or controllers is None:
         return
-    severity = Severity.ERROR if set(project.distros) <= set(_REFUSING) else None
+    severity = Severity.ERROR if set(project.distros) <= set(_REJECTING) else None
     severity = Severity.INFO if project.distro is None else severity
     for spawn in launch.spawns:
-        if not is_spawner(spawn) or not spawn.complete or spawn.files or _is_told(spawn):
+        if not is_spawner(spawn) or not spawn.complete or spawn.files or _passes_parameters(spawn):
             continue
         for name, at in spawn.names:
             controller = controllers.controller(name.rpartition("/")[2])
             if controller is not None and _needs_file(controller):
-                message = f"the spawner of '{name}' is given no --param-file with its parameters"
-                notes = (Note("they are here", controller.sections[0].at),)
+                message = f"the spawner of controller '{name}' gets no --param-file with its parameters"
+                notes = (Note("the parameters are here", controller.sections[0].at),)
                 yield Finding(at, message, notes, severity=severity)
 
 
-def _is_told(spawn: Spawn) -> bool:
+def _passes_parameters(spawn: Spawn) -> bool:
     return any(option.name in {"-p", "--param-file", "--controller-ros-args"} for option in spawn.options)
 
 
 def _needs_file(controller: Controller) -> bool:
-    """Whether it has parameters in a section of its own, and the manager is told of no file for it."""
+    """Return whether it has parameters in its own section, and the manager has no parameter file for it."""
     own = [parameter.name for parameter in controller.own if parameter.name != "type"]
     return bool(own and controller.sections and not controller.parameter_files)

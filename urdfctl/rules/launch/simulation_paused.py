@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ROS2
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.launch.common import ROS_2, launch_of
-from urdfctl.rules.launch.samples import ARM, BROADCASTER, PUBLISHER, SOUND, launched
+from urdfctl.rules.launch_samples import ARM, BROADCASTER, PUBLISHER, SOUND, launched
 
-_HOW = {"gz": "'-r' in gz_args starts it", "gazebo-classic": "'pause' is 'false' to start it"}
+_HOW = {"gz": "Add '-r' to gz_args", "gazebo-classic": "Set 'pause' to 'false'"}
 
 
 @rule(
@@ -22,10 +22,10 @@ _HOW = {"gz": "'-r' in gz_args starts it", "gazebo-classic": "'pause' is 'false'
     good=SOUND,
 )
 def simulation_paused(project: Project) -> Iterator[Finding]:
-    """The simulation is started paused, and controllers are spawned in it.
+    """Simulation is started paused, but controllers are spawned in it.
 
-    In a paused simulation time stands still, and the manager of its plugin is not updated: no controller is activated
-    before somebody presses play, and the spawner gives up after five seconds.
+    In a paused simulation time does not advance, and the plugin's controller manager is not updated. No controller is
+    activated before someone presses play, and the spawner gives up after five seconds.
     """
     launch = launch_of(project, ROS_2)
     if launch is None:
@@ -33,5 +33,7 @@ def simulation_paused(project: Project) -> Iterator[Finding]:
     waiting = [spawn for spawn in launch.spawns if spawn.sure and spawn.active and not spawn.option("--switch-timeout")]
     for simulation in launch.simulations:
         if simulation.paused and simulation.sure and waiting:
-            message = f"the simulation is started paused, and no controller can be activated in it; {_HOW[simulation.simulator]}"
+            message = (
+                f"the simulation is started paused, so no controller can be activated. {_HOW[simulation.simulator]}"
+            )
             yield Finding(simulation.at, message, (Note("controllers are spawned here", waiting[0].at),))

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2, in_words
+from urdfctl.control.spawner_options import DISTROS, INSTEAD
+from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, replaced
 from urdfctl.rules.launch.common import ROS_2, is_spawner, launch_of, spawners
-from urdfctl.rules.launch.options import DISTROS, INSTEAD
-from urdfctl.rules.launch.samples import BROADCASTER, FILE, MANAGER, PUBLISHER, SOUND, launched, spawner
-from urdfctl.suggest import nearest
+from urdfctl.rules.launch_samples import BROADCASTER, FILE, MANAGER, PUBLISHER, SOUND, launched, spawner
 
 
 @rule(
@@ -23,10 +23,10 @@ from urdfctl.suggest import nearest
     good=SOUND,
 )
 def spawner_option_unknown(project: Project) -> Iterator[Finding]:
-    """The spawner is given an option that it does not have in this distro.
+    """Unknown option of the spawner.
 
-    It then ends at once, and loads nothing. Some options went with time: `--stopped` became `--inactive`, the type of a
-    controller is taken from its parameters, and its namespace from the node's.
+    The spawner exits at once and loads nothing. Some options were removed over time. `--stopped` is now `--inactive`,
+    the controller's type comes from its parameters, and its namespace is that of the spawner node.
     """
     launch = launch_of(project, ROS_2)
     for spawn in spawners(launch) if launch else ():

@@ -8,7 +8,7 @@ from urdfctl.catalog.distros import ROS2, since
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import replaced, severity_where
 from urdfctl.rules.launch.common import ROS_2, launch_of, spawners
-from urdfctl.rules.launch.samples import ARM, BROADCASTER, MANAGER, PUBLISHER, SOUND, launched
+from urdfctl.rules.launch_samples import ARM, BROADCASTER, MANAGER, PUBLISHER, SOUND, launched
 
 _GONE = {
     "spawner.py": (since("humble"), "spawner"),
@@ -16,7 +16,7 @@ _GONE = {
     "load_start_controller": (since("galactic"), "load_controller --set-state active"),
     "load_configure_controller": (since("galactic"), "load_controller --set-state inactive"),
 }
-"""Programs and verbs, the distros that have them no more, and what they are called there."""
+"""Programs and verbs, the distros that no longer have them, and their names there."""
 
 
 @rule(
@@ -30,10 +30,10 @@ _GONE = {
     good=SOUND,
 )
 def spawner_program_gone(project: Project) -> Iterator[Finding]:
-    """A launch file calls a program that loads controllers by a name of foxy.
+    """Launch file calls a foxy program that loads controllers.
 
-    spawner.py lost its ending in galactic, and is not installed any more since humble: the launch ends with
-    'executable not found'. The verbs of `ros2 control` that load and start are one verb with an option since galactic.
+    spawner.py was renamed to spawner in galactic, and is no longer installed since humble: the launch stops with
+    'executable not found'. Since galactic, one verb of `ros2 control` with an option replaces the two verbs of foxy.
     """
     launch = launch_of(project, ROS_2)
     if launch is None:
@@ -43,7 +43,7 @@ def spawner_program_gone(project: Project) -> Iterator[Finding]:
     for program in programs:
         gone, became = _GONE.get(program.text, ((), ""))
         if set(gone) & set(project.distros):
-            message = f"{gone[0]} and later have no '{program.text}': it is '{became}' there"
+            message = f"'{program.text}' does not exist in {gone[0]} and later; use '{became}'"
             fix = replaced(program.at, program.text, became)
             known = set(project.distros) != set(ROS2)
             yield Finding(program.at, message, (), fix, severity_where(project, gone) if known else Severity.WARNING)

@@ -15,7 +15,7 @@ from urdfctl.rules.launch.common import (
     managers,
     state_publishers,
 )
-from urdfctl.rules.launch.samples import ARM, BROADCASTER, PUBLISHER, SOUND, launched
+from urdfctl.rules.launch_samples import ARM, BROADCASTER, PUBLISHER, SOUND, launched
 
 
 @rule(
@@ -28,10 +28,10 @@ from urdfctl.rules.launch.samples import ARM, BROADCASTER, PUBLISHER, SOUND, lau
     good=SOUND,
 )
 def spawner_without_manager(project: Project) -> Iterator[Finding]:
-    """Controllers are spawned, and nothing that the launch file starts is a controller manager.
+    """Controllers are spawned without a controller manager.
 
-    The spawner waits for the manager's services, for ever where no timeout is given. The manager is the node
-    ros2_control_node of the package controller_manager, or in a simulation the plugin of gz or Gazebo.
+    The spawner waits for the manager's services, and waits forever if no timeout is given. The manager is the node
+    ros2_control_node of package controller_manager. In a simulation it is the plugin of gz or Gazebo.
     """
     launch = launch_of(project, ROS_2)
     if launch is None or project.robot is None or not is_sure(launch) or not state_publishers(launch):
@@ -41,4 +41,4 @@ def spawner_without_manager(project: Project) -> Iterator[Finding]:
     first = next((spawn for spawn in launch.spawns if is_spawner(spawn)), None)
     if first is not None:
         at = first.names[0][1] if first.names else first.at
-        yield Finding(at, "controllers are spawned, and the launch file starts no controller manager")
+        yield Finding(at, "controllers are spawned, but the launch file starts no controller manager")

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.launch.common import ROS_2, launch_of
-from urdfctl.rules.launch.samples import ARM, BROADCASTER, MANAGER, PUBLISHER, SOUND, launched
+from urdfctl.rules.launch_samples import ARM, BROADCASTER, MANAGER, PUBLISHER, SOUND, launched
 
 _BAD = "«$(command 'xacro$(find-pkg-share arm)/arm.urdf')»"
 _GLUED = r"\.(?:xacro|urdf)(?=\w+:=)"
@@ -24,15 +24,15 @@ _GLUED = r"\.(?:xacro|urdf)(?=\w+:=)"
     good=SOUND,
 )
 def xacro_command_malformed(project: Project) -> Iterator[Finding]:
-    """A space is missing in the command that makes the robot description.
+    """Missing space in the command that creates the robot description.
 
-    The parts of `Command([...])` are put together without anything between them: `xacro` and the file become one word,
-    or the file and the argument behind it.
+    `Command([...])` joins its parts without a separator. `xacro` and the file become one word, or the file and the
+    argument after it.
     """
     launch = launch_of(project, ROS_2)
     for described in launch.descriptions if launch else ():
         command = described.command or ""
         if re.match(r"xacro[^\s.]*/", command):
-            yield Finding(described.at, "there is no space between 'xacro' and the file in this command")
+            yield Finding(described.at, "the command has no space between 'xacro' and the file")
         elif glued := re.search(_GLUED + r"(\w+:=)", command):
-            yield Finding(described.at, f"there is no space before '{glued.group(1)}' in this command")
+            yield Finding(described.at, f"the command has no space before '{glued.group(1)}'")

@@ -23,16 +23,17 @@ _LOADED = "<launch><param name=\"robot_description\" command={}$(find xacro)/{} 
     good={"robot.urdf": "", "arm.launch": _LOADED.format('"', "xacro", '"')},
 )
 def xacro_program_gone(project: Project) -> Iterator[Finding]:
-    """A launch file calls xacro by its old name, xacro.py.
+    """Launch file calls xacro by its old name, xacro.py.
 
-    There is no such program in noetic: roslaunch ends before anything is started. From indigo to melodic there are both.
+    noetic does not have this program, so roslaunch stops before it starts anything. From indigo to melodic both names
+    work.
     """
     launch = launch_of(project, 1)
     for described in launch.descriptions if launch else ():
         at = described.file.at
         if described.sure and re.match(r"(?:xacro/|rosrun xacro )xacro\.py\s", described.command or ""):
             severity = Severity.ERROR if project.distro else Severity.INFO
-            yield Finding(at, "noetic has no 'xacro.py': it is 'xacro' there", (), _fix(at), severity)
+            yield Finding(at, "'xacro.py' does not exist in noetic; use 'xacro'", (), _fix(at), severity)
 
 
 def _fix(at: Place) -> Fix:

@@ -1,4 +1,4 @@
-"""What the rules on moving on share: what is old in the distro at hand, and what the next ones lack."""
+"""Helpers for the rules on migration: what is deprecated in this distro, and what later distros lack."""
 
 from __future__ import annotations
 
@@ -9,8 +9,11 @@ from urdfctl.rule import Project, Severity
 
 
 def severity_of_old(project: Project, old_in: Collection[str]) -> Severity | None:
-    """How much it matters that something is old in some distros: a warning where one of them is named, information
-    where none is named and it is so in all that are maintained; None where it does not matter."""
+    """Return the severity for a use of something that is deprecated in the distros `old_in`.
+
+    A warning if the project's distro is one of them. Info if the distro is unknown and all maintained distros are among
+    them. None otherwise.
+    """
     if project.distro is not None:
         return Severity.WARNING if project.distro in old_in else None
     judged = set(MAINTAINED) & set(project.distros)
@@ -18,7 +21,7 @@ def severity_of_old(project: Project, old_in: Collection[str]) -> Severity | Non
 
 
 def lacking(project: Project, there: tuple[str, ...]) -> str | None:
-    """The first of the coming distros that lacks what is in some others, and in the one that is named."""
+    """Return the first later distro that lacks something. None if the project's distro is unknown or lacks it too."""
     if project.distro not in ROS2 or project.distro not in there:
         return None
     return next((distro for distro in coming(project.distro) if distro not in there), None)

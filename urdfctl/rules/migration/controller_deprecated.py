@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2, in_words
+from urdfctl.control.controller_types import typed
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
-from urdfctl.rules.controllers.types import typed
 from urdfctl.rules.migration.common import severity_of_old
 
 
@@ -14,7 +14,7 @@ from urdfctl.rules.migration.common import severity_of_old
     "UC704",
     severity=Severity.WARNING,
     distros=ROS2,
-    authority="ros2_controllers doc/migration.rst and release_notes.rst: what is deprecated in favour of what",
+    authority="ros2_controllers doc/migration.rst and release_notes.rst: deprecated types and their successors",
     options=["--distro=foxy"],
     bad={
         "controllers.yaml": """
@@ -36,18 +36,19 @@ from urdfctl.rules.migration.common import severity_of_old
     },
 )
 def controller_deprecated(project: Project) -> Iterator[Finding]:
-    """A type of controller is deprecated: this distro has it, and soon none will.
+    """Deprecated controller type.
 
-    Its successor takes other parameters in places, and another name.
+    This distro still has the type, but later distros do not. Its successor has a different name, and in some cases
+    other parameters.
     """
-    for one in typed(project):
-        kinds = {distro: project.catalog.controller(one.type, distro) for distro in one.distros if distro in ROS2}
+    for use in typed(project):
+        kinds = {distro: project.catalog.controller(use.type, distro) for distro in use.distros if distro in ROS2}
         there = {distro: kind for distro, kind in kinds.items() if kind}
         severity = severity_of_old(project, [distro for distro, kind in there.items() if kind.deprecated])
         if severity is None:
             continue
-        instead = project.catalog.replacement(one.type, list(there)[-1])
-        message = f"'{one.type}' is deprecated, and gone from all but {in_words(one.known_in)}"
+        instead = project.catalog.replacement(use.type, list(there)[-1])
+        message = f"controller type '{use.type}' is deprecated; it exists only in {in_words(use.known_in)}"
         fix = Fix(f"write '{instead.type}'") if instead else None
         notes = (Note(instead.note),) if instead and instead.note else ()
-        yield Finding(one.at.at, message, notes, fix, severity)
+        yield Finding(use.at.at, message, notes, fix, severity)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
+from urdfctl.control.controller_types import typed
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
-from urdfctl.rules.controllers.types import typed
 from urdfctl.rules.migration.common import lacking
 
 
@@ -44,19 +44,19 @@ from urdfctl.rules.migration.common import lacking
     },
 )
 def controller_gone_soon(project: Project) -> Iterator[Finding]:
-    """A type of controller is in this distro, and not in one of the next.
+    """Controller type is missing in a later distro.
 
-    Those up to the next with long-term support are looked at.
+    The rule checks the distros up to the next one with long-term support.
     """
-    for one in typed(project):
-        gone = lacking(project, tuple(distro for distro in one.known_in if distro in ROS2))
-        kind = project.catalog.controller(one.type, project.distro) if gone and project.distro else None
+    for use in typed(project):
+        gone = lacking(project, tuple(distro for distro in use.known_in if distro in ROS2))
+        kind = project.catalog.controller(use.type, project.distro) if gone and project.distro else None
         if gone is None or kind is None or kind.deprecated or kind.external:
             continue
-        instead = project.catalog.replacement(one.type, gone)
-        message = f"'{one.type}' is in {project.distro}, and no more in {gone}"
+        instead = project.catalog.replacement(use.type, gone)
+        message = f"controller type '{use.type}' exists in {project.distro} but not in {gone}"
         fix, notes = None, []
         if instead:
-            fix = Fix(f"there it is '{instead.type}'")
-            notes = [Note(f"with {name}: {value}") for name, value in instead.parameters.items()]
-        yield Finding(one.at.at, message, tuple(notes), fix)
+            fix = Fix(f"in {gone} use '{instead.type}'")
+            notes = [Note(f"set {name}: {value}") for name, value in instead.parameters.items()]
+        yield Finding(use.at.at, message, tuple(notes), fix)

@@ -1,4 +1,4 @@
-"""UC7: moving on to other distros."""
+"""UC7: migration to later distros."""
 
 from __future__ import annotations
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
+from urdfctl.control.simulator_plugins import LoadedPlugin, loaded_plugins, of_sensors
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.migration.facts import IN_GZ
-from urdfctl.rules.simulation.common import Loaded, loaded, of_sensors
 
 _WITHOUT = since("jazzy")
 
@@ -43,24 +43,26 @@ _WITHOUT = since("jazzy")
     },
 )
 def gazebo_classic_gone(project: Project) -> Iterator[Finding]:
-    """A plugin is one of Gazebo Classic, which this distro does not have.
+    """Gazebo Classic plugin in a distro without Gazebo Classic.
 
-    Gazebo Classic ended in January 2025, and has no release for jazzy and later. gz does not find its plugins: a robot
-    whose controllers run in one is not controlled in the simulation.
+    Gazebo Classic reached its end of life in January 2025, and has no release for jazzy and later. gz does not find its
+    plugins. If the controllers run in such a plugin, the simulated robot is not controlled.
     """
     if not set(project.distros) <= set(_WITHOUT):
         return
-    everywhere = (*loaded(project), *of_sensors(project))
-    classic = [one for one in everywhere if one.simulator == "gazebo-classic" and not one.known]
-    both = any(one.hosts_control and one.simulator == "gz" for one in everywhere)
-    first: dict[str, Loaded] = {}
-    for one in classic:
-        first.setdefault(one.library, one)
-    for library, one in first.items():
+    everywhere = (*loaded_plugins(project), *of_sensors(project))
+    classic = [plugin for plugin in everywhere if plugin.simulator == "gazebo-classic" and not plugin.known]
+    both = any(plugin.hosts_control and plugin.simulator == "gz" for plugin in everywhere)
+    first: dict[str, LoadedPlugin] = {}
+    for plugin in classic:
+        first.setdefault(plugin.library, plugin)
+    for library, plugin in first.items():
         more = sum(other.library == library for other in classic) - 1
-        message = f"'{one.filename}' is a plugin of Gazebo Classic, which there is not in {project.distros[0]} or later"
-        notes = (Note(f"{more} more of it in this robot"),) if more else ()
+        message = (
+            f"plugin '{plugin.filename}' is for Gazebo Classic, which does not exist in {project.distros[0]} and later"
+        )
+        notes = (Note(f"{more} more in this robot"),) if more else ()
         instead = IN_GZ.get(library)
-        fix = Fix(f"in gz it is {instead}") if instead else None
-        severity = Severity.INFO if both else Severity.ERROR if one.hosts_control else None
-        yield Finding(one.plugin.at["filename"], message, notes, fix, severity)
+        fix = Fix(f"in gz use {instead}") if instead else None
+        severity = Severity.INFO if both else Severity.ERROR if plugin.hosts_control else None
+        yield Finding(plugin.plugin.at["filename"], message, notes, fix, severity)

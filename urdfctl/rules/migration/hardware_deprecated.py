@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2, in_words
+from urdfctl.control.simulator_plugins import components
 from urdfctl.model.ros2_control import Ros2Control
 from urdfctl.rule import Edit, Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known
 from urdfctl.rules.migration.common import severity_of_old
-from urdfctl.rules.simulation.common import components
 
 
 @rule(
@@ -37,10 +37,10 @@ from urdfctl.rules.simulation.common import components
     },
 )
 def hardware_deprecated(project: Project) -> Iterator[Finding]:
-    """A component's hardware has another name by now.
+    """Old name of a hardware plugin.
 
-    This distro still loads it under the old one, and a later one will not. Where no distro is named, this is told where
-    the new name is right in all that are maintained.
+    This distro still loads the hardware under its old name, but later distros do not. If the distro is unknown, the
+    rule reports a name only if all maintained distros have the new one.
     """
     for control in components(project):
         name = control.plugin or ""
@@ -58,15 +58,15 @@ def hardware_deprecated(project: Project) -> Iterator[Finding]:
         edits = (
             (Edit(content, right.type), *_of_parameters(project, control, right.type)) if content.text == name else ()
         )
-        notes = (Note(f"the old name is gone from all but {in_words(there)}"),)
-        message = f"'{name}' is the old name of '{right.type}'"
+        notes = (Note(f"the old name exists only in {in_words(there)}"),)
+        message = f"hardware plugin '{name}' was renamed to '{right.type}'"
         yield Finding(text.at, message, notes, Fix(f"write '{right.type}'", edits), severity)
 
 
 def _of_parameters(project: Project, control: Ros2Control, right: str) -> Iterator[Edit]:
-    """The edits that give parameters the names that the new one reads them by."""
-    found = [hardware for distro in project.distros if (hardware := project.catalog.hardware(right, distro))]
-    known = found[-1].hardware_parameters or {} if found else {}
+    """Yield the edits that rename parameters to the names that the new plugin reads."""
+    entries = [hardware for distro in project.distros if (hardware := project.catalog.hardware(right, distro))]
+    known = entries[-1].hardware_parameters or {} if entries else {}
     for parameter in control.hardware[-1].parameters:
         now = known.get(parameter.name or "")
         at = parameter.at["name"]

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
+from urdfctl.control.simulator_plugins import IN_GAZEBO, components, control_plugins, simulator_of
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import is_known
 from urdfctl.rules.migration.common import lacking
-from urdfctl.rules.simulation.common import IN_GAZEBO, components, control_plugins, simulator_of
 
 
 @rule(
@@ -40,10 +40,10 @@ from urdfctl.rules.simulation.common import IN_GAZEBO, components, control_plugi
     },
 )
 def hardware_gone_soon(project: Project) -> Iterator[Finding]:
-    """A component's simulated hardware is in this distro, and not in one of the next.
+    """Simulated hardware is missing in a later distro.
 
-    Those up to the next with long-term support are looked at. Where the robot loads the simulator's plugin too, that one
-    is told of alone.
+    The rule checks the distros up to the next one with long-term support. If the robot also loads the simulator's
+    plugin, only the plugin is reported (UC705).
     """
     catalog = project.catalog
     if control_plugins(project):
@@ -57,6 +57,6 @@ def hardware_gone_soon(project: Project) -> Iterator[Finding]:
         if gone is None or there[project.distro or gone].deprecated:
             continue
         right = catalog.hardware_replacement(name, gone)
-        message = f"'{name}' is in {project.distro}, and no more in {gone}"
-        fix = Fix(f"there it is '{right}'") if right else None
+        message = f"hardware plugin '{name}' exists in {project.distro} but not in {gone}"
+        fix = Fix(f"in {gone} use '{right}'") if right else None
         yield Finding(control.hardware[-1].plugins[0].at, message, fix=fix)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2, since
+from urdfctl.control.simulator_plugins import LoadedPlugin, loaded_plugins
 from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
 from urdfctl.rules.migration.common import severity_of_old
-from urdfctl.rules.simulation.common import Loaded, loaded
 
 _OF_IGNITION = "ignition-gazebo"
 _OF_GZ = since("jazzy")
@@ -50,52 +50,53 @@ _OF_GZ = since("jazzy")
     },
 )
 def plugin_deprecated(project: Project) -> Iterator[Finding]:
-    """A plugin of the simulator bears a name of the time when gz was called Ignition.
+    """Simulator plugin has an old name from Ignition.
 
-    It is still loaded, with a warning; later distros do not have it. Where no distro is named, this is told where all
-    that are maintained have the new name.
+    gz was called Ignition before. The simulator still loads the plugin, with a warning, but later distros do not have
+    it. If the distro is unknown, the rule reports a name only if all maintained distros have the new one.
     """
-    for one in loaded(project):
-        fixes = [fix for fix in (_file(project, one), _class(project, one)) if fix]
+    for loaded_plugin in loaded_plugins(project):
+        fixes = [fix for fix in (_file(project, loaded_plugin), _class(project, loaded_plugin)) if fix]
         if not fixes:
             continue
+        plugin = loaded_plugin.plugin
         title = " and ".join(f'{attribute}="{right}"' for attribute, _, right, _ in fixes)
         edits = tuple(
-            Edit(one.plugin.at[attribute].span, right)
+            Edit(plugin.at[attribute].span, right)
             for attribute, old, right, _ in fixes
-            if one.plugin.at[attribute].span.text == old
+            if plugin.at[attribute].span.text == old
         )
         attribute, old, _, severity = fixes[0]
-        message = f"'{old}' is a name of the time when gz was Ignition; by now it is {title}"
+        message = f"'{old}' is an old name from Ignition; use {title}"
         fix = Fix(f"write {title}", edits if len(edits) == len(fixes) else ())
-        yield Finding(one.plugin.at[attribute], message, fix=fix, severity=severity)
+        yield Finding(plugin.at[attribute], message, fix=fix, severity=severity)
 
 
 Renamed = tuple[str, str, str, Severity]
-"""An attribute, what it says, what it should say, and how much it matters."""
+"""An attribute, its value, the right value, and the severity."""
 
 
-def _file(project: Project, one: Loaded) -> Renamed | None:
-    old = one.plugin.filename or ""
+def _file(project: Project, plugin: LoadedPlugin) -> Renamed | None:
+    old = plugin.plugin.filename or ""
     ignition = _OF_IGNITION in old
     by_distro = {distro: project.catalog.simulator_plugin(old, distro) for distro in ROS2}
-    old_in = [distro for distro, plugin in by_distro.items() if plugin is None or plugin.deprecated]
-    severity = severity_of_old(project, _OF_GZ if ignition else old_in) if one.known else None
-    right = old.replace(_OF_IGNITION, "gz-sim") if ignition else _successor(project, one)
+    old_in = [distro for distro, entry in by_distro.items() if entry is None or entry.deprecated]
+    severity = severity_of_old(project, _OF_GZ if ignition else old_in) if plugin.known else None
+    right = old.replace(_OF_IGNITION, "gz-sim") if ignition else _successor(project, plugin)
     return ("filename", old, right, severity) if severity and right else None
 
 
-def _successor(project: Project, one: Loaded) -> str | None:
-    """The file of the plugin that took another's place."""
-    wanted = one.known[-1].replacement if one.known else None
+def _successor(project: Project, plugin: LoadedPlugin) -> str | None:
+    """The file of the plugin that replaced this one."""
+    wanted = plugin.known[-1].replacement if plugin.known else None
     newest = project.catalog.simulator_plugins("rolling") if wanted else ()
-    return next((plugin.filenames[0] for plugin in newest if plugin.id == wanted), None)
+    return next((entry.filenames[0] for entry in newest if entry.id == wanted), None)
 
 
-def _class(project: Project, one: Loaded) -> Renamed | None:
-    old = one.plugin.name or ""
-    renamed = {old: plugin.names[0] for plugin in one.known for old in plugin.old_names}
-    renamed |= {plugin.names[0]: plugin.names[-1] for plugin in one.known if plugin.deprecated}
+def _class(project: Project, plugin: LoadedPlugin) -> Renamed | None:
+    old = plugin.plugin.name or ""
+    renamed = {former: entry.names[0] for entry in plugin.known for former in entry.old_names}
+    renamed |= {entry.names[0]: entry.names[-1] for entry in plugin.known if entry.deprecated}
     right = renamed.get(old)
     severity = severity_of_old(project, _OF_GZ if old.startswith("ignition::") else since("humble"))
     return ("name", old, right, severity) if severity and right else None

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
+from urdfctl.control.simulator_plugins import loaded_plugins
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.migration.common import lacking
 from urdfctl.rules.migration.facts import IN_GZ
-from urdfctl.rules.simulation.common import loaded
 
 
 @rule(
@@ -45,15 +45,16 @@ from urdfctl.rules.simulation.common import loaded
     },
 )
 def plugin_gone_soon(project: Project) -> Iterator[Finding]:
-    """The plugin that runs a robot's controllers in the simulator is in this distro, and not in one of the next.
+    """Simulator plugin is missing in a later distro.
 
-    Those up to the next with long-term support are looked at.
+    The plugin runs the robot's controllers in the simulator. The rule checks the distros up to the next one with
+    long-term support.
     """
-    for one in loaded(project):
-        if not (one.hosts_control or one.moves_joints) or any(plugin.deprecated for plugin in one.known):
+    for plugin in loaded_plugins(project):
+        if not (plugin.hosts_control or plugin.moves_joints) or any(entry.deprecated for entry in plugin.known):
             continue
-        gone = lacking(project, one.distros)
+        gone = lacking(project, plugin.distros)
         if gone:
-            message = f"'{one.filename}' is in {project.distro}, and no more in {gone}"
-            instead = IN_GZ.get(one.library)
-            yield Finding(one.plugin.at["filename"], message, fix=Fix(f"in gz it is {instead}") if instead else None)
+            message = f"plugin '{plugin.filename}' exists in {project.distro} but not in {gone}"
+            instead = IN_GZ.get(plugin.library)
+            yield Finding(plugin.plugin.at["filename"], message, fix=Fix(f"in gz use {instead}") if instead else None)

@@ -1,4 +1,4 @@
-"""UC65: what MoveIt is told of the controllers."""
+"""UC65: MoveIt's configuration of the controllers."""
 
 from __future__ import annotations
 

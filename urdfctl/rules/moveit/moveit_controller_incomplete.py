@@ -27,24 +27,25 @@ _ACTIONS = {"FollowJointTrajectory": "follow_joint_trajectory", "GripperCommand"
     good=configured(),
 )
 def moveit_controller_incomplete(project: Project) -> Iterator[Finding]:
-    """MoveIt is not told all of a controller that it needs to know.
+    """Incomplete controller in MoveIt's configuration.
 
-    It leaves the controller out then, and cannot execute what it has planned: 'Unable to identify any set of controllers
-    that can actuate the specified joints'. Needed are the type, the joints, and the namespace of the action, which
-    the setup assistant leaves out.
+    MoveIt ignores the controller, and cannot execute its plans: 'Unable to identify any set of controllers that can
+    actuate the specified joints'. It requires the type, the joints and the action namespace. The setup assistant omits
+    the last one.
     """
     for controller in project.controllers.moveit if project.controllers else ():
         if controller.section is None:
             name = controller.name
-            yield Finding(name.at, f"MoveIt is told to use '{name.text}', and nothing describes it here")
+            yield Finding(name.at, f"controller_names lists '{name.text}', but this file does not describe it")
         elif controller.lacking:
-            what = in_words(controller.lacking)
-            message = f"MoveIt leaves '{controller.section.text}' out: it is not told its {what}"
+            is_or_are = "is" if len(controller.lacking) == 1 else "are"
+            missing = f"{in_words(controller.lacking)} {is_or_are} missing"
+            message = f"MoveIt ignores controller '{controller.section.text}': {missing}"
             yield Finding(controller.section.at, message, (), _fix(controller))
 
 
 def _fix(controller: MoveItController) -> Fix | None:
-    """The action namespace that controllers of a type have."""
+    """Return the fix that adds a missing action namespace. None if the type has no usual one, or more is missing."""
     first, action = controller.first, _ACTIONS.get(controller.type or "")
     if controller.lacking != ("action_ns",) or first is None or action is None:
         return None

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
+from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import in_words, replaced
 from urdfctl.rules.moveit.samples import configured
-from urdfctl.suggest import nearest
 
 
 @rule(
@@ -21,19 +21,20 @@ from urdfctl.suggest import nearest
     good=configured(),
 )
 def moveit_controller_unknown(project: Project) -> Iterator[Finding]:
-    """MoveIt is told to use a controller that ros2_controllers.yaml does not declare.
+    """Unknown controller in MoveIt's configuration.
 
-    MoveIt waits for an action of that name, which nobody offers, and executes nothing.
+    ros2_controllers.yaml does not declare the controller. MoveIt waits for an action that no node offers, and executes
+    nothing.
     """
     controllers = project.controllers
     if controllers is None or not controllers.complete or not controllers.controllers:
         return
-    names = list(dict.fromkeys(one.name for one in controllers.controllers))
+    names = list(dict.fromkeys(controller.name for controller in controllers.controllers))
     for controller in controllers.moveit:
         name = controller.name
         if name.text.rpartition("/")[2] in names:
             continue
         meant = nearest(name.text, names)
-        hint = f"did you mean '{meant}'?" if meant else f"declared are {in_words(names)}"
+        hint = f"did you mean '{meant}'?" if meant else f"declared: {in_words(names)}"
         fix = replaced(name.at, name.text, meant) if meant else None
-        yield Finding(name.at, f"MoveIt is told to use '{name.text}', which no file declares; {hint}", (), fix)
+        yield Finding(name.at, f"MoveIt uses controller '{name.text}', which no file declares; {hint}", (), fix)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
+from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, replaced, whole_robot_in
-from urdfctl.suggest import nearest
 
 
 def _files(joints: str) -> dict[str, str]:
@@ -27,10 +27,11 @@ def _files(joints: str) -> dict[str, str]:
     good=_files("shoulder, elbow"),
 )
 def moveit_joint_unknown(project: Project) -> Iterator[Finding]:
-    """MoveIt is told of a joint that the robot does not have.
+    """Unknown joint in MoveIt's configuration.
 
-    No plan moves it, and the joint that was meant has no controller, so that plans for it are not executed, or keeps the
-    limits of the URDF. Told are joints that are like one of the robot's, or listed beside others that it has.
+    No plan moves this joint. The joint that was meant has no controller, so plans for it are not executed, or it keeps
+    the limits of the URDF. The rule reports a joint if its name resembles a joint of the robot, or if the same list
+    contains joints of the robot.
     """
     robot, controllers = whole_robot_in(project), project.controllers
     names = {name for name in robot.joint_names if name} if robot and controllers else set()
@@ -41,8 +42,8 @@ def moveit_joint_unknown(project: Project) -> Iterator[Finding]:
                 continue
             meant = nearest(joint.text, names - given)
             if not meant and (listed.controller is None or not given & names):
-                continue  # it is a part that this robot comes without
+                continue  # it belongs to a part that this robot does not have
             what = "has limits for MoveIt" if listed.controller is None else f"is listed for '{listed.controller}'"
             hint = f"; did you mean '{meant}'?" if meant else ""
             fix = replaced(joint.at, joint.text, meant) if meant else None
-            yield Finding(joint.at, f"'{joint.text}' {what}, and the robot has no such joint{hint}", (), fix)
+            yield Finding(joint.at, f"joint '{joint.text}' {what}, but the robot does not have it{hint}", (), fix)

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.model.controllers import Controller, MoveItController
+from urdfctl.names import did_you_mean
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import in_words
 from urdfctl.rules.moveit.samples import configured
-from urdfctl.suggest import did_you_mean
 
 _PARTIAL = "allow_partial_joints_goal"
 
@@ -24,28 +24,33 @@ _PARTIAL = "allow_partial_joints_goal"
     good=configured(),
 )
 def moveit_joints_differ(project: Project) -> Iterator[Finding]:
-    """MoveIt sends a controller trajectories for other joints than it controls.
+    """MoveIt and the controller list different joints.
 
-    The controller refuses each goal that names a joint it does not have, and, unless it allows partial goals, each that
-    leaves one out.
+    The controller rejects every goal that names a joint it does not control. Unless it allows partial goals, it also
+    rejects every goal that omits one of its joints.
     """
     controllers = project.controllers
-    for controller in controllers.moveit if controllers else ():
-        name = controller.name.text.rpartition("/")[2]
-        found = controllers.controller(name) if controllers else None
-        joints = found.own.value("joints") if found else None
+    for moveit in controllers.moveit if controllers else ():
+        name = moveit.name.text.rpartition("/")[2]
+        controller = controllers.controller(name) if controllers else None
+        joints = controller.own.value("joints") if controller else None
         names = [item.text for item in joints.items] if joints and joints.items else []
-        if found is not None and joints is not None and names and "Trajectory" in (controller.type or ""):
-            yield from _compared(controller, found, names, Note("the controller's joints are here", joints.at))
+        if controller is not None and joints is not None and names and "Trajectory" in (moveit.type or ""):
+            yield from _compared(moveit, controller, names, Note("the controller's joints are here", joints.at))
 
 
-def _compared(controller: MoveItController, found: Controller, names: list[str], note: Note) -> Iterator[Finding]:
-    strange = [joint for joint in controller.joints if joint.text not in names]
-    for joint in strange:
-        message = f"'{found.name}' does not control '{joint.text}', and refuses MoveIt's trajectories for it"
+def _compared(moveit: MoveItController, controller: Controller, names: list[str], note: Note) -> Iterator[Finding]:
+    unknown = [joint for joint in moveit.joints if joint.text not in names]
+    for joint in unknown:
+        message = (
+            f"controller '{controller.name}' does not control joint '{joint.text}' and rejects trajectories for it"
+        )
         yield Finding(joint.at, f"{message}{did_you_mean(joint.text, names)}", (note,))
-    left = [name for name in names if name not in {joint.text for joint in controller.joints}]
-    partial = found.own.value(_PARTIAL)
-    if left and controller.joints and not strange and not (partial and partial.text.lower() == "true"):
-        message = f"MoveIt sends '{found.name}' no {in_words(left)}: it refuses trajectories that leave joints out"
-        yield Finding(controller.joints[0].at, message, (note,), severity=Severity.WARNING)
+    missing = [name for name in names if name not in {joint.text for joint in moveit.joints}]
+    partial = controller.own.value(_PARTIAL)
+    if missing and moveit.joints and not unknown and not (partial and partial.text.lower() == "true"):
+        message = (
+            f"MoveIt's joints for controller '{controller.name}' do not include {in_words(missing)}; "
+            "the controller rejects incomplete trajectories"
+        )
+        yield Finding(moveit.joints[0].at, message, (note,), severity=Severity.WARNING)

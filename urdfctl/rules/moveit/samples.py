@@ -1,8 +1,8 @@
-"""The files of a small arm that rules on MoveIt's configuration show their examples with."""
+"""The files of a small arm, used in the examples of the rules on MoveIt's configuration."""
 
 from __future__ import annotations
 
-from urdfctl.rules.launch.samples import CONTROLLERS
+from urdfctl.rules.launch_samples import CONTROLLERS
 
 MOVEIT = """
     moveit_controller_manager: moveit_simple_controller_manager/MoveItSimpleControllerManager
@@ -17,7 +17,7 @@ MOVEIT = """
 
 
 def configured(old: str = "", new: str = "") -> dict[str, str]:
-    """The arm's controllers, and MoveIt's configuration with something written otherwise."""
+    """Return the arm's controller file, and MoveIt's configuration with `old` replaced by `new`."""
     return {
         "ros2_controllers.yaml": CONTROLLERS,
         "moveit_controllers.yaml": MOVEIT.replace(old, new) if old else MOVEIT,

@@ -19,25 +19,27 @@ from urdfctl.source.problem import ProblemKind
             <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
               <xacro:arg name="«tool»" default=""/>
               <xacro:include filename="$(arg tool)"/>
-              <link name="base"/>
+              <link name="$(arg prefix)base"/>
             </robot>
         """,
     },
+    options=("prefix:=my_",),
     good={
         "robot.xacro": """
             <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
               <xacro:arg name="tool" default="tool.xacro"/>
               <xacro:include filename="$(arg tool)"/>
-              <link name="base"/>
+              <link name="$(arg prefix)base"/>
             </robot>
         """,
         "tool.xacro": '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"/>',
     },
 )
 def argument_default_unusable(project: Project) -> Iterator[Finding]:
-    """An argument that the name of a file needs is empty by default.
+    """Empty default for an argument that a file name needs.
 
-    The description looks as if it could be expanded without the argument, and cannot: xacro opens a folder, or a file
-    without a name, and its words do not tell of the argument. Without the default xacro asks for it by its name.
+    The description looks as if it expands without the argument, but it does not. xacro tries to open a folder, or a
+    file without a name, and its error does not mention the argument. Without the default, xacro names the missing
+    argument.
     """
     yield from findings_of(project, ProblemKind.ARGUMENT_UNUSABLE)

@@ -32,9 +32,9 @@ from urdfctl.source.problem import ProblemKind
     },
 )
 def argument_unknown(project: Project) -> Iterator[Finding]:
-    """An argument is given that the description does not have.
+    """Argument that the description does not declare.
 
-    xacro takes any `name:=value` and says nothing of one that no `$(arg name)` asks for: the robot is
-    expanded with the default.
+    xacro accepts any `name:=value` and does not report one that no `$(arg name)` uses. The robot is expanded with the
+    default value.
     """
     yield from findings_of(project, ProblemKind.UNKNOWN_ARGUMENT)

@@ -31,10 +31,9 @@ from urdfctl.source.problem import ProblemKind
     },
 )
 def argument_unused(project: Project) -> Iterator[Finding]:
-    """An argument is declared and never used.
+    """Unused argument.
 
-    Whoever sets it expects something to change. The name may be misspelt where it is used, or where it is
-    declared.
+    Setting it changes nothing. The name may be misspelt where it is declared, or where it is used.
     """
     for finding in findings_of(project, ProblemKind.UNUSED_ARGUMENT):
         yield finding._replace(severity=Severity.WARNING) if finding.fix else finding

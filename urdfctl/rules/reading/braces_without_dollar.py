@@ -32,10 +32,9 @@ from urdfctl.source.span import Place, SourceSpan
     },
 )
 def braces_without_dollar(project: Project) -> Iterator[Finding]:
-    """A property's name stands in braces without the dollar.
+    """Property name in braces without `$`.
 
-    xacro leaves `{name}` as it is: the name of a link or joint then holds the braces, and nothing that refers
-    to it finds it.
+    xacro copies `{name}` unchanged. The name of the link or joint then contains the braces, and references to it fail.
     """
     for problem in project.of_kind(ProblemKind.BRACES):
         yield Finding(

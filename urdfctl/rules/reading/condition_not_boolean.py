@@ -30,8 +30,8 @@ from urdfctl.source.problem import ProblemKind
     },
 )
 def condition_not_boolean(project: Project) -> Iterator[Finding]:
-    """The value of an `<xacro:if>` or `<xacro:unless>` is neither true nor false.
+    """Condition of `<xacro:if>` or `<xacro:unless>` is not a boolean.
 
-    xacro takes true, false, numbers, and what `${...}` evaluates to; it stops at any other text.
+    xacro accepts true, false, numbers, and the result of `${...}`. It stops at any other text.
     """
     yield from findings_of(project, ProblemKind.CONDITION)

@@ -31,9 +31,9 @@ from urdfctl.source.problem import ProblemKind
     },
 )
 def doctype_with_declarations(project: Project) -> Iterator[Finding]:
-    """A DOCTYPE declares entities, and is not read.
+    """DOCTYPE with entity declarations.
 
-    Entities that name each other make a few lines grow without end; a linter that reads strangers' files
-    refuses them. `--trust` reads them.
+    Entities that refer to each other can expand to an unlimited size. urdfctl also reads files that you do not trust,
+    so it rejects such a DOCTYPE. `--trust` accepts it.
     """
     yield from findings_of(project, ProblemKind.DOCTYPE)

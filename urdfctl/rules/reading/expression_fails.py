@@ -31,8 +31,8 @@ from urdfctl.source.problem import ProblemKind
     },
 )
 def expression_fails(project: Project) -> Iterator[Finding]:
-    """An expression cannot be evaluated.
+    """Expression cannot be evaluated.
 
-    xacro stops there: the text in `${...}` is no Python expression, or a value in it has the wrong type.
+    The text in `${...}` is not a valid Python expression, or a value in it has the wrong type. xacro stops there.
     """
     yield from findings_of(project, ProblemKind.EXPRESSION)

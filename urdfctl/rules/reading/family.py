@@ -1,4 +1,4 @@
-"""UC0: what keeps a file from being read, found or expanded."""
+"""UC0: files that cannot be read, found or expanded."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from urdfctl.rule import Rule
 from urdfctl.rules.reading.argument_default_unusable import argument_default_unusable
 from urdfctl.rules.reading.argument_unknown import argument_unknown
 from urdfctl.rules.reading.argument_unused import argument_unused
+from urdfctl.rules.reading.arguments_needed import arguments_needed
 from urdfctl.rules.reading.braces_without_dollar import braces_without_dollar
 from urdfctl.rules.reading.condition_not_boolean import condition_not_boolean
 from urdfctl.rules.reading.doctype_with_declarations import doctype_with_declarations
@@ -66,5 +67,6 @@ RULES: tuple[Rule, ...] = (
     launch_file_not_python,
     argument_default_unusable,
     macro_named_after_other_file,
+    arguments_needed,
     suppression_unused,
 )

@@ -33,8 +33,8 @@ from urdfctl.source.problem import ProblemKind
     },
 )
 def file_not_found(project: Project) -> Iterator[Finding]:
-    """A file that is included or loaded does not exist.
+    """Included or loaded file does not exist.
 
-    xacro stops at the first one, and nothing of the robot is published.
+    xacro stops at the first missing file, and no robot description is published.
     """
     yield from findings_of(project, ProblemKind.FILE_NOT_FOUND)

@@ -36,8 +36,8 @@ from urdfctl.source.problem import ProblemKind
     },
 )
 def file_unreadable(project: Project) -> Iterator[Finding]:
-    """A file exists and cannot be read.
+    """File cannot be read.
 
-    It is a folder or a device, or its permissions forbid reading it.
+    The path is a folder or a device, or its permissions do not allow reading.
     """
     yield from findings_of(project, ProblemKind.FILE_UNREADABLE)

@@ -29,10 +29,10 @@ from urdfctl.source.problem import ProblemKind
     },
 )
 def forbidden_expression(project: Project) -> Iterator[Finding]:
-    """An expression reaches for more than a description needs.
+    """Expression is not allowed.
 
-    xacro evaluates `${...}` and `$(eval ...)` as Python, and its own checks can be got round. urdfctl
-    evaluates arithmetic, texts, lists and the functions that xacro offers, and nothing that leads to the
-    interpreter. `--trust` lifts this.
+    xacro evaluates `${...}` and `$(eval ...)` as Python, and its own checks can be bypassed. urdfctl evaluates
+    arithmetic, strings, lists and the functions that xacro offers. It rejects everything that gives access to the
+    Python interpreter. `--trust` turns this check off.
     """
     yield from findings_of(project, ProblemKind.FORBIDDEN_EXPRESSION)

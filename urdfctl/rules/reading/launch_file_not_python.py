@@ -37,9 +37,9 @@ from urdfctl.source.problem import ProblemKind
     },
 )
 def launch_file_not_python(project: Project) -> Iterator[Finding]:
-    """A launch file is not good Python.
+    """Launch file has a Python syntax error.
 
-    launch imports it as a Python module, and stops with the same error: nothing of it is started. Nothing more is told
-    of the file.
+    launch imports the file as a Python module and stops with the same error, so nothing in it is started. urdfctl does
+    not check the rest of the file.
     """
     yield from findings_of(project, ProblemKind.PYTHON_SYNTAX)

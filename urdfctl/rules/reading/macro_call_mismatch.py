@@ -32,9 +32,9 @@ from urdfctl.source.problem import ProblemKind
     },
 )
 def macro_call_mismatch(project: Project) -> Iterator[Finding]:
-    """A macro's call does not fit its parameters.
+    """Macro call does not match the macro's parameters.
 
-    xacro stops at a parameter that the macro does not have, at one that gets no value, and at a block too
-    many or too few.
+    xacro stops at a parameter that the macro does not have, at a parameter without a value, and at a missing or an
+    extra block.
     """
     yield from findings_of(project, ProblemKind.MACRO_CALL)

@@ -32,8 +32,9 @@ from urdfctl.source.problem import ProblemKind
     },
 )
 def macro_defined_twice(project: Project) -> Iterator[Finding]:
-    """A macro is defined twice.
+    """Macro is defined twice.
 
-    xacro takes the later definition and says nothing: calls after it get another body than those before.
+    xacro silently replaces the first definition. Calls before the second definition get one body, calls after it get
+    the other.
     """
     yield from findings_of(project, ProblemKind.DUPLICATE_MACRO)

@@ -41,9 +41,9 @@ _ROBOT = """
     },
 )
 def macro_named_after_other_file(project: Project) -> Iterator[Finding]:
-    """A macro bears the name of another file, which defines a macro of that name too.
+    """Macro has the same name as a macro in another file.
 
-    A file was copied and its macro kept its name. A robot with both files gets the body of the later one wherever the
-    macro is called, and xacro says nothing.
+    Usually the file was copied and its macro was not renamed. In a robot that includes both files, the later definition
+    silently replaces the earlier one for every call.
     """
     yield from findings_of(project, ProblemKind.MACRO_OF_OTHER_FILE)

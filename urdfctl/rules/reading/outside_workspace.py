@@ -33,9 +33,10 @@ from urdfctl.source.problem import ProblemKind
     },
 )
 def outside_workspace(project: Project) -> Iterator[Finding]:
-    """A description asks for a file outside the workspace.
+    """File outside the workspace.
 
-    A stranger's robot must not read what lies elsewhere on the machine. The workspace, the packages it
-    resolves and `--package-path` may be read; `--workspace` widens it, `--trust` lifts it.
+    A robot from an untrusted source must not read other files on this machine. urdfctl reads files in the workspace, in
+    the packages that it resolves, and in `--package-path`. Use `--workspace` to widen this, or `--trust` to turn the
+    check off.
     """
     yield from findings_of(project, ProblemKind.OUTSIDE_WORKSPACE)

@@ -12,7 +12,7 @@ from urdfctl.source.problem import ProblemKind
 @rule(
     "UC014",
     severity=Severity.ERROR,
-    authority="measured on 72 public repositories: the largest robot stays a hundred times below each limit",
+    authority="measured on 72 public repositories: the largest robot is a hundred times below each limit",
     bad={
         "robot.xacro": """
             <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -37,9 +37,9 @@ from urdfctl.source.problem import ProblemKind
     },
 )
 def over_budget(project: Project) -> Iterator[Finding]:
-    """A description is too large to be expanded.
+    """Description is too large to be expanded.
 
-    Files over 16 MiB, elements nested more than 200 deep, 20 000 macro calls or a million elements: no robot
-    needs so much, and an endless one must not hang a pipeline.
+    The limits are 16 MiB a file, 200 levels of nested elements, 20 000 macro calls and a million elements. No real
+    robot comes close, and an endless description must not block a pipeline.
     """
     yield from findings_of(project, ProblemKind.BUDGET)

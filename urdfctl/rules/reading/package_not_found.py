@@ -11,7 +11,7 @@ from urdfctl.source.problem import ProblemKind
 
 @rule(
     "UC003",
-    severity=Severity.ERROR,
+    severity=Severity.WARNING,
     authority="xacro/substitution_args.py _eval_find(): ament_index_python raises PackageNotFoundError",
     bad={
         "robot.xacro": """
@@ -36,8 +36,9 @@ from urdfctl.source.problem import ProblemKind
     },
 )
 def package_not_found(project: Project) -> Iterator[Finding]:
-    """A package that the description asks for is not found.
+    """Package used by the description was not found.
 
-    `$(find pkg)` of a package that is not built or not sourced ends the expansion.
+    `$(find pkg)` stops xacro if the package is not built or its workspace is not sourced. A package that package.xml
+    declares is not reported: the last line of the report names those that are not in the workspace.
     """
     yield from findings_of(project, ProblemKind.PACKAGE_NOT_FOUND)

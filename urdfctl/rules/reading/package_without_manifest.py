@@ -38,9 +38,9 @@ from urdfctl.source.problem import ProblemKind
     },
 )
 def package_without_manifest(project: Project) -> Iterator[Finding]:
-    """A package's folder has no package.xml.
+    """Package without package.xml.
 
-    colcon and catkin pass over a folder without a package.xml, and `$(find pkg)` fails where the robot is
-    started. Here the folder of that name is taken instead, so that the rest can be linted.
+    colcon and catkin ignore a folder without a package.xml, and `$(find pkg)` fails when the robot is started. urdfctl
+    uses the folder of that name instead, so that it can check the rest.
     """
     yield from findings_of(project, ProblemKind.MANIFEST_MISSING)

@@ -17,7 +17,8 @@ from urdfctl.rule import Finding, Project, Severity, rule
 def rule_crashed(project: Project) -> Iterator[Finding]:
     """A rule of urdfctl crashed on this robot.
 
-    The other rules went on, and their findings stand. The exit status is 3. Please report it, with the robot if you can.
+    The other rules ran, and their findings are valid. The exit status is 3. Please report the crash, with the robot if
+    possible.
     """
     del project  # the engine makes these findings when a rule raises
     return iter(())

@@ -10,7 +10,7 @@ from urdfctl.rule import Finding, Project, Severity, rule
 @rule(
     "UC099",
     severity=Severity.WARNING,
-    authority="urdfctl itself: a comment that silences nothing may hide the next fault",
+    authority="urdfctl itself: an unused suppression may hide the next fault",
     bad={
         "robot.urdf": """
             <robot name="r">
@@ -28,10 +28,10 @@ from urdfctl.rule import Finding, Project, Severity, rule
     },
 )
 def suppression_unused(project: Project) -> Iterator[Finding]:
-    """A comment ignores findings that there are none of.
+    """Unused suppression.
 
-    The fault was mended, or the comment stands on the wrong line: it speaks of its own line and the next, at the finding,
-    at the macro's definition or at its call.
+    The finding was fixed, or the comment is on the wrong line. A comment applies to its own line and the next one.
+    Place it at the finding, at the macro's definition or at the macro's call.
     """
     del project  # the engine makes these findings: it knows what the other rules found, in all robots of the run
     return iter(())

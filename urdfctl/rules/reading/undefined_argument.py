@@ -17,21 +17,28 @@ from urdfctl.source.problem import ProblemKind
         "robot.xacro": """
             <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
               <link name="«$(arg prefix)base»"/>
+              <xacro:arg name="side" default="left"/>
+              <xacro:property name="where" value="$(arg side)"/>
             </robot>
         """,
     },
+    options=("side:=right",),
     good={
         "robot.xacro": """
             <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
               <xacro:arg name="prefix" default="my_"/>
               <link name="$(arg prefix)base"/>
+              <xacro:arg name="side" default="left"/>
+              <xacro:property name="where" value="$(arg side)"/>
             </robot>
         """,
     },
 )
 def undefined_argument(project: Project) -> Iterator[Finding]:
-    """An argument or environment variable is used that has no value.
+    """Argument or environment variable without a value.
 
-    `$(arg x)` needs an `<xacro:arg>` with a default before its use, or a value on the command line.
+    `$(arg x)` requires an `<xacro:arg>` with a default before its use, or a value on the command line. A description
+    that is linted without arguments may need some: see UC030.
     """
     yield from findings_of(project, ProblemKind.UNDEFINED_ARGUMENT)
+    yield from findings_of(project, ProblemKind.UNDEFINED_VARIABLE)

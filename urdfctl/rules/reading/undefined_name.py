@@ -31,9 +31,9 @@ from urdfctl.source.problem import ProblemKind
     },
 )
 def undefined_name(project: Project) -> Iterator[Finding]:
-    """An expression uses a name that is not defined.
+    """Undefined name in an expression.
 
-    xacro evaluates a property when it is used, and stops where a name is not known there: a typing mistake, a
-    definition further down, or one inside another macro.
+    xacro evaluates a property where it is used, and stops if it does not know a name there. The name is misspelt,
+    defined later in the file, or defined inside another macro.
     """
     yield from findings_of(project, ProblemKind.UNDEFINED_NAME)

@@ -31,9 +31,9 @@ from urdfctl.source.problem import ProblemKind
     },
 )
 def unknown_macro(project: Project) -> Iterator[Finding]:
-    """A macro is called that is not defined before the call.
+    """Macro is called before it is defined.
 
-    xacro works in order: a macro exists from its definition on. The usual causes are a missing include and a
-    typing mistake.
+    xacro reads a file from top to bottom, and a macro exists only after its definition. The usual causes are a missing
+    include and a misspelt name.
     """
     yield from findings_of(project, ProblemKind.UNKNOWN_MACRO)

@@ -45,9 +45,9 @@ from urdfctl.source.problem import ProblemKind
     },
 )
 def xacro_condition_repeated(project: Project) -> Iterator[Finding]:
-    """Two alternatives have the same condition.
+    """Same condition on two alternatives.
 
-    An `<xacro:if>` is followed by another one of the same condition that brings the same elements: the robot
-    gets both or neither. One of the two is meant to be an `<xacro:unless>`.
+    Two `<xacro:if>` in a row have the same condition and contain the same elements. The robot gets both or neither. One
+    of them was probably meant to be an `<xacro:unless>`.
     """
     yield from findings_of(project, ProblemKind.CONDITION_REPEATED)

@@ -31,8 +31,9 @@ from urdfctl.source.problem import ProblemKind
     },
 )
 def xacro_fails(project: Project) -> Iterator[Finding]:
-    """Xacro cannot work with an element.
+    """Xacro cannot process an element.
 
-    A missing attribute, a name that is no identifier, two values for one property: xacro stops there.
+    The element lacks an attribute, has a name that is not an identifier, or gives a property two values. xacro stops
+    there.
     """
     yield from findings_of(project, ProblemKind.XACRO)

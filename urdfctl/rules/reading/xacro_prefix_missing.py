@@ -5,8 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from urdfctl.catalog.distros import ROS2, since
 from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import marks
+from urdfctl.rules.reading.common import consequences_of
 from urdfctl.source.problem import ProblemKind
 from urdfctl.source.span import Place, SourceSpan, SourceText
 
@@ -17,6 +19,7 @@ _PROLOG = rb"(?s)(?:\xef\xbb\xbf)?(?:\s+|<\?.*?\?>|<!--.*?-->|<!DOCTYPE[^>\[]*>)
 @rule(
     "UC018",
     severity=Severity.WARNING,
+    distros=(*since("noetic"), *ROS2),
     authority="xacro CHANGELOG 1.14.0 (noetic): 'removed deprecated --xacro-ns option'; eval_all() looks at names that begin with 'xacro:' only",
     bad={
         "robot.xacro": """
@@ -37,26 +40,29 @@ _PROLOG = rb"(?s)(?:\xef\xbb\xbf)?(?:\s+|<\?.*?\?>|<!--.*?-->|<!DOCTYPE[^>\[]*>)
     },
 )
 def xacro_prefix_missing(project: Project) -> Iterator[Finding]:
-    """A tag of xacro, or a macro's call, lacks the prefix `xacro:`.
+    """Xacro tag or macro call without the prefix `xacro:`.
 
-    From noetic on xacro expands nothing without the prefix, and says nothing: the tag stays in the robot,
-    where every reader passes over it. The inertia or the wheel that it stands for is missing.
+    Since noetic, xacro silently copies tags without the prefix. The tag stays in the robot, and programs that read the
+    robot ignore it. The wheel or inertia that the macro defines is missing. If xacro fails because of it, this is an
+    error. The rest of the robot is checked as if the prefix were there, as xacro read it until melodic.
     """
     for problem in project.of_kind(ProblemKind.PREFIX_MISSING):
-        edits = (*_declared(problem.at.source), *_prefixed(problem.at))
-        yield Finding(problem.at, problem.message, fix=Fix(problem.hint, edits))
+        edits = tuple(edit for at in (problem.at, *problem.also) for edit in _prefixed(at))
+        fix = Fix(problem.hint, (*_declared(problem.at.source), *edits))
+        severity = Severity.ERROR if problem.follows else None
+        yield Finding(problem.at, problem.message, notes=consequences_of(problem), fix=fix, severity=severity)
 
 
 def _declared(source: SourceText) -> tuple[Edit, ...]:
-    """The edit that declares the prefix in the root element of a file; none where that does so already."""
+    """Return the edit that declares the prefix in the root element of a file. Empty if it is already declared."""
     prolog = re.match(_PROLOG, source.data)
     root = source.start_tag(prolog.end()) if prolog else None
     if root is None or "xmlns:xacro" in root.attributes:
         return ()
-    behind_name = root.start + 1 + len(root.name.encode())
-    return (Edit(SourceSpan(source, behind_name, behind_name), f' xmlns:xacro="{_XACRO}"'),)
+    after_name = root.start + 1 + len(root.name.encode())
+    return (Edit(SourceSpan(source, after_name, after_name), f' xmlns:xacro="{_XACRO}"'),)
 
 
 def _prefixed(at: Place) -> tuple[Edit, ...]:
-    """The edits that give an element the prefix: of all that it becomes, its old tags are no part."""
+    """Return the edits that add the prefix to an element's start tag and end tag."""
     return tuple(Edit(SourceSpan(at.source, start, start + len(mark)), f"{mark}xacro:") for start, mark in marks(at))

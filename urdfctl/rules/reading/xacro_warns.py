@@ -33,7 +33,7 @@ from urdfctl.source.problem import ProblemKind
 def xacro_warns(project: Project) -> Iterator[Finding]:
     """Xacro prints a warning about an element.
 
-    It goes on, and what it does may not be what was meant: an attribute that it does not know is ignored, a
-    redefined symbol hides another.
+    xacro goes on, but the result may be wrong. For example, it ignores an unknown attribute, and a redefined symbol
+    hides another one.
     """
     yield from findings_of(project, ProblemKind.XACRO_WARNING)

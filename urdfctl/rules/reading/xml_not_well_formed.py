@@ -29,10 +29,10 @@ from urdfctl.source.problem import ProblemKind
     },
 )
 def xml_not_well_formed(project: Project) -> Iterator[Finding]:
-    """A file is not well-formed XML.
+    """File is not well-formed XML.
 
-    No program reads anything of it: robot_state_publisher, Gazebo and the controller manager all refuse the
-    whole description. Blanks before the XML declaration are an exception: xacro refuses them, and urdfdom does not.
+    robot_state_publisher, Gazebo and the controller manager all reject the whole description. One case is only a
+    warning: urdfdom accepts blanks before the XML declaration, but xacro does not.
     """
     yield from findings_of(project, ProblemKind.XML_SYNTAX)
     for finding in findings_of(project, ProblemKind.LATE_DECLARATION):

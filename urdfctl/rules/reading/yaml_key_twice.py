@@ -39,10 +39,10 @@ from urdfctl.source.problem import ProblemKind
     },
 )
 def yaml_key_twice(project: Project) -> Iterator[Finding]:
-    """A key is given twice in one map.
+    """Duplicate key in a map.
 
-    No reader says a word. A value that comes first is lost. Of two maps rosparam keeps the last one only; in ROS 2
-    nodes add them up, while the spawner and launch files, which read YAML with Python, see the last one.
+    No program reports it. If the values are not maps, the first one is lost. If both are maps, rosparam keeps only the
+    last one. ROS 2 nodes merge them, but the spawner and launch files read YAML with Python and see only the last one.
     """
     yield from findings_of(project, ProblemKind.YAML_DUPLICATE_KEY)
     severity = Severity.INFO if project.ros == 2 else None  # noqa: PLR2004

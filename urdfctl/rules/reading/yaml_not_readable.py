@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
 from urdfctl.rules.reading.common import findings_of
 from urdfctl.source.problem import ProblemKind
 
 
 @rule(
     "UC024",
+    stage=Stage.PARAMETERS,
     severity=Severity.ERROR,
     authority="rcl_yaml_param_parser/src/parse.c: 'Error parsing a event near line %d'; roslaunch: 'file <f> contains invalid YAML'",
     bad={
@@ -33,9 +34,9 @@ from urdfctl.source.problem import ProblemKind
     },
 )
 def yaml_not_readable(project: Project) -> Iterator[Finding]:
-    """A controllers' file is not YAML.
+    """Controller file is not valid YAML.
 
-    ROS 2's node ends when it starts ("Couldn't parse params file"), ROS 1's roslaunch stops: nothing of the file is
-    read.
+    A ROS 2 node exits at start ("Couldn't parse params file"), and roslaunch in ROS 1 stops. Nothing in the file is
+    used.
     """
     yield from findings_of(project, ProblemKind.YAML_SYNTAX)

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
 from urdfctl.rules.reading.common import findings_of
 from urdfctl.source.problem import ProblemKind
 
 
 @rule(
     "UC026",
+    stage=Stage.PARAMETERS,
     severity=Severity.ERROR,
     authority="YAML 1.1, section 4.2.1: tabs must not be used for indentation; PyYAML (roslaunch's reader) scanner.py: scan_to_next_token() skips blanks only",
     bad={
@@ -31,9 +32,9 @@ from urdfctl.source.problem import ProblemKind
     },
 )
 def yaml_tab(project: Project) -> Iterator[Finding]:
-    """A tab stands in a controllers' file where its reader takes none.
+    """Tab in a controller file where YAML does not allow it.
 
-    YAML forbids tabs in the indentation, and no reader takes the file: ROS 2's node ends when it starts, ROS 1's
-    roslaunch stops. rosparam, which reads YAML with Python, takes none behind a colon or a dash either.
+    YAML does not allow tabs in the indentation, and every program rejects the file. A ROS 2 node exits at start, and
+    roslaunch in ROS 1 stops. rosparam reads YAML with Python and also rejects tabs after a colon or a dash.
     """
     yield from findings_of(project, ProblemKind.YAML_TAB)

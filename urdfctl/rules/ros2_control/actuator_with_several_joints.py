@@ -43,10 +43,11 @@ from urdfctl.rules.ros2_control.common import component, components
     },
 )
 def actuator_with_several_joints(project: Project) -> Iterator[Finding]:
-    """A component of type actuator has not exactly one joint in a transmission.
+    """Transmission of an actuator component without exactly one joint.
 
-    An actuator drives one joint. The parser counts those of its transmissions, and refuses the description; without a
-    transmission more joints are taken. Several joints make a system.
+    A component of type `actuator` drives one joint. The parser counts the joints of each of its transmissions and
+    rejects the description if there is not exactly one. Without a transmission it accepts several joints. For several
+    joints, use type `system`.
     """
     for control in components(project):
         if (control.type or "").strip() != "actuator":
@@ -56,6 +57,6 @@ def actuator_with_several_joints(project: Project) -> Iterator[Finding]:
             if count != 1 and not transmission.is_ros1 and is_all_there(project, transmission.tag):
                 message = (
                     f"{label('transmission', transmission.name)} of {component(control)} has {count} joints, "
-                    "and a component of type 'actuator' drives one; several make a 'system'"
+                    "but a component of type 'actuator' drives one. For several joints, use type 'system'"
                 )
                 yield Finding(transmission.at, message)

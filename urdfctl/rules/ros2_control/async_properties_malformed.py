@@ -48,37 +48,37 @@ _POLICIES = ("synchronized", "detached")
     },
 )
 def async_properties_malformed(project: Project) -> Iterator[Finding]:
-    """What `<async>` of a component's `<properties>` says is not read.
+    """Invalid or unused `<async>` properties of a component.
 
-    From jazzy on the controller manager refuses the description, or does not initialize the component. Where the
-    component is not asynchronous the element is not read.
+    Since jazzy, the controller manager rejects the description or does not initialize the component. If the component
+    is not asynchronous, the element is ignored.
     """
     for control in components(project):
         asynchronous = control.tag.attributes.get("is_async", "").strip().lower() == "true"
         for properties in control.tag.named("properties"):
             for tag in first_of(properties, "async"):
                 if not asynchronous and is_known(control.tag.attributes.get("is_async")):
-                    message = f'<async> of {component(control)} is read only with is_async="true"'
+                    message = f'<async> of {component(control)} is ignored; it requires is_async="true"'
                     yield Finding(tag.at, message, severity=Severity.WARNING)
                     continue
-                for attribute, right in _faults(tag):
+                for attribute, expected in _malformed(tag):
                     text = tag.attributes[attribute]
-                    message = f"'{attribute}' of <async> of {component(control)} is '{text}'; it is {right}"
+                    message = f"'{attribute}' of <async> of {component(control)} must be {expected}, not '{text}'"
                     yield Finding(tag.at[attribute], message, severity=severity_where(project, JAZZY))
 
 
-def _faults(tag: Tag) -> Iterator[tuple[str, str]]:
-    """The attributes that are not read, each with what would be right."""
-    rights: dict[str, tuple[Callable[[str], bool], str]] = {
+def _malformed(tag: Tag) -> Iterator[tuple[str, str]]:
+    """The malformed attributes, each with the expected form."""
+    forms: dict[str, tuple[Callable[[str], bool], str]] = {
         "affinity": (_is_array, "a list of cores such as '[0,1]'"),
         "scheduling_policy": (_is_policy, "'synchronized' or 'detached'"),
-        "thread_priority": (is_positive_integer, "a whole number, 1 or more"),
+        "thread_priority": (is_positive_integer, "a positive integer"),
         "print_warnings": (is_boolean, "'true' or 'false'"),
     }
-    for attribute, (takes, right) in rights.items():
+    for attribute, (is_valid, expected) in forms.items():
         text = tag.attributes.get(attribute)
-        if text is not None and is_known(text) and not takes(text):
-            yield attribute, right
+        if text is not None and is_known(text) and not is_valid(text):
+            yield attribute, expected
 
 
 def _is_array(text: str) -> bool:

@@ -18,9 +18,8 @@ from urdfctl.source.span import SourceSpan
     "UC351",
     severity=Severity.WARNING,
     distros=ROS2,
-    authority="ros2_control hardware_interface/src/component_parser.cpp trims names from jazzy 4.43, kilted 5.12 "
-    "and rolling 6.4 on, and before not; topic_based_hardware_interfaces#1: a formatter broke the lines "
-    "of <plugin>",
+    authority="ros2_control hardware_interface/src/component_parser.cpp trims names since jazzy 4.43, kilted 5.12 "
+    "and rolling 6.4, but not before; topic_based_hardware_interfaces#1: a formatter wrapped the lines of <plugin>",
     options=["--distro=humble"],
     bad={
         "robot.urdf": """
@@ -47,10 +46,10 @@ from urdfctl.source.span import SourceSpan
     },
 )
 def blanks_around_name(project: Project) -> Iterator[Finding]:
-    """Spaces or line ends stand around a name in a component.
+    """Whitespace around a name in a component.
 
-    Up to iron, and in jazzy and kilted before 2026, they are part of it: there is no plugin, joint or interface of
-    that name. Newer releases cut them off.
+    Up to iron, and in jazzy and kilted releases before 2026, the whitespace is part of the name. No plugin, joint or
+    interface has that name. Newer releases strip it.
     """
     if not set(project.distros) - set(since("lyrical")):
         return
@@ -58,7 +57,7 @@ def blanks_around_name(project: Project) -> Iterator[Finding]:
         for hardware in control.hardware[-1:]:
             for plugin in hardware.plugins[:1]:
                 if plugin.padded and is_known(plugin.value):
-                    message = f"spaces stand around '{plugin.past_comments}' in <plugin>, and belong to the name"
+                    message = f"<plugin> has whitespace around '{plugin.past_comments}', which becomes part of the name"
                     yield Finding(plugin.at, message, fix=_bare(plugin), severity=severity_where(project, OLD))
         for tag in _named(control):
             for attribute in ("name", "type") if tag.name == "ros2_control" else ("name",):
@@ -66,7 +65,8 @@ def blanks_around_name(project: Project) -> Iterator[Finding]:
                 if text != text.strip() and text.strip() and is_known(text):
                     fix = replaced(tag.at[attribute], text, text.strip(), safe=True)
                     message = (
-                        f"spaces stand around '{text.strip()}' in '{attribute}' of <{tag.name}>, and belong to the name"
+                        f"'{attribute}' of <{tag.name}> has whitespace around '{text.strip()}', "
+                        "which becomes part of the name"
                     )
                     yield Finding(tag.at[attribute], message, fix=fix)
 
@@ -81,7 +81,7 @@ def _bare(plugin: Text) -> Fix:
 
 
 def _named(control: Ros2Control) -> Iterator[Tag]:
-    """The elements of a component that are known by name."""
+    """The elements of a component that have a name."""
     yield control.tag
     for part in control.parts:
         yield part.tag

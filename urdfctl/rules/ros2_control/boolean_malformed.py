@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.catalog.distros import since
 from urdfctl.model.parts import Tag
 from urdfctl.model.ros2_control import Ros2Control
 from urdfctl.rule import Finding, Project, Severity, rule
@@ -16,7 +17,7 @@ _WORDS = {"1": "true", "yes": "true", "on": "true", "0": "false", "no": "false",
 @rule(
     "UC317",
     severity=Severity.ERROR,
-    distros=("iron", *JAZZY),
+    distros=since("iron"),
     authority="ros2_control hardware_interface/src/component_parser.cpp: \"Input string : 'yes' is not a valid "
     "boolean value. Expected 'true' or 'false'.\"",
     options=["--distro=jazzy"],
@@ -46,10 +47,10 @@ _WORDS = {"1": "true", "yes": "true", "on": "true", "0": "false", "no": "false",
     },
 )
 def boolean_malformed(project: Project) -> Iterator[Finding]:
-    """An attribute that is true or false says something else.
+    """Invalid boolean attribute in a component.
 
-    From jazzy on the controller manager refuses the description. Iron reads is_async alone of them, and takes
-    anything but `true` and `True` for false.
+    Since jazzy, the controller manager rejects the description. Iron reads only `is_async` and treats every value
+    except `true` and `True` as false.
     """
     for control in components(project):
         for owner, tag, attribute in _booleans(control):
@@ -58,15 +59,15 @@ def boolean_malformed(project: Project) -> Iterator[Finding]:
                 continue
             if attribute != "is_async" and not set(JAZZY) & set(project.distros):
                 continue
-            right = _WORDS.get(text.strip().lower())
+            meant = _WORDS.get(text.strip().lower())
             at = tag.at[attribute]
-            fix = replaced(at, text, right) if right else None
-            message = f"'{attribute}' of {owner} is '{text}'; it is either 'true' or 'false'"
+            fix = replaced(at, text, meant) if meant else None
+            message = f"'{attribute}' of {owner} must be 'true' or 'false', not '{text}'"
             yield Finding(at, message, fix=fix, severity=severity_where(project, JAZZY))
 
 
 def _booleans(control: Ros2Control) -> Iterator[tuple[str, Tag, str]]:
-    """The elements with attributes that are read as booleans, each with what it is of."""
+    """The elements with boolean attributes, each after its owner and before the attribute."""
     yield component(control), control.tag, "is_async"
     for part in control.parts:
         owner = label(part.kind, part.name)
@@ -74,7 +75,7 @@ def _booleans(control: Ros2Control) -> Iterator[tuple[str, Tag, str]]:
             yield owner, part.tag, "mimic"
         tags = [part.tag] if part.kind != "gpio" else []
         for tag in (*tags, *(interface.tag for interface in part.interfaces)):
-            yield from ((f"the <limits> of {owner}", limits, "enable") for limits in first_of(tag, "limits"))
+            yield from ((f"<limits> of {owner}", limits, "enable") for limits in first_of(tag, "limits"))
     for transmission in control.transmissions:
         for end in (*transmission.joints, *transmission.actuators):
             yield f"{label(end.kind, end.name)} of {label('transmission', transmission.name)}", end.tag, "read_only"

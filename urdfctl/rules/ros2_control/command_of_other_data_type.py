@@ -43,9 +43,10 @@ _MIRRORED = ("position", "velocity", "acceleration", "effort")
     },
 )
 def command_of_other_data_type(project: Project) -> Iterator[Finding]:
-    """A command of mock hardware's joint is not of type double, and its state is to follow it.
+    """Mirrored command interface of mock hardware is not of type double.
 
-    From jazzy on mock hardware stops at the first read, and is deactivated.
+    Mock hardware copies this command to the joint's state. Since jazzy, it fails at the first read and is deactivated
+    if the command is not of type `double`.
     """
     for control, part in parts(project, "joint"):
         if not any(each.type == MOCK for each in known_hardware(project, control)):
@@ -54,5 +55,6 @@ def command_of_other_data_type(project: Project) -> Iterator[Finding]:
         for interface in part.commands:
             kind = interface.tag.attributes.get("data_type", "double").strip()
             if kind in DATA_TYPES and kind != "double" and interface.name in states & set(_MIRRORED):
-                message = f"the data type of {called(interface)} of {label('joint', part.name)} is '{kind}'; it is 'double' here"
+                of = f"{called(interface)} of {label('joint', part.name)}"
+                message = f"{of} has data type '{kind}', but mock hardware requires 'double'"
                 yield Finding(interface.at["data_type"], message, severity=severity_where(project, JAZZY))

@@ -14,8 +14,8 @@ from urdfctl.rules.ros2_control.common import parts
     "UC346",
     severity=Severity.INFO,
     distros=ROS2,
-    authority="ros2_controllers: joint_trajectory_controller asks for state interfaces of each joint; "
-    "joint_state_broadcaster publishes those that there are",
+    authority="ros2_controllers: joint_trajectory_controller requires state interfaces of each joint; "
+    "joint_state_broadcaster publishes those that exist",
     bad={
         "robot.urdf": """
             <ros2_control name="arm" type="system">
@@ -37,10 +37,10 @@ from urdfctl.rules.ros2_control.common import parts
     },
 )
 def command_without_state(project: Project) -> Iterator[Finding]:
-    """A joint can be commanded, and nothing of it can be read.
+    """Joint with a command interface but no state interface.
 
-    It is in no joint state, so that RViz does not move it, and controllers with feedback do not take it. Mock
-    hardware and Gazebo have its position for the asking.
+    The joint is missing from the joint states, so RViz does not move it. Controllers with feedback reject it. Mock
+    hardware and Gazebo can both provide its position.
     """
     for control, part in parts(project, "joint"):
         if (
@@ -49,5 +49,6 @@ def command_without_state(project: Project) -> Iterator[Finding]:
             and is_all_there(project, part.tag)
             and (control.type or "").strip() == "system"
         ):
-            message = f"{label('joint', part.name)} has a command interface and no state interface; add its position"
+            missing = '<state_interface name="position"/>'
+            message = f"{label('joint', part.name)} has a command interface but no state interface; add {missing}"
             yield Finding(part.at, message)

@@ -16,8 +16,8 @@ _PLUGIN = "gazebo_ros2_control"
     severity=Severity.WARNING,
     distros=("humble",),
     authority="gazebo_ros2_control#295, gz_ros2_control#503: \"Couldn't parse parameter override rule: '--param "
-    'robot_description:=<?xml version="; the plugin hands the description to the controller manager as a '
-    "parameter, which is read as YAML",
+    'robot_description:=<?xml version="; the plugin passes the description to the controller manager as a '
+    "parameter, which is parsed as YAML",
     bad={
         "robot.urdf": """
             <gazebo>
@@ -48,11 +48,11 @@ _PLUGIN = "gazebo_ros2_control"
     },
 )
 def comment_breaks_parameter(project: Project) -> Iterator[Finding]:
-    """A comment has a colon with a space behind it, or a space with # behind it.
+    """Comment breaks Gazebo Classic's plugin in humble.
 
-    Gazebo Classic's plugin of humble (from 0.4.7 on) hands the whole description to the controller manager as a
-    parameter, which is read as YAML: there a colon and a space make a key, and a space and # a comment. The
-    simulation then has no controller manager.
+    In humble, Gazebo Classic's plugin (0.4.7 and later) passes the whole description to the controller manager as a
+    parameter, which is parsed as YAML. There, a colon followed by whitespace makes a key, and `#` after whitespace
+    starts a comment. The simulation then has no controller manager.
     """
     robot = robot_in(project)
     if robot is None or not any(_PLUGIN in (plugin.filename or "") for plugin in robot.plugins):
@@ -60,6 +60,6 @@ def comment_breaks_parameter(project: Project) -> Iterator[Finding]:
     for comment in robot.tag.comments() if robot.tag else ():
         broken = re.search(r":\s|\s#", comment.text)
         if broken:
-            what = "a colon with a space behind it" if ":" in broken.group() else "a space with # behind it"
-            message = f"this comment has {what}: Gazebo's plugin of humble cannot pass the description on"
-            yield Finding(comment.at, message, fix=Fix("take it out of the comment, or the comment out of the file"))
+            what = "a colon followed by whitespace" if ":" in broken.group() else "'#' after whitespace"
+            message = f"comment contains {what}; Gazebo's plugin in humble cannot pass on the description"
+            yield Finding(comment.at, message, fix=Fix("remove it from the comment, or delete the comment"))

@@ -1,4 +1,4 @@
-"""What the rules on `<ros2_control>` share: what its parser reads, and what is surely there."""
+"""Shared by the rules on `<ros2_control>`: the elements that its parser reads, and checks of their texts."""
 
 from __future__ import annotations
 
@@ -6,13 +6,13 @@ import re
 from collections.abc import Container, Iterable, Iterator
 
 from urdfctl.catalog.distros import ROS2, since, until
-from urdfctl.hints import TYPE_CHECKING
 from urdfctl.model.parts import Tag, Text
 from urdfctl.model.ros2_control import Interface, Parameter, Part, Ros2Control
 from urdfctl.rule import Edit, Fix, Note, Project
 from urdfctl.rules.common import is_known, label, robot_in
 from urdfctl.rules.ros2_control.facts import INTERFACES_OF_ROS1
 from urdfctl.source.span import Place, SourceSpan
+from urdfctl.startup.hints import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfctl.catalog.hardware import HardwareType
@@ -20,19 +20,19 @@ if TYPE_CHECKING:
 JAZZY = since("jazzy")
 """The distros whose parser compares the tag with the URDF, and reads limits, data types and rates."""
 OLD = until("iron")
-"""Those whose parser reads the tag alone."""
+"""The distros whose parser reads only the tag."""
 
 _NUMBER = r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?"
 
 
 def components(project: Project) -> tuple[Ros2Control, ...]:
-    """The components that the parser reads: those directly in the root element."""
+    """Return the components that the parser reads: those directly in the root element."""
     robot = robot_in(project)
     return tuple(control for control in robot.ros2_controls if control.parent == robot.element) if robot else ()
 
 
 def parts(project: Project, *kinds: str) -> Iterator[tuple[Ros2Control, Part]]:
-    """The joints, sensors and gpios of all components, or those of some kinds, each with its component."""
+    """Yield the joints, sensors and gpios of all components, or only some kinds, each with its component."""
     for control in components(project):
         for part in control.parts:
             if not kinds or part.kind in kinds:
@@ -40,14 +40,14 @@ def parts(project: Project, *kinds: str) -> Iterator[tuple[Ros2Control, Part]]:
 
 
 def interfaces(project: Project) -> Iterator[tuple[Part, Interface]]:
-    """All interfaces, each with the joint, sensor or gpio it is of."""
+    """Yield all interfaces, each with its joint, sensor or gpio."""
     for _, part in parts(project):
         for interface in part.interfaces:
             yield part, interface
 
 
 def parameters(project: Project) -> Iterator[tuple[str, tuple[Parameter, ...]]]:
-    """The parameters that stand together, each time with what they are of."""
+    """Yield the parameters of each element that has some, after the label of the element."""
     for control in components(project):
         for hardware in control.hardware:
             yield f"the hardware of {component(control)}", hardware.parameters
@@ -60,27 +60,27 @@ def parameters(project: Project) -> Iterator[tuple[str, tuple[Parameter, ...]]]:
 
 
 def component(control: Ros2Control) -> str:
-    """What a message calls a component."""
+    """Return the label of a component in a message."""
     return label("component", control.name)
 
 
 def called(interface: Interface) -> str:
-    """What a message calls an interface: `command interface 'position'`."""
+    """Return the label of an interface in a message: `command interface 'position'`."""
     return label(f"{interface.kind} interface", interface.name)
 
 
 def of_part(control: Ros2Control, part: Part) -> str:
-    """What a message calls a part in its component."""
+    """Return the label of a part in its component, for a message."""
     return f"{label(part.kind, part.name)} in {component(control)}"
 
 
 def is_boolean(text: str) -> bool:
-    """Whether jazzy's parser reads a text as a boolean: `true` or `false`, in letters of any case."""
+    """Return whether jazzy's parser reads a text as a boolean: `true` or `false`, in any case."""
     return text.strip().lower() in ("true", "false")
 
 
 def whole_element(at: Place) -> SourceSpan | None:
-    """All of an element from its start tag to its end tag; None where the source does not write it literally."""
+    """Return the span of an element with its start and end tag; None if the source does not write it literally."""
     start = at.span
     if at.closing is None:
         return start if start.text.endswith("/>") else None
@@ -89,8 +89,10 @@ def whole_element(at: Place) -> SourceSpan | None:
 
 
 def followers(project: Project) -> Iterator[tuple[Part, tuple[Ros2Control, str]]]:
-    """The joints that mimic another as jazzy's parser has it, each with its component and the other's name: the URDF's
-    `<mimic>` makes them so, where the attribute `mimic` does not say false."""
+    """Yield the mimic joints, each with its component and the name of the mimicked joint.
+
+    As in jazzy's parser, a joint is a mimic joint if the URDF has a `<mimic>` and its attribute `mimic` is not false.
+    """
     robot = robot_in(project)
     mimics = {joint.name: joint.mimic.joint for joint in robot.joints if joint.mimic} if robot else {}
     for control, joint in parts(project, "joint") if mimics else ():
@@ -100,53 +102,56 @@ def followers(project: Project) -> Iterator[tuple[Part, tuple[Ros2Control, str]]
 
 
 def first_of(tag: Tag, name: str) -> tuple[Tag, ...]:
-    """The first child of a name, which is all that is read of them; none where there is none."""
+    """Return the first child of a name, the only one that is read; empty if there is none."""
     return tuple(tag.named(name))[:1]
 
 
 def leading_integer(text: str) -> int | None:
-    """What C++'s std::stoi reads: the whole number at the start of a text, whatever follows; None where it throws."""
-    found = re.match(r"\s*[+-]?[0-9]{1,30}", text)
-    return int(found.group()) if found else None
+    """Return what C++'s std::stoi reads: the integer at the start of a text; None if it throws."""
+    integer = re.match(r"\s*[+-]?[0-9]{1,30}", text)
+    return int(integer.group()) if integer else None
 
 
 def is_positive_integer(text: str) -> bool:
-    """Whether a text is a whole number above 0 that an int holds, without sign or point."""
+    """Return whether a text is a positive integer that fits into an int, without sign or point."""
     return bool(re.fullmatch(r"[1-9][0-9]{0,9}", text.strip())) and int(text) < 2**31
 
 
 def hardware_interfaces(tag: Tag) -> list[str]:
-    """The hardware interfaces of ROS 1 that a transmission's joint names."""
+    """Return the hardware interfaces of ROS 1 that a transmission's joint names."""
     return [child.text for child in tag.named("hardwareInterface")]
 
 
-def replacement(joints: Iterable[tuple[str | None, list[str]]], there: Container[str | None]) -> Iterator[Note]:
-    """What to write in `<ros2_control>` for joints of ROS 1's transmissions that it does not have, by their names and
-    hardware interfaces."""
-    for name, found in joints:
-        if not name or name in there:
+def replacement(joints: Iterable[tuple[str | None, list[str]]], controlled: Container[str | None]) -> Iterator[Note]:
+    """Yield what to write in `<ros2_control>` for joints of ROS 1 transmissions.
+
+    joints: names with their hardware interfaces of ROS 1. controlled: the joints that `<ros2_control>` already has.
+    """
+    for name, of_ros1 in joints:
+        if not name or name in controlled:
             continue
-        words = [INTERFACES_OF_ROS1.get(each.rsplit("/")[-1]) for each in found]
-        commands = [word for word in words if word] or ["position"]
-        inside = [f'<command_interface name="{word}"/>' for word in commands]
-        inside += [f'<state_interface name="{word}"/>' for word in dict.fromkeys(("position", "velocity", *commands))]
-        yield Note(f'in <ros2_control> it is <joint name="{name}">{"".join(inside)}</joint>')
+        of_ros2 = [INTERFACES_OF_ROS1.get(interface.rsplit("/")[-1]) for interface in of_ros1]
+        commands = [interface for interface in of_ros2 if interface] or ["position"]
+        states = dict.fromkeys(("position", "velocity", *commands))
+        inside = [f'<command_interface name="{interface}"/>' for interface in commands]
+        inside += [f'<state_interface name="{interface}"/>' for interface in states]
+        yield Note(f'in <ros2_control>, write <joint name="{name}">{"".join(inside)}</joint>')
 
 
 def is_number(text: str) -> bool:
-    """Whether ros2_control reads a text as a number: a finite decimal with nothing behind it."""
+    """Return whether ros2_control reads a text as a number: a finite decimal with nothing after it."""
     return bool(re.fullmatch(_NUMBER, text.strip())) and abs(float(text)) != float("inf")
 
 
 def known_hardware(project: Project, control: Ros2Control) -> tuple[HardwareType, ...]:
-    """What the catalogue knows of a component's plugin, for each distro that the project may be for and that has it."""
+    """Return the catalogue entries of a component's plugin, one for each of the project's distros that has it."""
     name = control.plugin or ""
-    found = (project.catalog.hardware(name, distro) for distro in project.distros if distro in ROS2) if name else ()
-    return tuple(each for each in found if each is not None)
+    entries = (project.catalog.hardware(name, distro) for distro in project.distros if distro in ROS2) if name else ()
+    return tuple(entry for entry in entries if entry is not None)
 
 
 def is_deaf(project: Project, control: Ros2Control, name: str) -> bool:
-    """Whether a component's plugin is one that does not read a joint's parameter, in a distro that it may be for."""
+    """Return whether a component's plugin is known to ignore a joint parameter in one of the project's distros."""
     return any(
         each.joint_parameters is not None and name not in each.joint_parameters
         for each in known_hardware(project, control)
@@ -154,19 +159,19 @@ def is_deaf(project: Project, control: Ros2Control, name: str) -> bool:
 
 
 def folded(name: str) -> str:
-    """A plugin's name without what people get wrong in it: letters' case, separators and quotes."""
+    """Return a plugin's name without the usual slips: case, separators and quotes."""
     return name.strip("\"' ").lower().replace("::", "/").replace("-", "_")
 
 
-def mended(text: Text, right: str) -> Fix:
-    """The repair that writes another text into an element; for a person to make where the source does not write it so."""
+def corrected(text: Text, new: str) -> Fix:
+    """Return the fix that replaces the text of an element; without edits if the source does not write it literally."""
     content = text.at.content.span
-    edits = (Edit(content, right),) if content.text == text.past_comments else ()
-    return Fix(f"write '{right}'", edits)
+    edits = (Edit(content, new),) if content.text == text.past_comments else ()
+    return Fix(f"write '{new}'", edits)
 
 
 def side_by_side(project: Project, first: Place, second: Place) -> bool:
-    """Whether two elements stand there both: in a library, where conditions are not decided, none may be between them."""
+    """Return whether both elements exist at once: in a library, no undecided condition may be between them."""
     if not project.library:
         return True
     between = first.source.data[first.start : second.start]

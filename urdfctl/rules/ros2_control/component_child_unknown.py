@@ -6,12 +6,12 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.model.parts import Tag
+from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import respelt, severity_where
 from urdfctl.rules.ros2_control.common import OLD, component, components
 from urdfctl.rules.ros2_control.facts import CHILDREN
 from urdfctl.source.opaque import UNKNOWN
-from urdfctl.suggest import nearest
 
 
 @rule(
@@ -40,40 +40,44 @@ from urdfctl.suggest import nearest
     },
 )
 def component_child_unknown(project: Project) -> Iterator[Finding]:
-    """An element stands in `<ros2_control>` that its parser does not know.
+    """Unknown element in `<ros2_control>`.
 
-    It refuses the whole description. It knows hardware, joint, sensor, gpio and transmission, and from jazzy on
-    properties.
+    The parser rejects the whole description. It accepts `hardware`, `joint`, `sensor`, `gpio` and `transmission`, and
+    since jazzy also `properties`.
     """
     for control in components(project):
         for child in control.others:
-            if child.name == UNKNOWN or ":" in child.name or (child.name == "properties" and not _refuses(project)):
+            if (
+                child.name == UNKNOWN
+                or ":" in child.name
+                or (child.name == "properties" and not _rejects_properties(project))
+            ):
                 continue
             if child.name == "properties":
-                message = f"<properties> in {component(control)} is read from jazzy on; up to iron it is refused"
+                message = f"<properties> in {component(control)} is read since jazzy; iron and earlier reject it"
                 yield Finding(child.at, message, severity=severity_where(project, OLD))
                 continue
             meant = None if child.name in _ELSEWHERE else nearest(child.name, CHILDREN)
-            message = f"<{child.name}> may not stand in {component(control)}{_instead(child, meant)}"
+            message = f"<{child.name}> is not allowed in {component(control)}{_instead(child, meant)}"
             yield Finding(child.at, message, fix=respelt(child, meant))
 
 
 _ELSEWHERE = {
     "plugin": "<hardware>",
-    "param": "<hardware>, or a joint, sensor or gpio",
+    "param": "<hardware>, <joint>, <sensor> or <gpio>",
     "group": "<hardware>",
     "command_interface": "<joint> or <gpio>",
     "state_interface": "<joint>, <sensor> or <gpio>",
 }
 
 
-def _refuses(project: Project) -> bool:
+def _rejects_properties(project: Project) -> bool:
     return bool(set(OLD) & set(project.distros))
 
 
 def _instead(child: Tag, meant: str | None) -> str:
     if child.name in _ELSEWHERE:
-        return f"; it belongs into {_ELSEWHERE[child.name]}"
+        return f"; move it into {_ELSEWHERE[child.name]}"
     if meant:
         return f"; did you mean '{meant}'?"
-    return "; it knows hardware, joint, sensor, gpio and transmission"
+    return "; expected <hardware>, <joint>, <sensor>, <gpio> or <transmission>"

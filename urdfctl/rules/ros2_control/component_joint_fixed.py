@@ -40,16 +40,19 @@ from urdfctl.rules.ros2_control.common import JAZZY, component, parts
     },
 )
 def component_joint_fixed(project: Project) -> Iterator[Finding]:
-    """A component names a joint that is fixed.
+    """Fixed joint in a ros2_control component.
 
-    From jazzy on the controller manager refuses the description. Before, nothing can move the joint, and simulators
-    do not even have it.
+    Since jazzy, the controller manager rejects the description. In earlier distros nothing can move the joint, and
+    simulators do not have it at all.
     """
     robot = robot_in(project)
     joints = {joint.name: joint for joint in reversed(robot.joints)} if robot else {}
     for control, joint in parts(project, "joint"):
-        found = joints.get((joint.name or "").strip())
-        if found is not None and found.type == "fixed" and is_known(joint.name):
-            message = f"joint '{found.name}' in {component(control)} is fixed; take it out, or make it one that moves"
-            note = Note("its type is here", found.at["type"])
+        in_urdf = joints.get((joint.name or "").strip())
+        if in_urdf is not None and in_urdf.type == "fixed" and is_known(joint.name):
+            message = (
+                f"{component(control)} controls joint '{in_urdf.name}', which is fixed. "
+                "Remove it, or change the joint's type"
+            )
+            note = Note("the joint's type is set here", in_urdf.at["type"])
             yield Finding(joint.at["name"], message, (note,), severity=severity_where(project, JAZZY))

@@ -39,10 +39,10 @@ from urdfctl.rules.ros2_control.common import JAZZY, component, parts
     },
 )
 def component_joint_unknown(project: Project) -> Iterator[Finding]:
-    """A component names a joint that the robot does not have.
+    """Unknown joint in a ros2_control component.
 
-    From jazzy on the controller manager refuses the description. Before, a simulator passes over the joint, so that
-    its interfaces are missing, and mock hardware makes joint states of a joint that nobody knows.
+    Since jazzy, the controller manager rejects the description. In earlier distros a simulator skips the joint, so its
+    interfaces are missing, and mock hardware publishes states of a joint that does not exist.
     """
     robot = whole_robot_in(project)
     if robot is None or project.library or not robot.joints:
@@ -52,12 +52,12 @@ def component_joint_unknown(project: Project) -> Iterator[Finding]:
         name = joint.name
         if name is None or not is_known(name) or name.strip() in known:
             continue
-        right = known.meant_by(name)
+        meant = known.meant_by(name)
         at = joint.at["name"]
-        reason = f"; did you mean '{right}'?" if right else ", and none of the robot's is like it"
-        fix = replaced(at, name, right) if right else None
+        hint = f"; did you mean '{meant}'?" if meant else ""
+        fix = replaced(at, name, meant) if meant else None
         notes = tuple(_links(robot, name))
-        message = f"unknown joint '{name}' in {component(control)}{reason}"
+        message = f"{component(control)} names joint '{name}', which the robot does not have{hint}"
         yield Finding(at, message, notes, fix, severity_where(project, JAZZY))
 
 
@@ -65,7 +65,7 @@ def _links(robot: Robot, name: str) -> Iterator[Note]:
     link = next((link for link in robot.links if link.name == name), None)
     if link is None:
         return
-    yield Note(f"'{name}' is a link; a component drives joints", link.at)
+    yield Note(f"'{name}' is a link; a component controls joints", link.at)
     for joint in robot.joints:
         if joint.child is not None and joint.child.name == name:
-            yield Note(f"the joint that moves this link is '{joint.name}'", joint.at)
+            yield Note(f"joint '{joint.name}' moves this link", joint.at)

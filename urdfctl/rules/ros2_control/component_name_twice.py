@@ -44,9 +44,9 @@ from urdfctl.rules.ros2_control.common import components
     },
 )
 def component_name_twice(project: Project) -> Iterator[Finding]:
-    """Two components have the same name.
+    """Duplicate component name.
 
-    The controller manager refuses the description; galactic took it, and could not tell them apart.
+    The controller manager rejects the description. Galactic accepts it, but cannot tell the components apart.
     """
     first: dict[str, Ros2Control] = {}
     for control in components(project):
@@ -55,6 +55,6 @@ def component_name_twice(project: Project) -> Iterator[Finding]:
             continue
         before = first.setdefault(name, control)
         if before is not control:
-            message = f"there is already a component '{name}'; each <ros2_control> has a name of its own"
+            message = f"component name '{name}' is already used; give each <ros2_control> a unique name"
             severity = Severity.WARNING if project.distro == "galactic" else Severity.ERROR
-            yield Finding(control.at["name"], message, (Note("it is here", before.at["name"]),), severity=severity)
+            yield Finding(control.at["name"], message, (Note("first used here", before.at["name"]),), severity=severity)

@@ -38,10 +38,11 @@ _LONGEST = 255
     },
 )
 def component_name_unusable(project: Project) -> Iterator[Finding]:
-    """A component's name is none that a node can have.
+    """Component name is not a valid node name.
 
-    From jazzy on each component has a node of its own, called like it: letters, digits and underscores of ASCII, no
-    digit in front, 255 at most. With any other name the component is not initialized, and the description is refused.
+    Since jazzy, each component has a node of the same name. A node name has ASCII letters, digits and underscores, at
+    most 255 characters, and no leading digit. With any other name the component is not initialized, and the description
+    is rejected.
     """
     for control in components(project):
         name = control.name
@@ -51,19 +52,15 @@ def component_name_unusable(project: Project) -> Iterator[Finding]:
             or (re.fullmatch(_NODE_NAME, name.strip()) and len(name.strip()) <= _LONGEST)
         ):
             continue
-        at, right = control.at["name"], _mended(name)
-        what = f"'{name}' cannot name a component"
+        at, valid = control.at["name"], _corrected(name)
+        what = f"component name '{name}' is not a valid node name"
         if not name.strip() or len(name) > _LONGEST:
-            what = (
-                "the name of a component is empty"
-                if not name.strip()
-                else f"a component's name has {len(name)} characters"
-            )
-        fix = replaced(at, name, right) if right else None
-        message = f"{what}: it becomes a node's, of letters, digits and underscores, {_LONGEST} at most"
+            what = "component name is empty" if not name.strip() else f"component name has {len(name)} characters"
+        fix = replaced(at, name, valid) if valid else None
+        message = f"{what}; use at most {_LONGEST} letters, digits and underscores, and no leading digit"
         yield Finding(at, message, fix=fix, severity=severity_where(project, JAZZY))
 
 
-def _mended(name: str) -> str | None:
-    right = re.sub(r"[^A-Za-z0-9_/]+", "_", name.strip()).strip("_")[:_LONGEST]
-    return right if re.fullmatch(_NODE_NAME, right) and "$" not in name else None
+def _corrected(name: str) -> str | None:
+    valid = re.sub(r"[^A-Za-z0-9_/]+", "_", name.strip()).strip("_")[:_LONGEST]
+    return valid if re.fullmatch(_NODE_NAME, valid) and "$" not in name else None

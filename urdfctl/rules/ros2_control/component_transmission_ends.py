@@ -43,11 +43,11 @@ from urdfctl.rules.ros2_control.common import components
     },
 )
 def component_transmission_ends(project: Project) -> Iterator[Finding]:
-    """A transmission in a component has not the joints or actuators that its type wants.
+    """Wrong number of joints or actuators in a transmission of a component.
 
-    A simple one has one of each, a differential and a four-bar linkage two. The description loads, and hardware that
-    loads the transmission stops at one with too few; of too many the first are taken. An actuator component has its
-    actuator made.
+    A simple transmission has one joint and one actuator; a differential and a four-bar linkage have two of each. The
+    description loads, but hardware that loads the transmission fails if there are too few. If there are too many, the
+    first ones are used. For a component of type `actuator`, the parser creates the actuator.
     """
     for control in components(project):
         for transmission in control.transmissions:
@@ -60,12 +60,12 @@ def component_transmission_ends(project: Project) -> Iterator[Finding]:
                 or (control.type or "").strip() == "actuator"
             ):
                 continue
-            for what, ends, due in (
+            for what, ends, required in (
                 ("joint", transmission.joints, kind.joints),
                 ("actuator", transmission.actuators, kind.actuators),
             ):
-                if due is not None and len(ends) != due:
-                    there = {0: f"no {what}", 1: f"one {what}"}.get(len(ends), f"{len(ends)} {what}s")
+                if required is not None and len(ends) != required:
+                    count = {0: f"no {what}", 1: f"1 {what}"}.get(len(ends), f"{len(ends)} {what}s")
                     short = name.rsplit("/")[-1]
-                    message = f"{label('transmission', transmission.name)} has {there}; a {short} has {due}"
+                    message = f"{label('transmission', transmission.name)} has {count}, but {short} requires {required}"
                     yield Finding(transmission.at, message)

@@ -15,8 +15,7 @@ from urdfctl.rules.ros2_control.common import component, components
     "UC350",
     severity=Severity.WARNING,
     distros=ROS2,
-    authority="measured with jazzy's controller manager, which takes both; hardware tells transmissions apart by "
-    "their names",
+    authority="measured with jazzy's controller manager, which accepts both; hardware identifies transmissions by name",
     in_library=False,
     bad={
         "robot.urdf": """
@@ -54,9 +53,10 @@ from urdfctl.rules.ros2_control.common import component, components
     },
 )
 def component_transmission_name_twice(project: Project) -> Iterator[Finding]:
-    """Two transmissions of a component have the same name.
+    """Duplicate transmission name in a component.
 
-    The parser takes both. Hardware that keeps them by name has one of them, and messages do not tell which they mean.
+    The parser accepts both transmissions. Hardware that stores transmissions by name keeps only one of them, and log
+    messages do not say which one they mean.
     """
     for control in components(project):
         first: dict[str, ControlTransmission] = {}
@@ -66,5 +66,5 @@ def component_transmission_name_twice(project: Project) -> Iterator[Finding]:
                 continue
             before = first.setdefault(name, transmission)
             if before is not transmission:
-                message = f"there is already a transmission '{name}' in {component(control)}"
-                yield Finding(transmission.at["name"], message, (Note("it is here", before.at["name"]),))
+                message = f"transmission name '{name}' is already used in {component(control)}"
+                yield Finding(transmission.at["name"], message, (Note("first used here", before.at["name"]),))

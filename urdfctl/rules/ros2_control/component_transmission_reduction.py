@@ -15,7 +15,7 @@ from urdfctl.rules.ros2_control.common import components, is_number
     severity=Severity.WARNING,
     distros=ROS2,
     authority='ros2_control transmission_interface/simple_transmission.hpp: "Transmission reduction ratio cannot be'
-    ' zero."; component_parser.cpp get_parameter_value_or() takes the default for what is no number',
+    ' zero."; component_parser.cpp get_parameter_value_or() uses the default for anything that is not a number',
     bad={
         "robot.urdf": """
             <ros2_control name="arm" type="system">
@@ -44,10 +44,10 @@ from urdfctl.rules.ros2_control.common import components, is_number
     },
 )
 def component_transmission_reduction(project: Project) -> Iterator[Finding]:
-    """A reduction or offset of a transmission in a component is 0 or no number.
+    """Invalid reduction or offset of a transmission in a component.
 
-    Hardware that loads the transmission stops at a reduction of 0. For what is no number the default is taken without
-    a word: 1 for a reduction, 0 for an offset. Up to galactic the description is refused there.
+    Hardware that loads the transmission fails if the reduction is 0. A value that is not a number is silently replaced
+    by the default: 1 for a reduction, 0 for an offset. Up to galactic, the description is rejected instead.
     """
     for control in components(project):
         for transmission in control.transmissions:
@@ -60,7 +60,7 @@ def component_transmission_reduction(project: Project) -> Iterator[Finding]:
                             continue
                         if not is_number(value):
                             default = "1" if what == "reduction" else "0"
-                            message = f"the {what} of {of} is '{value}', which is no number: {default} is taken"
+                            message = f"{what} of {of} is '{value}', which is not a number; {default} is used instead"
                             yield Finding(text.at, message, severity=severity_where(project, until("galactic")))
                         elif what == "reduction" and float(value) == 0:
-                            yield Finding(text.at, f"the reduction of {of} is 0, which no gear has; 1 is none at all")
+                            yield Finding(text.at, f"reduction of {of} must not be 0; for no reduction, use 1")

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from urdfctl.catalog.distros import ROS2
+from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, label
-from urdfctl.rules.ros2_control.common import component, components, mended
-from urdfctl.suggest import nearest
+from urdfctl.rules.ros2_control.common import component, components, corrected
 
 
 @rule(
@@ -45,10 +45,10 @@ from urdfctl.suggest import nearest
     },
 )
 def component_transmission_unknown(project: Project) -> Iterator[Finding]:
-    """A transmission in a component is of a type that ROS 2 does not have.
+    """Unknown transmission type in a component.
 
-    The description loads, and hardware that loads the transmission stops at it. Up to galactic there is none to be
-    loaded.
+    The description loads, but hardware that loads the transmission fails. Up to galactic, no transmission type is
+    available.
     """
     known = {name for distro in project.distros for name in project.catalog.known_transmissions(distro)}
     for control in components(project):
@@ -60,11 +60,14 @@ def component_transmission_unknown(project: Project) -> Iterator[Finding]:
             if meant is None and not name.startswith("transmission_interface"):
                 continue
             of = f"{label('transmission', transmission.name)} in {component(control)}"
-            what = f"; did you mean '{meant}'?" if meant else "; there are Simple, Differential and FourBarLinkage"
-            fix = mended(transmission.plugins[0], meant) if meant else None
-            yield Finding(transmission.plugins[0].at, f"unknown type '{name}' of {of}{what}", fix=fix)
+            hint = f"did you mean '{meant}'?" if meant else _EXPECTED
+            fix = corrected(transmission.plugins[0], meant) if meant else None
+            yield Finding(transmission.plugins[0].at, f"{of} has unknown type '{name}'; {hint}", fix=fix)
+
+
+_EXPECTED = "expected SimpleTransmission, DifferentialTransmission or FourBarLinkageTransmission"
 
 
 def _slashed(name: str, known: Iterable[str]) -> str | None:
     tail = name.replace("::", "/").rsplit("/")[-1]
-    return next((each for each in known if each.endswith("/" + tail)), None)
+    return next((other for other in known if other.endswith("/" + tail)), None)

@@ -36,18 +36,18 @@ from urdfctl.rules.ros2_control.common import component, components
     },
 )
 def component_without_hardware(project: Project) -> Iterator[Finding]:
-    """A component has no `<hardware>`.
+    """Component without `<hardware>`.
 
-    Nothing tells which class drives it, so it cannot be loaded, and the controller manager has no hardware at all.
-    Where conditions decide on it, these arguments choose none.
+    Nothing names the class that drives the component, so it cannot be loaded. The controller manager then has no
+    hardware at all. If conditions choose the hardware, the given arguments select none.
     """
     for control in components(project):
         if control.hardware or not is_all_there(project, control.tag):
             continue
         if is_conditional(control.at):
-            message = f"with these arguments {component(control)} has no <hardware>"
+            message = f"{component(control)} has no <hardware> with these arguments"
             yield Finding(control.at, message, severity=Severity.INFO)
         else:
             yield Finding(
-                control.at, f"{component(control)} has no <hardware>, whose <plugin> names the class that drives it"
+                control.at, f"{component(control)} has no <hardware>; add one whose <plugin> names the class to load"
             )

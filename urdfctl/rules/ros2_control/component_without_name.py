@@ -35,11 +35,11 @@ from urdfctl.rules.ros2_control.common import components
     },
 )
 def component_without_name(project: Project) -> Iterator[Finding]:
-    """A `<ros2_control>` has no name.
+    """`<ros2_control>` without a name.
 
-    The controller manager refuses the whole description. The name is that of the hardware component, by which `ros2
-    control list_hardware_components` shows it.
+    The controller manager rejects the whole description. The name identifies the hardware component, for example in the
+    output of `ros2 control list_hardware_components`.
     """
     for control in components(project):
         if control.name is None:
-            yield Finding(control.at, "a <ros2_control> has no 'name'; give it one that no other component has")
+            yield Finding(control.at, "<ros2_control> has no 'name'; give it a unique one")

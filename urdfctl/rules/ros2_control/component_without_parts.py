@@ -36,18 +36,17 @@ from urdfctl.rules.ros2_control.common import component, components
     },
 )
 def component_without_parts(project: Project) -> Iterator[Finding]:
-    """A component has no joint, sensor or gpio.
+    """Component without joints, sensors and gpios.
 
-    Nothing can be read from it or commanded: controllers do not find the interfaces that they ask for.
+    Nothing can be read from the component or commanded. Controllers do not find the interfaces that they request.
     """
     for control in components(project):
         if (
             control.parts
-            or any(each.is_ros1 for each in control.transmissions)
+            or any(transmission.is_ros1 for transmission in control.transmissions)
             or not is_all_there(project, control.tag)
         ):
             continue
         severity = Severity.INFO if is_conditional(control.at) else Severity.WARNING
-        yield Finding(
-            control.at, f"{component(control)} has no <joint>, <sensor> or <gpio>, and no interface", severity=severity
-        )
+        message = f"{component(control)} has no <joint>, <sensor> or <gpio>, so it has no interfaces"
+        yield Finding(control.at, message, severity=severity)

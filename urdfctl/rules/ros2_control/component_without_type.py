@@ -35,12 +35,12 @@ from urdfctl.rules.ros2_control.common import component, components
     },
 )
 def component_without_type(project: Project) -> Iterator[Finding]:
-    """A `<ros2_control>` has no type.
+    """`<ros2_control>` without a type.
 
-    The controller manager refuses the whole description. A system drives several joints, an actuator one, a sensor
-    none.
+    The controller manager rejects the whole description. A system drives several joints, an actuator drives one, and a
+    sensor drives none.
     """
     for control in components(project):
         if control.type is None:
-            message = f'{component(control)} has no \'type\'; write type="system", "actuator" or "sensor"'
+            message = f'{component(control)} has no \'type\'; add type="system", "actuator" or "sensor"'
             yield Finding(control.at, message)

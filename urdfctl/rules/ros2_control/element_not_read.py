@@ -7,12 +7,12 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ROS2
 from urdfctl.model.parts import Tag
 from urdfctl.model.ros2_control import Ros2Control
+from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import respelt
 from urdfctl.rules.ros2_control.common import JAZZY, components
 from urdfctl.rules.ros2_control.facts import ELEMENTS, ELEMENTS_FROM_JAZZY, INTERFACES_OF_ROS1
 from urdfctl.source.opaque import UNKNOWN
-from urdfctl.suggest import nearest
 
 
 @rule(
@@ -20,7 +20,7 @@ from urdfctl.suggest import nearest
     severity=Severity.WARNING,
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp: FirstChildElement("...") by exact names; '
-    "other elements are passed over without a word",
+    "other elements are silently ignored",
     bad={
         "robot.urdf": """
             <ros2_control name="arm" type="system">
@@ -46,29 +46,29 @@ from urdfctl.suggest import nearest
     },
 )
 def element_not_read(project: Project) -> Iterator[Finding]:
-    """An element stands in a part of a component that is not read there.
+    """Ignored element in a component.
 
-    Nobody tells of it: what it should say is just not there. Some elements are read from jazzy on: `<limits>` in
-    joints and interfaces, `<group>` in `<hardware>`.
+    The parser ignores the element without a message, and its content has no effect. Some elements are read only since
+    jazzy: `<limits>` in joints and interfaces, `<group>` in `<hardware>`.
     """
     for control in components(project):
-        for tag, inside in _read(control):
-            takes, later = ELEMENTS[inside], ELEMENTS_FROM_JAZZY.get(inside, ())
+        for tag, inside in _elements(control):
+            known, later = ELEMENTS[inside], ELEMENTS_FROM_JAZZY.get(inside, ())
             for child in tag.children:
-                if child.name in takes or child.name == UNKNOWN or ":" in child.name or _is_role(child, tag):
+                if child.name in known or child.name == UNKNOWN or ":" in child.name or _is_role(child, tag):
                     continue
                 if child.name not in later:
-                    meant = nearest(child.name, takes)
-                    reason = f"; did you mean '{meant}'?" if meant else _hint(child.name, inside)
-                    message = f"<{child.name}> is not read in <{tag.name}>{reason}"
+                    meant = nearest(child.name, known)
+                    hint = f"; did you mean '{meant}'?" if meant else _hint(child.name, inside)
+                    message = f"<{child.name}> in <{tag.name}> is ignored{hint}"
                     yield Finding(child.at, message, fix=respelt(child, meant))
                 elif not set(JAZZY) & set(project.distros):
-                    message = f"<{child.name}> in <{tag.name}> is read from jazzy on"
+                    message = f"<{child.name}> in <{tag.name}> is ignored before jazzy"
                     yield Finding(child.at, message, severity=Severity.INFO)
 
 
-def _read(control: Ros2Control) -> Iterator[tuple[Tag, str]]:
-    """The elements whose children are looked for by name, each with its name; a plugin reads the rest of <hardware>."""
+def _elements(control: Ros2Control) -> Iterator[tuple[Tag, str]]:
+    """The elements whose children the parser reads by name, each with its key in ELEMENTS."""
     for hardware in control.hardware:
         if hardware.plugins:
             yield hardware.tag, "hardware"
@@ -85,11 +85,11 @@ def _read(control: Ros2Control) -> Iterator[tuple[Tag, str]]:
 
 
 def _is_role(child: Tag, tag: Tag) -> bool:
-    """Whether it is the role of a transmission's end, the lack of which as an attribute another rule tells of."""
+    """Whether a child is a role that should be an attribute: another rule reports it."""
     return child.name == "role" and "role" not in tag.attributes
 
 
 def _hint(name: str, inside: str) -> str:
     if name in INTERFACES_OF_ROS1 or name == "hardwareInterface":
-        return ", which is ROS 1's; there are <command_interface> and <state_interface>"
-    return '; what the hardware is to know stands in <param name="...">' if "transmission" not in inside else ""
+        return "; it is a ROS 1 element. Use <command_interface> and <state_interface>"
+    return '; pass values to the hardware with <param name="...">' if "transmission" not in inside else ""

@@ -1,24 +1,24 @@
-"""What ros2_control's parser takes: types of components, elements, words of ROS 1 and what became of them."""
+"""Names that the parser of ros2_control knows: component types, elements and attributes; and ROS 1 interfaces."""
 
 from __future__ import annotations
 
 from urdfctl.catalog.distros import ROS2, since
 
 TYPES = ("system", "actuator", "sensor")
-"""Of a component, in exactly these letters."""
+"""The types of a component; case-sensitive."""
 
 CHILDREN = ("hardware", "joint", "sensor", "gpio", "transmission", "properties")
-"""Of `<ros2_control>`; `<properties>` from jazzy on."""
+"""The children of `<ros2_control>`; `<properties>` since jazzy."""
 
 INTERFACES_OF_ROS1 = {
     "PositionJointInterface": "position",
     "VelocityJointInterface": "velocity",
     "EffortJointInterface": "effort",
 }
-"""What ROS 2 calls the hardware interfaces of ROS 1."""
+"""The ROS 2 interface for each hardware interface of ROS 1."""
 
 DATA_TYPES = ("double", "bool", "float32", "uint8", "int8", "uint16", "int16", "uint32", "int32")
-"""Of interfaces, from jazzy on (hardware_info.hpp)."""
+"""The data types of an interface, since jazzy (hardware_info.hpp)."""
 
 INTERFACE_ELEMENTS = ("command_interface", "state_interface")
 
@@ -35,7 +35,7 @@ ELEMENTS = {
     "joint of a transmission": _END,
     "actuator of a transmission": _END,
 }
-"""That are read, by the element they stand in."""
+"""The children that the parser reads, by element."""
 
 ELEMENTS_FROM_JAZZY = {
     "hardware": ("group",),
@@ -44,7 +44,7 @@ ELEMENTS_FROM_JAZZY = {
     "command_interface": ("limits",),
     "state_interface": ("limits",),
 }
-"""That are read from jazzy on, by the element they stand in."""
+"""The children that the parser reads since jazzy, by element."""
 
 _NAMED: dict[str, tuple[str, ...]] = {"name": ROS2}
 ATTRIBUTES: dict[str, dict[str, tuple[str, ...]]] = {
@@ -62,6 +62,7 @@ ATTRIBUTES: dict[str, dict[str, tuple[str, ...]]] = {
     "gpio interface": {"name": ROS2, "data_type": ROS2, "size": ROS2},
     "param": _NAMED,
 }
-"""That are read, by the element, with the distros that read them."""
+"""The attributes that the parser reads, by element, each with the distros that read it."""
 
 MOCK = "mock_components/GenericSystem"
+"""The plugin of mock hardware."""

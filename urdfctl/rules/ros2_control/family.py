@@ -1,4 +1,4 @@
-"""UC3: the `<ros2_control>` tag."""
+"""UC3: rules on the `<ros2_control>` tag."""
 
 from __future__ import annotations
 

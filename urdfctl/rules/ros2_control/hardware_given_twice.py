@@ -13,8 +13,8 @@ from urdfctl.rules.ros2_control.common import component, components, side_by_sid
     "UC344",
     severity=Severity.WARNING,
     distros=ROS2,
-    authority="ros2_control hardware_interface/src/component_parser.cpp reads the first <plugin>, and lets a later "
-    "<hardware> take the place of an earlier one",
+    authority="ros2_control hardware_interface/src/component_parser.cpp reads the first <plugin>, and replaces an "
+    "earlier <hardware> with a later one",
     bad={
         "robot.urdf": """
             <ros2_control name="arm" type="system">
@@ -39,17 +39,17 @@ from urdfctl.rules.ros2_control.common import component, components, side_by_sid
     },
 )
 def hardware_given_twice(project: Project) -> Iterator[Finding]:
-    """A component has two plugins, or two `<hardware>`.
+    """Component with two plugins or two `<hardware>` elements.
 
-    Of two plugins the first is loaded, of two `<hardware>` the last counts: the other says nothing.
+    Of two plugins the first is loaded; of two `<hardware>` elements the last is used. The other one has no effect.
     """
     for control in components(project):
         for before, hardware in zip(control.hardware, control.hardware[1:], strict=False):
             if side_by_side(project, before.at, hardware.at):
-                message = f"{component(control)} has a second <hardware>, which takes the place of the first"
-                yield Finding(hardware.at, message, (Note("this one counts for nothing", before.at),))
+                message = f"{component(control)} has a second <hardware>, which replaces the first"
+                yield Finding(hardware.at, message, (Note("this <hardware> is ignored", before.at),))
         for hardware in control.hardware:
             for first, plugin in zip(hardware.plugins, hardware.plugins[1:], strict=False):
                 if side_by_side(project, first.at, plugin.at):
-                    message = f"'{plugin.past_comments}' is not loaded: '{first.past_comments}' stands before it"
-                    yield Finding(plugin.at, message, (Note("this one is before it", first.at),))
+                    message = f"plugin '{plugin.past_comments}' is not loaded; '{first.past_comments}' comes first"
+                    yield Finding(plugin.at, message, (Note("this plugin is loaded", first.at),))

@@ -11,7 +11,7 @@ from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, severity_where
 from urdfctl.rules.ros2_control.common import JAZZY, components, is_boolean, is_number, known_hardware
 
-_RIGHT = {"bool": "'true' or 'false'", "double": "a number"}
+_EXPECTED = {"bool": "'true' or 'false'", "double": "a number"}
 
 
 @rule(
@@ -45,22 +45,26 @@ _RIGHT = {"bool": "'true' or 'false'", "double": "a number"}
     },
 )
 def hardware_parameter_malformed(project: Project) -> Iterator[Finding]:
-    """A parameter of a component's plugin is not of its type.
+    """Hardware parameter has a value of the wrong type.
 
-    From jazzy on mock hardware is not initialized with it, and the description refused. Before, and with other
-    hardware, anything but `true` is false.
+    Since jazzy, mock hardware is not initialized with it, and the description is rejected. Earlier distros and other
+    hardware treat everything except `true` as false.
     """
     for control in components(project):
-        found = known_hardware(project, control)
-        for parameter in control.hardware[-1].parameters if found else ():
+        hardware = known_hardware(project, control)
+        for parameter in control.hardware[-1].parameters if hardware else ():
             types = {
-                (each.hardware_parameters or {})[parameter.name or ""].type for each in found if _knows(each, parameter)
+                (each.hardware_parameters or {})[parameter.name or ""].type
+                for each in hardware
+                if _knows(each, parameter)
             }
             kind = types.pop() if len(types) == 1 else ""
-            right, takes = _RIGHT.get(kind), is_boolean if kind == "bool" else is_number
-            if right and is_known(parameter.value) and not takes(parameter.value):
-                message = f"'{parameter.name}' of '{found[0].type}' is '{parameter.value}'; it is {right}"
-                is_mock = found[0].simulator == "mock"
+            expected, is_valid = _EXPECTED.get(kind), is_boolean if kind == "bool" else is_number
+            if expected and is_known(parameter.value) and not is_valid(parameter.value):
+                message = (
+                    f"parameter '{parameter.name}' of '{hardware[0].type}' must be {expected}, not '{parameter.value}'"
+                )
+                is_mock = hardware[0].simulator == "mock"
                 severity = severity_where(project, JAZZY) if is_mock else Severity.WARNING
                 yield Finding(parameter.at, message, severity=severity)
 

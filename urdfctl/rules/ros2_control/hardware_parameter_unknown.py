@@ -5,18 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
+from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_conditional, is_known, replaced
 from urdfctl.rules.ros2_control.common import components, known_hardware
-from urdfctl.suggest import nearest
 
 
 @rule(
     "UC356",
     severity=Severity.WARNING,
     distros=ROS2,
-    authority="mock_components generic_system.cpp and others look for parameters by exact names; others are passed "
-    "over without a word",
+    authority="mock_components generic_system.cpp and others look up parameters by exact names; others are "
+    "silently ignored",
     bad={
         "robot.urdf": """
             <ros2_control name="arm" type="system">
@@ -41,27 +41,30 @@ from urdfctl.suggest import nearest
     },
 )
 def hardware_parameter_unknown(project: Project) -> Iterator[Finding]:
-    """A component's plugin does not read one of its parameters, or soon will not.
+    """Unknown or deprecated hardware parameter.
 
-    Nobody tells of it: the default counts. Where conditions choose the plugin, the parameters of the other one may
-    stay.
+    The plugin ignores an unknown parameter without a message and uses the default. If conditions choose the plugin,
+    parameters of the other plugin are accepted.
     """
     for control in components(project):
-        found = [each for each in known_hardware(project, control) if each.hardware_parameters is not None]
-        for parameter in control.hardware[-1].parameters if found else ():
+        hardware = [each for each in known_hardware(project, control) if each.hardware_parameters is not None]
+        for parameter in control.hardware[-1].parameters if hardware else ():
             name = parameter.name
             if not name or not is_known(name):
                 continue
-            of_each = [(each.hardware_parameters or {}).get(name) for each in found]
+            of_each = [(each.hardware_parameters or {}).get(name) for each in hardware]
             if any(each is not None and not each.deprecated for each in of_each):
                 continue
             former = next((each for each in of_each if each is not None), None)
-            known = [other for each in found for other in each.hardware_parameters or ()]
+            known = [other for each in hardware for other in each.hardware_parameters or ()]
             meant = former.replacement if former and former.replacement else nearest(name, known)
             if meant is None and is_conditional(control.hardware[-1].at):
                 continue
             at = parameter.at["name"]
-            what = "is deprecated" if former else "is not read"
-            hint = f"; write '{meant}'" if former else f"; did you mean '{meant}'?"
-            message = f"'{name}' {what} by '{found[0].type}'{hint if meant else ''}"
+            if former:
+                message = f"parameter '{name}' of '{hardware[0].type}' is deprecated"
+                message += f"; use '{meant}'" if meant else ""
+            else:
+                message = f"'{hardware[0].type}' has no parameter '{name}'"
+                message += f"; did you mean '{meant}'?" if meant else "; it is ignored"
             yield Finding(at, message, fix=replaced(at, name, meant) if meant else None)

@@ -38,20 +38,21 @@ from urdfctl.rules.ros2_control.facts import TYPES
     },
 )
 def hardware_plugin_of_other_type(project: Project) -> Iterator[Finding]:
-    """A component's plugin is of another type than the component.
+    """Component and its plugin have different types.
 
-    The type decides in which list the plugin is looked for, and there it is not: the component is not loaded, and the
-    description refused. Where a condition chooses the plugin, this holds for these arguments.
+    The type selects the list in which the plugin is looked up, and it is not in that list. The component is not loaded,
+    and the description is rejected. If a condition chooses the plugin, this applies to the given arguments.
     """
     for control in components(project):
         kind = (control.type or "").strip()
-        found = known_hardware(project, control)
-        if kind not in TYPES or not found or any(kind in each.component_types for each in found):
+        hardware = known_hardware(project, control)
+        if kind not in TYPES or not hardware or any(kind in each.component_types for each in hardware):
             continue
-        right = found[0].component_types[0]
+        expected = hardware[0].component_types[0]
         message = (
-            f"'{found[0].type}' is a {right}, and {component(control)} is of type '{kind}'; write type=\"{right}\""
+            f"plugin '{hardware[0].type}' is of type '{expected}', but {component(control)} is of type '{kind}'; "
+            f'use type="{expected}"'
         )
-        fix = replaced(control.at["type"], control.type or "", right)
+        fix = replaced(control.at["type"], control.type or "", expected)
         severity = Severity.WARNING if is_conditional(control.hardware[-1].at) else Severity.ERROR
         yield Finding(control.at["type"], message, fix=fix, severity=severity)

@@ -7,15 +7,15 @@ from collections.abc import Iterable, Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.catalog.distros import in_words as in_distros
+from urdfctl.names import is_slip
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known
-from urdfctl.rules.ros2_control.common import component, components, folded, mended
-from urdfctl.suggest import is_slip
+from urdfctl.rules.ros2_control.common import component, components, corrected, folded
 
 _CORE = ("mock_components", "fake_components")
-"""Packages that come with ros2_control."""
+"""Packages that are part of ros2_control."""
 _WHOLE = (*_CORE, "gz_ros2_control", "ign_ros2_control", "gazebo_ros2_control")
-"""Packages all of whose plugins are in the catalogue."""
+"""Packages whose plugins are all in the catalogue."""
 
 
 @rule(
@@ -44,10 +44,10 @@ _WHOLE = (*_CORE, "gz_ros2_control", "ign_ros2_control", "gazebo_ros2_control")
     },
 )
 def hardware_plugin_unknown(project: Project) -> Iterator[Finding]:
-    """A component's plugin does not exist in this distro, or is spelt nearly like one that does.
+    """Hardware plugin is misspelt or not available in this distro.
 
-    The component is not loaded, and the description refused. Where a distro has no release of the plugin it may be
-    built from its source; a name that is like none that is known may be one of your own.
+    The component is not loaded, and the description is rejected. A plugin without a release for a distro may still be
+    built from source. A name that resembles no known plugin may be your own, and is not reported.
     """
     for control in components(project):
         for hardware in control.hardware[-1:]:
@@ -56,7 +56,7 @@ def hardware_plugin_unknown(project: Project) -> Iterator[Finding]:
                 fault = _fault(project, name, component(control)) if name and is_known(name) else None
                 if fault is not None:
                     meant, message, severity = fault
-                    fix = mended(plugin, meant) if meant else None
+                    fix = corrected(plugin, meant) if meant else None
                     yield Finding(plugin.at, message, fix=fix, severity=severity)
 
 
@@ -64,27 +64,32 @@ Fault = tuple[str | None, str, Severity]
 
 
 def _fault(project: Project, name: str, owner: str) -> Fault | None:
-    """What is most likely meant, what is wrong, and how bad it is; None where nothing is known to be."""
+    """The most likely plugin, the message and the severity; None if the plugin may be right."""
     distros = [distro for distro in project.distros if distro in ROS2]
-    having = {distro: found for distro in ROS2 if (found := project.catalog.hardware(name, distro))}
-    if not having:
+    by_distro = {distro: known for distro in ROS2 if (known := project.catalog.hardware(name, distro))}
+    if name.strip() in project.own.hardware:
+        return None
+    if not by_distro:
         return _slip(project, name, owner)
-    if having.keys() & set(distros):
+    if by_distro.keys() & set(distros):
         return None
     meant = project.catalog.hardware_replacement(name, distros[-1])
     hint = f"; use '{meant}'" if meant else ""
-    # when real robots' drivers were released is known from their branches alone
-    simulated = any(found.simulator for found in having.values())
+    # releases of drivers for real robots are known only from their branches
+    simulated = any(known.simulator for known in by_distro.values())
     severity = Severity.ERROR if name.startswith(_CORE) else Severity.WARNING if simulated else Severity.INFO
-    where = f"is not in {in_distros(distros)}, but in {in_distros(having)}"
-    return meant, f"the plugin '{name}' of {owner} {where}{hint}", severity
+    where = f"is not available in {in_distros(distros)}, only in {in_distros(by_distro)}"
+    return meant, f"plugin '{name}' of {owner} {where}{hint}", severity
 
 
 def _slip(project: Project, name: str, owner: str) -> Fault | None:
-    """The same for a name that no distro knows."""
+    """The same for a name that is in no distro."""
     if "${" in name or "$(" in name:
-        return None, f"the plugin of {owner} is '{name}', a xacro expression that nothing expands", Severity.ERROR
+        return None, f"plugin of {owner} is the xacro expression '{name}', which is not expanded", Severity.ERROR
     known = {each for distro in project.distros for each in project.catalog.known_hardware(distro)}
+    own = next((each for each in project.own.hardware if is_slip(name, each)), None)
+    if own is not None:
+        return own, f"{owner} names unknown plugin '{name}'; did you mean '{own}'?", Severity.ERROR
     package = re.split("/|::", name)[0]
     of_package = sorted(each for each in known if re.split("/|::", each)[0] == package) if package in _WHOLE else []
     meant = {folded(each): each for each in known}.get(folded(name)) or _of_whole(name, known)
@@ -95,9 +100,9 @@ def _slip(project: Project, name: str, owner: str) -> Fault | None:
     if meant is None:
         return None
     severity = Severity.ERROR if sure else Severity.WARNING
-    return meant, f"unknown plugin '{name}' of {owner}; did you mean '{meant}'?", severity
+    return meant, f"{owner} names unknown plugin '{name}'; did you mean '{meant}'?", severity
 
 
 def _of_whole(name: str, known: Iterable[str]) -> str | None:
-    """The plugin whose package a name leaves out."""
+    """The plugin that a name means without its package."""
     return next((each for each in sorted(known) if each.startswith(_WHOLE) and each.endswith("/" + name)), None)

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.model.ros2_control import Hardware, Ros2Control
+from urdfctl.names import nearest
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import is_all_there, is_conditional
 from urdfctl.rules.ros2_control.common import component, components
-from urdfctl.suggest import nearest
 
 
 @rule(
@@ -41,10 +41,9 @@ from urdfctl.suggest import nearest
     },
 )
 def hardware_without_plugin(project: Project) -> Iterator[Finding]:
-    """A `<hardware>` names no plugin, or an empty one.
+    """`<hardware>` without a plugin.
 
-    The controller manager refuses the description; in foxy, galactic and iron it crashes where the element is
-    missing.
+    The controller manager rejects the description. In foxy, galactic and iron it crashes if `<plugin>` is missing.
     """
     for control in components(project):
         hardware = control.hardware[-1] if control.hardware else None
@@ -52,20 +51,20 @@ def hardware_without_plugin(project: Project) -> Iterator[Finding]:
             continue
         if hardware.plugins:
             yield Finding(
-                hardware.plugins[0].at, f"the <plugin> of {component(control)} is empty: it names the class to load"
+                hardware.plugins[0].at, f"<plugin> of {component(control)} is empty; it must name the class to load"
             )
         elif is_all_there(project, hardware.tag):
             yield from _without(control, hardware)
 
 
 def _without(control: Ros2Control, hardware: Hardware) -> Iterator[Finding]:
-    what = f"the <hardware> of {component(control)} has no <plugin>"
+    what = f"<hardware> of {component(control)} has no <plugin>"
     if is_conditional(hardware.at):
-        yield Finding(hardware.at, f"with these arguments {what}", severity=Severity.INFO)
+        yield Finding(hardware.at, f"{what} with these arguments", severity=Severity.INFO)
         return
     for other in hardware.others:
         if "class" in other.name.lower() or nearest(other.name, ("plugin",)):
-            message = f"{what}, but <{other.name}>, which is not read"
+            message = f"{what}; <{other.name}> is ignored"
             yield Finding(hardware.at, message, fix=Fix(f"write <plugin>{other.text}</plugin> instead"))
             return
-    yield Finding(hardware.at, f"{what}, so nothing tells which class drives it")
+    yield Finding(hardware.at, f"{what}; add one that names the class to load")

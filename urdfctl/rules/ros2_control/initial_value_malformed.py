@@ -47,11 +47,11 @@ from urdfctl.rules.ros2_control.facts import DATA_TYPES
     },
 )
 def initial_value_malformed(project: Project) -> Iterator[Finding]:
-    """An initial value is not one of its interface's type.
+    """Initial value does not match the type of its interface.
 
-    From jazzy on the interface is not exported, and the description refused: a number is finite and has nothing
-    behind it, a bool is true or false. Before, it is left to the hardware, which stops at it or reads the digits in
-    front.
+    Since jazzy, the interface is not exported and the description is rejected. A number must be finite, with nothing
+    after it; a bool must be true or false. Earlier distros leave the value to the hardware, which fails or reads only
+    the leading digits.
     """
     for part, interface in interfaces(project):
         parameter = interface.parameter("initial_value")
@@ -59,9 +59,8 @@ def initial_value_malformed(project: Project) -> Iterator[Finding]:
         if parameter is None or not parameter.value or not is_known(parameter.value, kind) or kind not in DATA_TYPES:
             continue
         if not _is_of(kind, parameter.value):
-            right = "'true' or 'false'" if kind == "bool" else f"a number{_hint(parameter.value)}"
             of = f"{called(interface)} of {label(part.kind, part.name)}"
-            message = f"the initial value of {of} is '{parameter.value}'; it is {right}"
+            message = f"initial value of {of} is '{parameter.value}'; {_expected(kind, parameter.value)}"
             yield Finding(parameter.at, message, severity=severity_where(project, JAZZY))
 
 
@@ -71,7 +70,9 @@ def _is_of(kind: str, text: str) -> bool:
     return is_number(text) if kind in ("double", "float32") else bool(re.fullmatch(r"[+-]?[0-9]+", text))
 
 
-def _hint(text: str) -> str:
+def _expected(kind: str, text: str) -> str:
+    if kind == "bool":
+        return "expected 'true' or 'false'"
     if "${" in text or "$(" in text:
-        return ", and nothing expands an expression here"
-    return ", in rad or m, without a unit behind it"
+        return "expected a number. Expressions are not expanded here"
+    return "expected a number in rad or m, without a unit"

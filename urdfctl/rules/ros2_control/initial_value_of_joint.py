@@ -17,7 +17,7 @@ _OLD_NAME = "initial_<interface>"
     "UC342",
     severity=Severity.WARNING,
     distros=ROS2,
-    authority="ros2_control component_parser.cpp reads initial_value in interfaces alone; mock_components "
+    authority="ros2_control component_parser.cpp reads initial_value only in interfaces; mock_components "
     'generic_system.cpp: "Parsing of optional initial interface values failed or uses a deprecated '
     'format"',
     options=["--distro=jazzy"],
@@ -46,26 +46,29 @@ _OLD_NAME = "initial_<interface>"
     },
 )
 def initial_value_of_joint(project: Project) -> Iterator[Finding]:
-    """An initial value or a limit stands in a joint instead of its interface.
+    """Initial value in a joint instead of its interface.
 
-    It is not read there: the joint starts at 0. Up to iron mock hardware still took `initial_position` of a joint.
+    It is ignored there, and the joint starts at 0. Up to iron, mock hardware still accepted `initial_position` of a
+    joint.
     """
     for control, part in parts(project):
         for parameter in part.parameters:
             name = parameter.name or ""
-            wrong = name == "initial_value" or (name.startswith("initial_") and _is_old(project, control))
-            if not wrong or not is_known(name) or not _of_interface(part, name):
+            is_initial = name == "initial_value" or (name.startswith("initial_") and _is_old(project, control))
+            if not is_initial or not is_known(name) or not _of_interface(part, name):
                 continue
             interface = name.removeprefix("initial_").replace("value", "position")
-            right = f'<state_interface name="{interface}"><param name="initial_value">{parameter.value}</param>'
-            message = f"'{name}' of {label(part.kind, part.name)} belongs into its interface, and is not read here"
-            yield Finding(parameter.at, message, fix=Fix(f"write {right}"))
+            element = f'<state_interface name="{interface}"><param name="initial_value">{parameter.value}</param>'
+            message = f"parameter '{name}' of {label(part.kind, part.name)} is ignored; move it into the interface"
+            yield Finding(parameter.at, message, fix=Fix(f"write {element}"))
 
 
 def _is_old(project: Project, control: Ros2Control) -> bool:
-    """Whether the component's hardware does not read an initial value of a joint, or soon will not."""
-    found = [(each.joint_parameters or {}).get(_OLD_NAME) for each in known_hardware(project, control)]
-    return is_deaf(project, control, _OLD_NAME) or any(each is not None and each.deprecated for each in found)
+    """Whether the component's hardware ignores an initial value of a joint, or its support is deprecated."""
+    known = [(each.joint_parameters or {}).get(_OLD_NAME) for each in known_hardware(project, control)]
+    return is_deaf(project, control, _OLD_NAME) or any(
+        parameter is not None and parameter.deprecated for parameter in known
+    )
 
 
 def _of_interface(part: Part, name: str) -> bool:

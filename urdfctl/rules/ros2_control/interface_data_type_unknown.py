@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import in_words, is_known, label, replaced, severity_where
 from urdfctl.rules.ros2_control.common import JAZZY, called, interfaces
 from urdfctl.rules.ros2_control.facts import DATA_TYPES
-from urdfctl.suggest import nearest
 
 _MEANT = {
     "int": "int32",
@@ -47,19 +47,19 @@ _MEANT = {
     },
 )
 def interface_data_type_unknown(project: Project) -> Iterator[Finding]:
-    """The data type of an interface is none that ros2_control has.
+    """Unknown data type of an interface.
 
-    From jazzy on the interface is not exported, and the description refused. Before, only a gpio's is read, and left
-    to the hardware.
+    Since jazzy, the interface is not exported and the description is rejected. Earlier distros read only the data type
+    of a gpio and leave it to the hardware.
     """
     for part, interface in interfaces(project):
         kind = interface.tag.attributes.get("data_type")
         if kind is None or not is_known(kind) or kind.strip() in DATA_TYPES:
             continue
-        low = kind.strip().lower()
-        meant = _MEANT.get(low) or (low if low in DATA_TYPES else nearest(low, DATA_TYPES))
-        what = f"did you mean '{meant}'?" if meant else f"there are {in_words(DATA_TYPES, len(DATA_TYPES))}"
+        lowered = kind.strip().lower()
+        meant = _MEANT.get(lowered) or (lowered if lowered in DATA_TYPES else nearest(lowered, DATA_TYPES))
+        hint = f"did you mean '{meant}'?" if meant else f"known types are {in_words(DATA_TYPES, len(DATA_TYPES))}"
         at = interface.at["data_type"]
         fix = replaced(at, kind, meant) if meant else None
-        message = f"unknown data type '{kind}' of {called(interface)} of {label(part.kind, part.name)}; {what}"
+        message = f"{called(interface)} of {label(part.kind, part.name)} has unknown data type '{kind}'; {hint}"
         yield Finding(at, message, fix=fix, severity=severity_where(project, JAZZY))

@@ -47,10 +47,10 @@ from urdfctl.rules.ros2_control.common import called, interfaces, is_number
     },
 )
 def interface_limit_malformed(project: Project) -> Iterator[Finding]:
-    """The limit of an interface is not a finite number.
+    """Malformed limit of an interface.
 
-    From jazzy on both limits of the interface are skipped, with a line that nobody reads. Before, they are left to
-    the hardware, and a simulator may stop at them.
+    Since jazzy, both limits of the interface are skipped with a log message that is easy to miss. Earlier distros leave
+    them to the hardware, and a simulator may fail.
     """
     for part, interface in interfaces(project):
         for name in ("min", "max"):
@@ -59,5 +59,5 @@ def interface_limit_malformed(project: Project) -> Iterator[Finding]:
                 continue
             what = f"'{name}' of {called(interface)} of {label(part.kind, part.name)}"
             yield Finding(
-                parameter.at, f"{what} is '{parameter.value}', which is no finite number: both limits are lost"
+                parameter.at, f"{what} must be a finite number, not '{parameter.value}'; both limits are ignored"
             )

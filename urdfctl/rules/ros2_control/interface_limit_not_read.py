@@ -20,7 +20,7 @@ _LIMITED = ("position", "velocity", "effort", "acceleration", "jerk")
     severity=Severity.WARNING,
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp: "Jerk only accepts max limits."; it looks '
-    "for min and max in small letters",
+    "for min and max in lower case",
     bad={
         "robot.urdf": """
             <ros2_control name="arm" type="system">
@@ -49,11 +49,11 @@ _LIMITED = ("position", "velocity", "effort", "acceleration", "jerk")
     },
 )
 def interface_limit_not_read(project: Project) -> Iterator[Finding]:
-    """A limit of an interface is written so that it is not read.
+    """Ignored limit of an interface.
 
-    Its parameter is `min` or `max` in small letters, and jerk has a max alone. From jazzy on the limits of a joint's other
-    interfaces than position, velocity, effort, acceleration and jerk are left to the hardware, and none that is simulated
-    looks at them.
+    The parameter must be `min` or `max` in lower case, and jerk has only a `max`. Limits exist for position, velocity,
+    effort, acceleration and jerk of a joint. Since jazzy, limits of other interfaces are left to the hardware, and
+    simulated hardware ignores them.
     """
     for control, part in parts(project):
         simulated = [each.distro for each in known_hardware(project, control) if each.simulator]
@@ -65,23 +65,23 @@ def interface_limit_not_read(project: Project) -> Iterator[Finding]:
                 if meant:
                     at = parameter.at["name"]
                     fix = replaced(at, name, meant, safe=name.lower() == meant)
-                    yield Finding(at, f"'{name}' of {of} is not read; did you mean '{meant}'?", fix=fix)
+                    yield Finding(at, f"'{name}' of {of} is ignored; did you mean '{meant}'?", fix=fix)
                 elif name == "min" and interface.name == "jerk" and interface.kind == "command":
-                    message = f"'min' of {of} is not read: jerk has a 'max' alone, for both directions"
+                    message = f"'min' of {of} is ignored; jerk has only 'max', for both directions"
                     yield Finding(parameter.at, message)
             if part.kind == "joint" and set(JAZZY) & set(simulated):
                 yield from _of_others(interface, of)
 
 
 def _meant(name: str, *, simulated: bool) -> str | None:
-    """The parameter that a name means which is not read; hardware of one's own may read any."""
+    """The parameter that an ignored name means; hardware that is not simulated may read any name."""
     if name.lower() in _READ:
         return name.lower() if name not in _READ else None
     return _MEANT.get(name.lower()) if simulated else None
 
 
 def _of_others(interface: Interface, of: str) -> Iterator[Finding]:
-    """What is to be said of the limits of a joint's command interface that limits are not read of."""
+    """The finding for a joint's command interface whose limits are ignored."""
     limits = [parameter for parameter in interface.parameters if parameter.name in ("min", "max")]
     if interface.kind == "command" and limits and interface.name not in _LIMITED and is_known(interface.name):
-        yield Finding(limits[0].at, f"the limits of {of} are not read: there are limits of {in_words(_LIMITED)}")
+        yield Finding(limits[0].at, f"limits of {of} are ignored; limits exist only for {in_words(_LIMITED)}")

@@ -14,8 +14,8 @@ from urdfctl.rules.ros2_control.common import called, interfaces, is_number
     "UC333",
     severity=Severity.WARNING,
     distros=ROS2,
-    authority="ros2_control hardware_interface/src/component_parser.cpp takes min and max as they are; the limiter "
-    "then leaves no range",
+    authority="ros2_control hardware_interface/src/component_parser.cpp accepts min and max as they are; the limiter "
+    "then has an empty range",
     bad={
         "robot.urdf": """
             <ros2_control name="arm" type="system">
@@ -46,9 +46,9 @@ from urdfctl.rules.ros2_control.common import called, interfaces, is_number
     },
 )
 def interface_limits_reversed(project: Project) -> Iterator[Finding]:
-    """The lower limit of an interface is above the upper one.
+    """Lower limit of an interface is above the upper limit.
 
-    It loads, and no command lies between them.
+    The description loads, but no command is within the limits.
     """
     for part, interface in interfaces(project):
         lower, upper = interface.parameter("min"), interface.parameter("max")
@@ -56,4 +56,4 @@ def interface_limits_reversed(project: Project) -> Iterator[Finding]:
             continue
         if float(lower.value) > float(upper.value):
             of = f"{called(interface)} of {label(part.kind, part.name)}"
-            yield Finding(lower.at, f"'min' of {of} is {lower.value}, above its 'max' of {upper.value}")
+            yield Finding(lower.at, f"'min' of {of} is {lower.value}, which is greater than 'max' ({upper.value})")

@@ -13,7 +13,7 @@ from urdfctl.rules.common import label, robot_in
 from urdfctl.rules.ros2_control.common import called, is_number, parts
 
 _ROUNDING = 5e-4
-"""In rad or m: nobody writes pi in full."""
+"""The tolerance in rad or m, for a rounded pi."""
 
 
 @rule(
@@ -21,7 +21,7 @@ _ROUNDING = 5e-4
     severity=Severity.INFO,
     distros=ROS2,
     authority="ros2_control hardware_interface/src/component_parser.cpp update_interface_limits(): the larger min "
-    "and the smaller max of tag and URDF count",
+    "and the smaller max of tag and URDF apply",
     bad={
         "robot.urdf": """
             <ros2_control name="arm" type="system">
@@ -52,10 +52,10 @@ _ROUNDING = 5e-4
     },
 )
 def interface_limits_wider_than_urdf(project: Project) -> Iterator[Finding]:
-    """A command interface's limit goes beyond that of the URDF's joint.
+    """Limit of a command interface is wider than the limit in the URDF.
 
-    From jazzy on the narrower of the two counts, so this one says nothing. Before, hardware that limits commands at
-    all takes the tag's: the robot may be sent where its joint cannot go.
+    Since jazzy, the narrower limit applies, and this one has no effect. In earlier distros, hardware that limits
+    commands uses this one. The robot may then be commanded to where its joint cannot go.
     """
     robot = robot_in(project)
     joints = {joint.name: joint for joint in reversed(robot.joints)} if robot else {}
@@ -66,36 +66,36 @@ def interface_limits_wider_than_urdf(project: Project) -> Iterator[Finding]:
         for interface in part.commands:
             beyond = list(_beyond(interface, joint.limit))
             if beyond:
-                given = " and ".join(f"'{parameter.name}' of {parameter.value}" for parameter, _ in beyond)
-                there = " and ".join(dict.fromkeys(f"'{number.attribute}' of {number.text}" for _, number in beyond))
+                given = " and ".join(f"'{parameter.name}' {parameter.value}" for parameter, _ in beyond)
+                in_urdf = " and ".join(dict.fromkeys(f"'{number.attribute}' {number.text}" for _, number in beyond))
                 of = f"{called(interface)} of {label('joint', part.name)}"
-                note = Note("the URDF's limit is here", beyond[0][1].at)
-                yield Finding(beyond[0][0].at, f"{of} has {given}, beyond the URDF's {there}", (note,), _fix(beyond))
+                note = Note("the URDF's limit is set here", beyond[0][1].at)
+                yield Finding(beyond[0][0].at, f"{of} has {given}, beyond the URDF's {in_urdf}", (note,), _fix(beyond))
 
 
 def _fix(beyond: list[tuple[Parameter, Number]]) -> Fix:
-    """The URDF's own limits, in the places of all that go beyond."""
-    right = [
+    """Replace the wider limits with those of the URDF."""
+    texts = [
         f"-{number.text}" if parameter.name == "min" and number.attribute != "lower" else number.text
         for parameter, number in beyond
     ]
-    title = " and ".join(f"'{parameter.name}' {text}" for (parameter, _), text in zip(beyond, right, strict=True))
+    title = " and ".join(f"'{parameter.name}' {text}" for (parameter, _), text in zip(beyond, texts, strict=True))
     spans = [(parameter.tag.at.content.span, parameter.value) for parameter, _ in beyond]
     is_literal = all(span.text == value for span, value in spans)
-    edits = tuple(Edit(span, text) for (span, _), text in zip(spans, right, strict=True))
-    return Fix(f"write {title}, as the URDF does", edits if is_literal else ())
+    edits = tuple(Edit(span, text) for (span, _), text in zip(spans, texts, strict=True))
+    return Fix(f"write {title}, as in the URDF", edits if is_literal else ())
 
 
 def _beyond(interface: Interface, limit: Limit) -> Iterator[tuple[Parameter, Number]]:
-    """The limits that go beyond the URDF's, each with the one there."""
+    """The limits that are wider than in the URDF, each with the limit of the URDF."""
     velocity, effort = limit.velocity, limit.effort
     pairs = {"position": (limit.lower, limit.upper), "velocity": (velocity, velocity), "effort": (effort, effort)}
     name = (interface.name or "").strip()
-    for bound, written in zip(("min", "max"), pairs.get(name, ()), strict=False):
+    for bound, in_urdf in zip(("min", "max"), pairs.get(name, ()), strict=False):
         parameter = interface.parameter(bound)
-        if parameter is None or written is None or not written.value or not is_number(parameter.value):
+        if parameter is None or in_urdf is None or not in_urdf.value or not is_number(parameter.value):
             continue
-        there = -abs(written.value) if bound == "min" and name != "position" else written.value
+        limit_value = -abs(in_urdf.value) if bound == "min" and name != "position" else in_urdf.value
         given = float(parameter.value)
-        if (given < there - _ROUNDING) if bound == "min" else (given > there + _ROUNDING):
-            yield parameter, written
+        if (given < limit_value - _ROUNDING) if bound == "min" else (given > limit_value + _ROUNDING):
+            yield parameter, in_urdf

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
+from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, label, replaced
 from urdfctl.rules.ros2_control.common import called, parts
 from urdfctl.rules.ros2_control.facts import INTERFACES_OF_ROS1
-from urdfctl.suggest import nearest
 
 _STANDARD = ("position", "velocity", "effort", "acceleration")
 
@@ -19,7 +19,7 @@ _STANDARD = ("position", "velocity", "effort", "acceleration")
     severity=Severity.WARNING,
     distros=ROS2,
     authority="ros2_control hardware_interface/include/hardware_interface/types/hardware_interface_type_values.hpp "
-    "has the names that controllers ask for; any other is one of the hardware's own",
+    "has the names that controllers request; any other name is specific to the hardware",
     bad={
         "robot.urdf": """
             <ros2_control name="arm" type="system">
@@ -44,10 +44,10 @@ _STANDARD = ("position", "velocity", "effort", "acceleration")
     },
 )
 def interface_name_misspelt(project: Project) -> Iterator[Finding]:
-    """An interface of a joint is spelt nearly like one that controllers ask for, or as ROS 1 has it.
+    """Misspelt interface name of a joint, or a name from ROS 1.
 
-    It is taken as an interface of the hardware's own, and the controller that asks for position, velocity or effort
-    does not find it.
+    It is treated as an interface specific to the hardware. A controller that requests position, velocity or effort does
+    not find it.
     """
     for _, part in parts(project, "joint"):
         for interface in part.interfaces:
@@ -56,7 +56,7 @@ def interface_name_misspelt(project: Project) -> Iterator[Finding]:
             if not is_known(name) or meant is None:
                 continue
             at = interface.at["name"]
-            message = f"{called(interface)} of {label('joint', part.name)} is none of ROS 2's; did you mean '{meant}'?"
+            message = f"{called(interface)} of {label('joint', part.name)} is unknown in ROS 2; did you mean '{meant}'?"
             yield Finding(at, message, fix=replaced(at, interface.name or "", meant))
 
 

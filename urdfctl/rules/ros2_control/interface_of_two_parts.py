@@ -44,10 +44,10 @@ from urdfctl.rules.ros2_control.common import component, of_part, parts
     },
 )
 def interface_of_two_parts(project: Project) -> Iterator[Finding]:
-    """Two joints, sensors or gpios of one name have the same interface.
+    """Interface declared by two joints, sensors or gpios of the same name.
 
-    An interface is known by both names, such as elbow/position: the second is dropped, in whichever component it
-    stands, and what it should have driven is driven by nobody.
+    An interface is identified by both names, such as `elbow/position`. The second one is dropped, whichever component
+    it is in, and nothing drives its hardware.
     """
     first: dict[tuple[str, str, str], tuple[Ros2Control, Part]] = {}
     for control, part in parts(project):
@@ -55,11 +55,11 @@ def interface_of_two_parts(project: Project) -> Iterator[Finding]:
         if not name or not is_known(name):
             continue
         keys = [(name, interface.kind, (interface.name or "").strip()) for interface in part.interfaces]
-        known = [key for key in keys if is_known(key[2]) and first.setdefault(key, (control, part))[1] is not part]
-        if known:
-            where, before = first[known[0]]
-            shared = in_words(dict.fromkeys(f"{name}/{key[2]}" for key in known))
-            there = "this component" if where is control else component(where)
-            be = "is" if len({key[2] for key in known}) == 1 else "are"
-            message = f"{shared} of {of_part(control, part)} {be} already in {there}, and dropped here"
-            yield Finding(part.at["name"], message, (Note("it is here", before.at["name"]),))
+        repeated = [key for key in keys if is_known(key[2]) and first.setdefault(key, (control, part))[1] is not part]
+        if repeated:
+            where, before = first[repeated[0]]
+            shared = in_words(dict.fromkeys(f"{name}/{key[2]}" for key in repeated))
+            owner = "this component" if where is control else component(where)
+            dropped = "it is" if len({key[2] for key in repeated}) == 1 else "they are"
+            message = f"{of_part(control, part)} declares {shared}, as {owner} already does; {dropped} dropped here"
+            yield Finding(part.at["name"], message, (Note("first declared here", before.at["name"]),))

@@ -39,22 +39,22 @@ from urdfctl.rules.ros2_control.common import JAZZY, called, interfaces
     },
 )
 def interface_size_malformed(project: Project) -> Iterator[Finding]:
-    """The size of an interface is not a positive whole number.
+    """Interface size is not a positive integer.
 
-    The controller manager refuses the description. Up to iron only the interfaces of a gpio have a size.
+    The controller manager rejects the description. Up to iron, only interfaces of a gpio have a size.
     """
     for part, interface in interfaces(project):
         size = interface.tag.attributes.get("size")
         if size is None or not is_known(size) or _is_size(size):
             continue
-        refusing = ROS2 if part.kind == "gpio" else JAZZY
-        if set(refusing) & set(project.distros):
+        rejecting = ROS2 if part.kind == "gpio" else JAZZY
+        if set(rejecting) & set(project.distros):
             message = (
-                f"the size of {called(interface)} of {label(part.kind, part.name)} is '{size}'; it is 1, 2, 3 and so on"
+                f"size of {called(interface)} of {label(part.kind, part.name)} must be a positive integer, not '{size}'"
             )
-            yield Finding(interface.at["size"], message, severity=severity_where(project, refusing))
+            yield Finding(interface.at["size"], message, severity=severity_where(project, rejecting))
 
 
 def _is_size(text: str) -> bool:
-    found = re.fullmatch(r"[1-9][0-9]{0,9}", text.strip())
-    return found is not None and int(found.group()) < 2**31
+    digits = re.fullmatch(r"[1-9][0-9]{0,9}", text.strip())
+    return digits is not None and int(digits.group()) < 2**31

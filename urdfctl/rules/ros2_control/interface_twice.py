@@ -15,7 +15,7 @@ from urdfctl.rules.ros2_control.common import called, parts, side_by_side
     "UC336",
     severity=Severity.WARNING,
     distros=ROS2,
-    authority="measured with jazzy's controller manager, which takes the second without a word",
+    authority="measured with jazzy's controller manager, which silently accepts the second",
     bad={
         "robot.urdf": """
             <ros2_control name="arm" type="system">
@@ -41,10 +41,10 @@ from urdfctl.rules.ros2_control.common import called, parts, side_by_side
     },
 )
 def interface_twice(project: Project) -> Iterator[Finding]:
-    """A joint, sensor or gpio has the same interface twice.
+    """Duplicate interface of a joint, sensor or gpio.
 
-    There is one interface: what the second says, such as its limits or its initial value, is lost or takes the first
-    one's place.
+    Only one interface exists. Settings of the second one, such as limits or the initial value, are lost or replace
+    those of the first.
     """
     for _, part in parts(project):
         first: dict[tuple[str, str], Interface] = {}
@@ -52,5 +52,5 @@ def interface_twice(project: Project) -> Iterator[Finding]:
             name = (interface.name or "").strip()
             before = first.setdefault((interface.kind, name), interface)
             if before is not interface and name and is_known(name) and side_by_side(project, before.at, interface.at):
-                message = f"{label(part.kind, part.name)} already has a {called(before)}"
-                yield Finding(interface.at["name"], message, (Note("it is here", before.at["name"]),))
+                message = f"{called(interface)} of {label(part.kind, part.name)} is declared twice"
+                yield Finding(interface.at["name"], message, (Note("first declared here", before.at["name"]),))

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.catalog.hardware import HardwareType
+from urdfctl.names import did_you_mean
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import in_words, is_known, label, severity_where
 from urdfctl.rules.ros2_control.common import called, known_hardware, parts
-from urdfctl.suggest import did_you_mean
 
 
 @rule(
@@ -47,27 +47,29 @@ from urdfctl.suggest import did_you_mean
     },
 )
 def interface_unknown_to_hardware(project: Project) -> Iterator[Finding]:
-    """A joint has an interface that its hardware does not export.
+    """Interface is not provided by the hardware.
 
-    A simulator knows position, velocity and effort, and Gazebo Classic two with a PID besides. Any other is missing
-    when the interfaces are compared with the description, which is then refused.
+    A simulator provides position, velocity and effort; Gazebo Classic also provides two with a PID. Any other interface
+    is missing when the exported interfaces are compared with the description, which is then rejected.
     """
     for control, part in parts(project, "joint"):
-        found = known_hardware(project, control)
-        for interface in part.interfaces if found else ():
+        hardware = known_hardware(project, control)
+        for interface in part.interfaces if hardware else ():
             name = (interface.name or "").strip()
             if not name or not is_known(name):
                 continue
-            lists = [_exported(each, interface.kind) for each in found]
-            if any(each is None or name in each for each in lists):
+            exported = [_exported(each, interface.kind) for each in hardware]
+            if any(names is None or name in names for names in exported):
                 continue
-            there = lists[-1] or ()
-            severity = severity_where(project, (each.distro for each in found)) if found[0].host else Severity.WARNING
-            reason = did_you_mean(name, there) or f"; it has {in_words(there, len(there))}"
-            message = f"'{found[0].type}' has no {called(interface)} for {label('joint', part.name)}{reason}"
+            known = exported[-1] or ()
+            severity = (
+                severity_where(project, (each.distro for each in hardware)) if hardware[0].host else Severity.WARNING
+            )
+            hint = did_you_mean(name, known) or f"; it provides {in_words(known, len(known))}"
+            message = f"'{hardware[0].type}' has no {called(interface)} for {label('joint', part.name)}{hint}"
             yield Finding(interface.at["name"], message, severity=severity)
 
 
 def _exported(hardware: HardwareType, kind: str) -> tuple[str, ...] | None:
-    """The interfaces of a joint that hardware has; None where it has any, or nobody knows."""
+    """The interfaces that the hardware exports for a joint; None if it exports any, or this is not known."""
     return hardware.command_interfaces if kind == "command" else hardware.state_interfaces

@@ -42,17 +42,17 @@ from urdfctl.rules.ros2_control.facts import INTERFACES_OF_ROS1
     },
 )
 def interface_without_name(project: Project) -> Iterator[Finding]:
-    """An interface has no name.
+    """Interface without a name.
 
-    The controller manager refuses the whole description. The name stands in an attribute, not between the tags as
-    that of ROS 1's `<hardwareInterface>`. An empty one makes an interface that nobody can ask for.
+    The controller manager rejects the whole description. The name is an attribute, not text as in ROS 1's
+    `<hardwareInterface>`. An empty name creates an interface that no controller can request.
     """
     for part, interface in interfaces(project):
         of = label(part.kind, part.name)
         if interface.name is None:
-            yield Finding(interface.at, f"a <{interface.element}> of {of} has no 'name'", fix=_fix(interface))
+            yield Finding(interface.at, f"<{interface.element}> of {of} has no 'name'", fix=_fix(interface))
         elif not interface.name.strip():
-            message = f"the name of a <{interface.element}> of {of} is empty: nobody can ask for it"
+            message = f"<{interface.element}> of {of} has an empty 'name'; no controller can request it"
             yield Finding(interface.at["name"], message, severity=Severity.WARNING)
 
 
@@ -61,7 +61,7 @@ def _fix(interface: Interface) -> Fix | None:
     name = INTERFACES_OF_ROS1.get(text.removeprefix("hardware_interface/"), text)
     if not name or not is_known(name):
         return None
-    right = f'<{interface.element} name="{name}"/>'
+    element = f'<{interface.element} name="{name}"/>'
     span = None if interface.tag.children else whole_element(interface.at)
-    edits = (Edit(span, right),) if span is not None and name == text else ()
-    return Fix(f"write {right}", edits, safe=bool(edits))
+    edits = (Edit(span, element),) if span is not None and name == text else ()
+    return Fix(f"write {element}", edits, safe=bool(edits))

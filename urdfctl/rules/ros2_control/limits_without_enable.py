@@ -41,10 +41,10 @@ from urdfctl.rules.ros2_control.common import JAZZY, first_of, parts
     },
 )
 def limits_without_enable(project: Project) -> Iterator[Finding]:
-    """A `<limits>` in a component does not say whether it enables them.
+    """`<limits>` of a component without `enable`.
 
-    From jazzy on the controller manager refuses the description. The element switches limits on and off and holds no
-    numbers: these stand in the URDF's `<limit>`, and as `min` and `max` in the command interface.
+    Since jazzy, the controller manager rejects the description. The element switches limits on or off and has no
+    numbers. The numbers belong in the URDF's `<limit>`, and in `min` and `max` of the command interface.
     """
     for _, part in parts(project):
         owner = label(part.kind, part.name)
@@ -52,5 +52,5 @@ def limits_without_enable(project: Project) -> Iterator[Finding]:
         for tag in (*tags, *(interface.tag for interface in part.interfaces)):
             for limits in first_of(tag, "limits"):
                 if "enable" not in limits.attributes:
-                    message = f'the <limits> of {owner} has no \'enable\'; write <limits enable="true"/> or "false"'
+                    message = f'<limits> of {owner} has no \'enable\'; write <limits enable="true"/> or <limits enable="false"/>'
                     yield Finding(limits.at, message, severity=severity_where(project, JAZZY))

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.model.ros2_control import Parameter, Part
+from urdfctl.names import did_you_mean
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import is_all_there, is_known, robot_in, severity_where
 from urdfctl.rules.ros2_control.common import component, is_deaf, known_hardware, parts
-from urdfctl.suggest import did_you_mean
 
 
 @rule(
@@ -53,10 +53,10 @@ from urdfctl.suggest import did_you_mean
     },
 )
 def mimic_as_parameter(project: Project) -> Iterator[Finding]:
-    """A joint mimics another by a parameter that its hardware does not read, or a joint that is not there.
+    """Mimic parameter of a joint is ignored or names an unknown joint.
 
-    Up to iron the hardware read it, and stopped where its component has no joint of that name. From jazzy on the
-    URDF's `<mimic>` counts: without one the joint stays where it is.
+    Up to iron, the hardware reads the parameter, and fails if its component has no joint of that name. Since jazzy, the
+    URDF's `<mimic>` is used; without one the joint does not move.
     """
     robot = robot_in(project)
     mimics = {joint.name for joint in robot.joints if joint.mimic} if robot else set()
@@ -64,17 +64,19 @@ def mimic_as_parameter(project: Project) -> Iterator[Finding]:
         parameter = joint.parameter("mimic")
         if parameter is None or not is_known(parameter.value, joint.name, control.plugin):
             continue
-        reading = [each for each in known_hardware(project, control) if "mimic" in (each.joint_parameters or ())]
+        readers = [each for each in known_hardware(project, control) if "mimic" in (each.joint_parameters or ())]
         joints = [other.name for other in control.of_kind("joint")]
-        if reading and parameter.value not in joints and is_known(*joints) and is_all_there(project, control.tag):
-            severity = severity_where(project, (each.distro for each in reading))
-            reason = did_you_mean(parameter.value, (name for name in joints if name)) or "; put it there"
-            message = f"joint '{joint.name}' mimics '{parameter.value}', which is not in {component(control)}{reason}"
+        if readers and parameter.value not in joints and is_known(*joints) and is_all_there(project, control.tag):
+            severity = severity_where(project, (each.distro for each in readers))
+            hint = did_you_mean(parameter.value, (name for name in joints if name)) or "; add it there"
+            message = f"joint '{joint.name}' mimics '{parameter.value}', which is not in {component(control)}{hint}"
             yield Finding(parameter.at, message, severity=severity)
-        elif is_deaf(project, control, "mimic") and not project.library and (joint.name not in mimics or not reading):
-            message = f"the parameter 'mimic' of joint '{joint.name}' is not read from jazzy on, the URDF's <mimic> is"
-            title = f"write {_in_urdf(joint, parameter)} into the URDF's joint '{joint.name}'"
-            fix = Fix("take the parameter out" if joint.name in mimics else title)
+        elif is_deaf(project, control, "mimic") and not project.library and (joint.name not in mimics or not readers):
+            message = (
+                f"parameter 'mimic' of joint '{joint.name}' is ignored since jazzy, which reads <mimic> of the URDF"
+            )
+            title = f"add {_in_urdf(joint, parameter)} to joint '{joint.name}' in the URDF"
+            fix = Fix("remove the parameter" if joint.name in mimics else title)
             yield Finding(parameter.at, message, fix=fix)
 
 

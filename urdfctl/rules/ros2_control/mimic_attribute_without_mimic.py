@@ -38,18 +38,17 @@ from urdfctl.rules.ros2_control.common import JAZZY, parts
     },
 )
 def mimic_attribute_without_mimic(project: Project) -> Iterator[Finding]:
-    """A joint is marked as mimicking, and the URDF's joint has no `<mimic>`.
+    """Joint marked as mimic has no `<mimic>` in the URDF.
 
-    From jazzy on the controller manager refuses the description: what is mimicked, and how, stands in the URDF's
-    joint.
+    Since jazzy, the controller manager rejects the description. The URDF's joint defines what is mimicked, and how.
     """
     robot = robot_in(project)
     joints = {joint.name: joint for joint in reversed(robot.joints)} if robot else {}
     for _, joint in parts(project, "joint"):
-        found = joints.get((joint.name or "").strip())
+        in_urdf = joints.get((joint.name or "").strip())
         marked = joint.tag.attributes.get("mimic", "").strip().lower() == "true"
-        if found is None or found.mimic is not None or not marked:
+        if in_urdf is None or in_urdf.mimic is not None or not marked:
             continue
-        message = f"joint '{found.name}' is marked as mimicking, and has no <mimic joint=\"...\"/> in the URDF"
-        notes = (Note("the URDF's joint is here", found.at),)
+        message = f"joint '{in_urdf.name}' is marked as mimic, but has no <mimic joint=\"...\"/> in the URDF"
+        notes = (Note("the URDF's joint is defined here", in_urdf.at),)
         yield Finding(joint.at["mimic"], message, notes, severity=severity_where(project, JAZZY))

@@ -46,16 +46,16 @@ from urdfctl.rules.ros2_control.common import JAZZY, followers
     },
 )
 def mimic_joint_commanded(project: Project) -> Iterator[Finding]:
-    """A joint that mimics another has a command interface.
+    """Mimic joint with a command interface.
 
-    From jazzy on the URDF's `<mimic>` counts, and the controller manager refuses the description. The joint follows
-    by itself and has state interfaces only; with mimic="false" it is one to be commanded like any other.
+    Since jazzy, the URDF's `<mimic>` is used, and the controller manager rejects the description. The joint follows by
+    itself and has only state interfaces. With `mimic="false"` it can be commanded like any other joint.
     """
     for joint, _ in followers(project):
         for interface in joint.commands[:1]:
             name = joint.name
             message = (
-                f"joint '{name}' mimics another and has a command interface: take the interface out, "
+                f"joint '{name}' mimics another joint, but has a command interface; remove the interface, "
                 f'or write <joint name="{name}" mimic="false">'
             )
             yield Finding(interface.at, message, severity=severity_where(project, JAZZY))

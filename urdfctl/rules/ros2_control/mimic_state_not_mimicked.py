@@ -52,9 +52,9 @@ from urdfctl.rules.ros2_control.facts import MOCK
     },
 )
 def mimic_state_not_mimicked(project: Project) -> Iterator[Finding]:
-    """A joint of mock hardware has a state that the joint it mimics lacks.
+    """Mimic joint of mock hardware has a state that the mimicked joint lacks.
 
-    From jazzy on mock hardware copies each state of the mimicked joint: at the first read it does not find this one,
+    Since jazzy, mock hardware copies each state from the mimicked joint. At the first read it does not find this one
     and is deactivated.
     """
     for joint, (control, mimicked) in followers(project):
@@ -62,10 +62,10 @@ def mimic_state_not_mimicked(project: Project) -> Iterator[Finding]:
             project, control.tag
         ):
             continue
-        others = [other for other in control.of_kind("joint") if (other.name or "").strip() == mimicked]
-        there = {(state.name or "").strip() for other in others for state in other.states}
-        for state in joint.states if others else ():
+        sources = [other for other in control.of_kind("joint") if (other.name or "").strip() == mimicked]
+        mirrored = {(state.name or "").strip() for source in sources for state in source.states}
+        for state in joint.states if sources else ():
             name = (state.name or "").strip()
-            if name and name not in there and is_known(name, *there):
-                message = f"joint '{joint.name}' has the state '{name}', and '{mimicked}', which it mimics, has not"
+            if name and name not in mirrored and is_known(name, *mirrored):
+                message = f"joint '{joint.name}' has state interface '{name}', but mimics joint '{mimicked}', which does not have it"
                 yield Finding(state.at, message, severity=severity_where(project, JAZZY))

@@ -43,14 +43,14 @@ from urdfctl.rules.ros2_control.common import JAZZY, component, followers
     },
 )
 def mimicked_joint_not_in_component(project: Project) -> Iterator[Finding]:
-    """A joint mimics one that is not in its component.
+    """Mimicked joint is not in the same component.
 
-    From jazzy on the URDF's `<mimic>` counts: the mimicked joint has to stand in the same `<ros2_control>`, or the
-    controller manager refuses the description.
+    Since jazzy, the URDF's `<mimic>` is used. The mimicked joint must be in the same `<ros2_control>`, or the
+    controller manager rejects the description.
     """
     for joint, (control, mimicked) in followers(project):
         names = {(other.name or "").strip() for other in control.of_kind("joint")}
         if not is_known(mimicked, *names) or mimicked in names or not is_all_there(project, control.tag):
             continue
-        message = f"joint '{joint.name}' mimics '{mimicked}', which is not in {component(control)}; put it there too"
+        message = f"joint '{joint.name}' mimics '{mimicked}', which is not in {component(control)}; add it there"
         yield Finding(joint.at["name"], message, severity=severity_where(project, JAZZY))

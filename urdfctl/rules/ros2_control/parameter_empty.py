@@ -40,13 +40,15 @@ from urdfctl.rules.ros2_control.common import parameters
     },
 )
 def parameter_empty(project: Project) -> Iterator[Finding]:
-    """A parameter of a component is empty.
+    """Empty parameter in a component.
 
-    Up to galactic the description is refused; from humble on it is an empty text, which hardware may take for none.
+    Up to galactic, the description is rejected. Since humble, the value is an empty string, which hardware may treat as
+    missing.
     """
     if not set(project.distros) <= set(until("galactic")):
         return
-    for of, found in parameters(project):
-        for parameter in found:
+    for of, given in parameters(project):
+        for parameter in given:
             if not parameter.value and parameter.name:
-                yield Finding(parameter.at, f"the parameter '{parameter.name}' of {of} is empty")
+                message = f"parameter '{parameter.name}' of {of} is empty; galactic and earlier reject the description"
+                yield Finding(parameter.at, message)

@@ -15,7 +15,7 @@ from urdfctl.rules.ros2_control.common import parameters
     "UC363",
     severity=Severity.WARNING,
     distros=ROS2,
-    authority="ros2_control gives the hardware a parameter's text as it stands; xacro alone expands ${...} and $(...)",
+    authority="ros2_control passes a parameter's text to the hardware unchanged; only xacro expands ${...} and $(...)",
     bad={
         "robot.urdf": """
             <ros2_control name="arm" type="system">
@@ -40,17 +40,17 @@ from urdfctl.rules.ros2_control.common import parameters
     },
 )
 def parameter_not_expanded(project: Project) -> Iterator[Finding]:
-    """A parameter is a xacro expression that nothing expands.
+    """Xacro expression in a parameter is not expanded.
 
-    The hardware gets its text as it stands. The file is no xacro file: its name does not say so, and it does not
-    declare xacro's namespace.
+    The hardware receives the text unchanged. The file is not a xacro file: its name does not say so, and it does not
+    declare the xacro namespace.
     """
     robot = robot_in(project)
     if robot is None or is_xacro(robot):
         return
-    for of, found in parameters(project):
-        for parameter in found:
+    for of, given in parameters(project):
+        for parameter in given:
             expression = re.search(r"\$[({][^)}]*[)}]?", parameter.value)
             if expression and parameter.name not in ("min", "max", "initial_value"):
-                message = f"nothing expands '{expression.group()}' in the parameter '{parameter.name}' of {of}"
-                yield Finding(parameter.at, message, fix=Fix("write the value, or make the file a xacro file"))
+                message = f"'{expression.group()}' in parameter '{parameter.name}' of {of} is not expanded"
+                yield Finding(parameter.at, message, fix=Fix("write the value, or convert the file to xacro"))

@@ -16,7 +16,7 @@ from urdfctl.rules.ros2_control.common import parameters, side_by_side
     severity=Severity.WARNING,
     distros=ROS2,
     authority="ros2_control hardware_interface/src/component_parser.cpp parse_parameters_from_xml(): a later "
-    "parameter of a name takes the earlier one's place",
+    "parameter replaces an earlier one of the same name",
     bad={
         "robot.urdf": """
             <ros2_control name="arm" type="system">
@@ -42,23 +42,20 @@ from urdfctl.rules.ros2_control.common import parameters, side_by_side
     },
 )
 def parameter_twice(project: Project) -> Iterator[Finding]:
-    """A parameter is given twice.
+    """Duplicate parameter in a component.
 
-    The last one counts, without a word.
+    The last value is used, without a message.
     """
-    for of, found in parameters(project):
+    for of, given in parameters(project):
         first: dict[str, Parameter] = {}
-        for parameter in found:
+        for parameter in given:
             name = parameter.name
             if name is None or not is_known(name):
                 continue
             before = first.setdefault(name, parameter)
             if before is not parameter and side_by_side(project, before.at, parameter.at):
-                same = (
-                    ", with the same value" if before.value == parameter.value else f", and '{parameter.value}' counts"
-                )
-                severity = Severity.INFO if before.value == parameter.value else None
-                message = f"{of} already has a parameter '{name}'{same}"
-                yield Finding(
-                    parameter.at["name"], message, (Note("it is here", before.at["name"]),), severity=severity
-                )
+                is_same = before.value == parameter.value
+                effect = " with the same value" if is_same else f"; '{parameter.value}' is used"
+                message = f"parameter '{name}' of {of} is set twice{effect}"
+                notes = (Note("first set here", before.at["name"]),)
+                yield Finding(parameter.at["name"], message, notes, severity=Severity.INFO if is_same else None)

@@ -39,12 +39,12 @@ from urdfctl.rules.ros2_control.common import parameters
     },
 )
 def parameter_without_name(project: Project) -> Iterator[Finding]:
-    """A `<param>` in a component has no name.
+    """`<param>` of a component without a name.
 
-    The controller manager refuses the whole description.
+    The controller manager rejects the whole description.
     """
-    for of, found in parameters(project):
-        for parameter in found:
+    for of, given in parameters(project):
+        for parameter in given:
             if parameter.name is None:
                 value = f" (its value is '{parameter.value}')" if parameter.value else ""
-                yield Finding(parameter.at, f"a <param> of {of} has no 'name'{value}")
+                yield Finding(parameter.at, f"<param> of {of} has no 'name'{value}")

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
+from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_all_there, is_conditional
 from urdfctl.rules.ros2_control.common import followers, known_hardware, of_part, parts
 from urdfctl.rules.ros2_control.facts import INTERFACE_ELEMENTS
-from urdfctl.suggest import nearest
 
 
 @rule(
@@ -40,10 +40,10 @@ from urdfctl.suggest import nearest
     },
 )
 def part_without_interfaces(project: Project) -> Iterator[Finding]:
-    """A joint, sensor or gpio of a component has no interface.
+    """Joint, sensor or gpio without interfaces.
 
-    Nothing of it can be read or commanded. A joint that only mimics another may stand without, and a part with
-    parameters, which the hardware reads; real hardware may ask for an empty gpio.
+    Nothing of it can be read or commanded. Three cases are accepted: a joint that only mimics another, a part with
+    parameters for the hardware, and an empty gpio of real hardware.
     """
     mimics = {id(joint) for joint, _ in followers(project)}
     for control, part in parts(project):
@@ -54,4 +54,4 @@ def part_without_interfaces(project: Project) -> Iterator[Finding]:
         if part.kind == "gpio" and not any(each.simulator for each in known_hardware(project, control)):
             continue
         severity = Severity.INFO if is_conditional(part.at) else Severity.WARNING
-        yield Finding(part.at, f"{of_part(control, part)} has neither command nor state interface", severity=severity)
+        yield Finding(part.at, f"{of_part(control, part)} has no command or state interface", severity=severity)

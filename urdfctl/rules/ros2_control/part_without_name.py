@@ -35,13 +35,15 @@ from urdfctl.rules.ros2_control.common import component, parts
     },
 )
 def part_without_name(project: Project) -> Iterator[Finding]:
-    """A joint, sensor or gpio of a component has no name.
+    """Joint, sensor or gpio of a component without a name.
 
-    The controller manager refuses the whole description.
+    The controller manager rejects the whole description.
     """
     for control, part in parts(project):
         if part.name is None:
-            yield Finding(part.at, f"a <{part.kind}> of {component(control)} has no 'name'")
+            yield Finding(part.at, f"<{part.kind}> of {component(control)} has no 'name'")
         elif part.name == "" and part.kind != "joint":
-            message = f"the name of a <{part.kind}> of {component(control)} is empty: nobody can ask for its interfaces"
+            message = (
+                f"<{part.kind}> of {component(control)} has an empty 'name'; no controller can request its interfaces"
+            )
             yield Finding(part.at["name"], message, severity=Severity.WARNING)

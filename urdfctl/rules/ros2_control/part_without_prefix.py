@@ -37,10 +37,10 @@ _MACRO = """
     good={"arm.ros2_control.xacro": _MACRO % "${prefix}elbow"},
 )
 def part_without_prefix(project: Project) -> Iterator[Finding]:
-    """A macro takes a prefix, uses it nowhere, and names the joints or sensors of `<ros2_control>` without it.
+    """Macro does not use its prefix in the joint or sensor names of `<ros2_control>`.
 
-    As long as the prefix is empty all is well. With any other one the joints of the robot have it and these have not, so
-    that ros2_control does not find them, and two arms share their interfaces.
+    An empty prefix works. With any other prefix, the robot's joints have it but these joints do not, and ros2_control
+    does not find them. Two arms also share their interfaces.
     """
     for _, part in parts(project, "joint", "sensor"):
         declared = _unused_prefix(part) if part.name else None
@@ -51,13 +51,13 @@ def part_without_prefix(project: Project) -> Iterator[Finding]:
 def _finding(part: Part, declared: Place) -> Finding:
     name, parameter = part.name or "", declared.span.text
     at = part.at["name"]
-    message = f"{label(part.kind, name)} has no prefix, though its macro takes '{parameter}' and uses it nowhere"
+    message = f"{label(part.kind, name)} has no prefix; its macro takes '{parameter}', but never uses it"
     fix = replaced(at, name, f"${{{parameter}}}{name}")
     return Finding(at, message, (Note(f"'{parameter}' is declared here", declared),), fix)
 
 
 def _unused_prefix(part: Part) -> Place | None:
-    """The parameter that is a prefix by its name, and stands nowhere in the macro that writes a part literally."""
+    """The prefix parameter of the macro that writes the part literally, if the macro never uses it."""
     call = part.at.call
     if call is None or "$" in part.at["name"].span.text:
         return None
@@ -66,8 +66,8 @@ def _unused_prefix(part: Part) -> Place | None:
     if macro is None or tag is None or "params" not in tag.attributes or macro.source is not part.at.source:
         return None
     data, (start, end) = macro.source.data, tag.attributes["params"]
-    found = re.compile(_PARAMETER).search(data, start, end)
+    parameter = re.compile(_PARAMETER).search(data, start, end)
     body = data[tag.end : data.find(_ENDING, tag.end)]
-    if found is None or re.search(rb"\b%s\b" % found.group(1), body) or _MACRO_TAG in body:
+    if parameter is None or re.search(rb"\b%s\b" % parameter.group(1), body) or _MACRO_TAG in body:
         return None
-    return Place(macro.source, found.start(1), end=found.end(1))
+    return Place(macro.source, parameter.start(1), end=parameter.end(1))

@@ -15,8 +15,8 @@ from urdfctl.source.opaque import UNKNOWN
     "UC329",
     severity=Severity.ERROR,
     distros=ROS2,
-    authority='ros2_control hardware_interface/src/component_parser.cpp: "no ros2_control tag"; it reads the '
-    "children of the root element alone",
+    authority='ros2_control hardware_interface/src/component_parser.cpp: "no ros2_control tag"; it reads '
+    "only the children of the root element",
     bad={
         "robot.urdf": """
             <gazebo>
@@ -40,9 +40,10 @@ from urdfctl.source.opaque import UNKNOWN
     },
 )
 def ros2_control_not_in_root(project: Project) -> Iterator[Finding]:
-    """A `<ros2_control>` stands inside another element than `<robot>`.
+    """`<ros2_control>` is not directly in `<robot>`.
 
-    The parser does not see it: its joints have no interfaces. Where there is no other one the description is refused.
+    The parser does not see it, and its joints have no interfaces. If there is no other `<ros2_control>`, the
+    description is rejected.
     """
     robot = robot_in(project)
     alone = not components(project)
@@ -50,8 +51,6 @@ def ros2_control_not_in_root(project: Project) -> Iterator[Finding]:
         parent = control.parent
         if parent == "robot" or ":" in parent or parent == UNKNOWN:
             continue
-        message = (
-            f"{component(control)} stands inside <{parent}>, where it is not read; it belongs directly under <robot>"
-        )
+        message = f"{component(control)} is ignored inside <{parent}>; it must be directly under <robot>"
         severity = Severity.ERROR if alone else Severity.WARNING
-        yield Finding(control.at, message, fix=Fix("move it out, to stand directly under <robot>"), severity=severity)
+        yield Finding(control.at, message, fix=Fix("move it directly under <robot>"), severity=severity)

@@ -35,10 +35,10 @@ from urdfctl.rules.ros2_control.common import JAZZY, component, components, lead
     },
 )
 def rw_rate_malformed(project: Project) -> Iterator[Finding]:
-    """The rate of a component is not a whole number of Hz.
+    """Read/write rate of a component is not an integer.
 
-    From jazzy on the controller manager refuses what does not begin with one, what is negative and what is above
-    2147483647. Of the rest it takes the digits at the beginning: 10.5 is 10, and 1e2 is 1.
+    Since jazzy, the controller manager rejects a value that does not start with an integer, is negative, or is greater
+    than 2147483647. Otherwise it reads only the leading digits: 10.5 becomes 10, and 1e2 becomes 1.
     """
     for control in components(project):
         text = control.tag.attributes.get("rw_rate")
@@ -47,10 +47,8 @@ def rw_rate_malformed(project: Project) -> Iterator[Finding]:
         at = control.at["rw_rate"]
         read = leading_integer(text)
         if read is None or not 0 <= read < 2**31:
-            message = f"'rw_rate' of {component(control)} is '{text}'; it is a whole number of Hz, 0 or more"
+            message = f"'rw_rate' of {component(control)} must be an integer in Hz, 0 or more, not '{text}'"
             yield Finding(at, message, severity=severity_where(project, JAZZY))
         elif text.strip() != str(read):
-            message = (
-                f"'rw_rate' of {component(control)} is '{text}', which is read as {read}; it is a whole number of Hz"
-            )
+            message = f"'rw_rate' of {component(control)} is '{text}', which is read as {read}; use an integer in Hz"
             yield Finding(at, message, severity=Severity.WARNING)

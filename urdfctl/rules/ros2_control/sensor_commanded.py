@@ -14,7 +14,7 @@ from urdfctl.rules.ros2_control.common import called, component, parts
     "UC343",
     severity=Severity.WARNING,
     distros=ROS2,
-    authority="ros2_control hardware_interface: sensors export state interfaces alone; a component of type sensor "
+    authority="ros2_control hardware_interface: sensors export only state interfaces; a component of type sensor "
     "has no write()",
     bad={
         "robot.urdf": """
@@ -40,13 +40,16 @@ from urdfctl.rules.ros2_control.common import called, component, parts
     },
 )
 def sensor_commanded(project: Project) -> Iterator[Finding]:
-    """A sensor has a command interface.
+    """Sensor with a command interface.
 
-    Sensors, and all in a component of type sensor, export state interfaces alone: no controller can claim this one. A
-    `<gpio>` in a system takes commands that are no joint's.
+    Sensors, and all parts of a component of type sensor, export only state interfaces: no controller can claim this
+    one. For commands that belong to no joint, use a `<gpio>` in a system.
     """
     for control, part in parts(project):
         whole = (control.type or "").strip() == "sensor"
         for interface in part.commands if whole or part.kind == "sensor" else ():
-            what = f"{component(control)} is of type sensor" if whole else f"{label('sensor', part.name)} is a sensor"
-            yield Finding(interface.at, f"{what}: its {called(interface)} is not exported")
+            owner, what = label("sensor", part.name), "a sensor"
+            if whole:
+                owner, what = component(control), "a component of type 'sensor'"
+            message = f"{called(interface)} of {owner} is not exported; {what} has only state interfaces"
+            yield Finding(interface.at, message)

@@ -44,16 +44,16 @@ _PLUGINS = ("gazebo_ros2_control", "gz_ros2_control", "ign_ros2_control")
     },
 )
 def simulator_without_component(project: Project) -> Iterator[Finding]:
-    """A robot loads ros2_control's plugin of a simulator, and has no `<ros2_control>`.
+    """Simulator plugin for ros2_control without a `<ros2_control>`.
 
-    The plugin finds nothing to control and stays out: there is no controller manager. The plugin of distros before
-    foxy had transmissions for it.
+    The plugin finds nothing to control and stays inactive: there is no controller manager. Before foxy, the plugin read
+    transmissions instead.
     """
     robot = whole_robot_in(project)
     if robot is None or robot.ros2_controls or any("ros2_control" in tag.name.lower() for tag in robot.others):
         return
     for plugin in robot.plugins:
         if any(name in (plugin.filename or "") for name in _PLUGINS):
-            message = f"the plugin '{plugin.filename}' finds no <ros2_control> in this robot, which says what it is to control"
+            message = f"plugin '{plugin.filename}' requires a <ros2_control>, but the robot has none"
             severity = Severity.WARNING if robot.transmissions else Severity.ERROR
             yield Finding(plugin.at, message, severity=severity)

@@ -34,18 +34,18 @@ from urdfctl.rules.ros2_control.common import JAZZY, component, components, is_p
     },
 )
 def thread_priority_malformed(project: Project) -> Iterator[Finding]:
-    """The thread priority of a component is not a positive whole number.
+    """Thread priority of a component is not a positive integer.
 
-    From jazzy on the controller manager refuses the description. Where the component is not asynchronous the
-    attribute is not read at all.
+    Since jazzy, the controller manager rejects the description. If the component is not asynchronous, the attribute is
+    ignored.
     """
     for control in components(project):
         text = control.tag.attributes.get("thread_priority")
         if text is None or not is_known(text, control.tag.attributes.get("is_async")) or is_positive_integer(text):
             continue
-        message = f"'thread_priority' of {component(control)} is '{text}'; it is a whole number, 1 or more"
+        message = f"'thread_priority' of {component(control)} must be a positive integer, not '{text}'"
         if control.tag.attributes.get("is_async", "").strip().lower() == "true":
             yield Finding(control.at["thread_priority"], message, severity=severity_where(project, JAZZY))
         else:
-            message += ', and read only with is_async="true"'
+            message += '; it is read only with is_async="true"'
             yield Finding(control.at["thread_priority"], message, severity=Severity.WARNING)

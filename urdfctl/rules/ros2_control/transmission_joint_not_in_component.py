@@ -44,9 +44,9 @@ from urdfctl.rules.ros2_control.common import component, components
     },
 )
 def transmission_joint_not_in_component(project: Project) -> Iterator[Finding]:
-    """A transmission names a joint that is not in its component.
+    """Transmission names a joint that is not in its component.
 
-    The controller manager refuses the whole description: the joint has to stand in the same `<ros2_control>`.
+    The controller manager rejects the whole description. The joint must be in the same `<ros2_control>`.
     """
     for control in components(project):
         known = Names((joint.name or "").strip() for joint in control.of_kind("joint"))
@@ -56,9 +56,9 @@ def transmission_joint_not_in_component(project: Project) -> Iterator[Finding]:
             for end in transmission.joints if not transmission.is_ros1 else ():
                 if end.name is None or not is_known(end.name) or end.name.strip() in known:
                     continue
-                right = known.meant_by(end.name)
-                reason = f"; did you mean '{right}'?" if right else "; give the component a <joint> of that name"
-                fix = replaced(end.at["name"], end.name, right) if right else None
-                of = label("transmission", transmission.name)
-                message = f"{label('joint', end.name)} of {of} is not in {component(control)}{reason}"
+                meant = known.meant_by(end.name)
+                hint = f"; did you mean '{meant}'?" if meant else "; add a <joint> of that name to the component"
+                fix = replaced(end.at["name"], end.name, meant) if meant else None
+                owner = label("transmission", transmission.name)
+                message = f"{owner} names {label('joint', end.name)}, which is not in {component(control)}{hint}"
                 yield Finding(end.at["name"], message, fix=fix)

@@ -45,23 +45,23 @@ from urdfctl.rules.ros2_control.common import component, components
     },
 )
 def transmission_name_or_role_missing(project: Project) -> Iterator[Finding]:
-    """A transmission in a component, its joint or its actuator lacks a name or role.
+    """Transmission, joint or actuator without a name or role.
 
-    The controller manager refuses the whole description. Both are attributes; the role is joint1, joint2, actuator1
-    or actuator2.
+    The controller manager rejects the whole description. Both are attributes. The role is `joint1`, `joint2`,
+    `actuator1` or `actuator2`.
     """
     for control in components(project):
         for transmission in control.transmissions:
             if transmission.name is None:
-                yield Finding(transmission.at, f"a <transmission> of {component(control)} has no 'name'")
+                yield Finding(transmission.at, f"<transmission> of {component(control)} has no 'name'")
             for end in (*transmission.joints, *transmission.actuators):
                 of = f"{label(end.kind, end.name)} of {label('transmission', transmission.name)}"
                 if end.name is None:
-                    yield Finding(end.at, f"a <{end.kind}> of {label('transmission', transmission.name)} has no 'name'")
+                    yield Finding(end.at, f"<{end.kind}> of {label('transmission', transmission.name)} has no 'name'")
                 if end.role is None and not transmission.is_ros1:
-                    message = f'{of} has no \'role\'; write role="{end.kind}1", or "{end.kind}2" for the second'
+                    message = f'{of} has no \'role\'; add role="{end.kind}1", or "{end.kind}2" for the second'
                     yield Finding(end.at, message, _as_element(end))
 
 
 def _as_element(end: ControlTransmissionEnd) -> tuple[Note, ...]:
-    return tuple(Note("the <role> of ROS 1 is not read", tag.at) for tag in end.tag.named("role"))
+    return tuple(Note("<role> of ROS 1 is ignored", tag.at) for tag in end.tag.named("role"))

@@ -14,8 +14,8 @@ from urdfctl.rules.ros2_control.common import replacement
     "UC330",
     severity=Severity.WARNING,
     distros=ROS2,
-    authority="ros2_control hardware_interface/src/component_parser.cpp reads the children of <ros2_control> alone;"
-    " transmissions of ROS 1 stood in the root, and nothing of ROS 2 reads them there",
+    authority="ros2_control hardware_interface/src/component_parser.cpp reads only the children of <ros2_control>;"
+    " transmissions of ROS 1 are in the root, where ROS 2 ignores them",
     bad={
         "robot.urdf": """
             «<transmission name="elbow_transmission">»
@@ -42,22 +42,23 @@ from urdfctl.rules.ros2_control.common import replacement
     },
 )
 def transmission_not_read_by_ros2(project: Project) -> Iterator[Finding]:
-    """A robot of ROS 2 has transmissions of ROS 1.
+    """Transmission of ROS 1 in a ROS 2 robot.
 
-    They stand in the root, where nothing of ROS 2 reads them: joints that are in no `<ros2_control>` cannot be
-    controlled, and for the others the transmissions are left over.
+    ROS 2 ignores transmissions in the root. Joints that are in no `<ros2_control>` cannot be controlled. For the other
+    joints, the transmissions are leftovers.
     """
     robot = robot_in(project)
     if robot is None or project.ros != 2:  # noqa: PLR2004 (the generation)
         return
-    there = {part.name for control in robot.ros2_controls for part in control.of_kind("joint")}
+    controlled = {part.name for control in robot.ros2_controls for part in control.of_kind("joint")}
     mimics = {joint.name for joint in robot.joints if joint.mimic}
-    read = [transmission for transmission in robot.transmissions if not transmission.is_pr2]
-    for transmission in read[:1]:
-        more, their = (f" and {len(read) - 1} more are", "their") if len(read) > 1 else (" is", "its")
-        missing = [joint for each in read for joint in each.joints if joint.name and joint.name not in there | mimics]
-        message = f"{transmission.label}{more} not read by ROS 2, which has <ros2_control> in {their} place"
+    of_ros1 = [transmission for transmission in robot.transmissions if not transmission.is_pr2]
+    for transmission in of_ros1[:1]:
+        more = f" and {len(of_ros1) - 1} more are" if len(of_ros1) > 1 else " is"
+        joints = [joint for other in of_ros1 for joint in other.joints]
+        missing = [joint for joint in joints if joint.name and joint.name not in controlled | mimics]
+        message = f"{transmission.label}{more} ignored by ROS 2, which reads <ros2_control> instead"
         if missing:
-            message += f": {label('joint', missing[0].name)} is in none"
-        joints = [(joint.name, [text.value for text in joint.interfaces]) for joint in missing[:1]]
-        yield Finding(transmission.at, message, tuple(replacement(joints, there)))
+            message += f"; {label('joint', missing[0].name)} is in none"
+        first = [(joint.name, [text.value for text in joint.interfaces]) for joint in missing[:1]]
+        yield Finding(transmission.at, message, tuple(replacement(first, controlled)))

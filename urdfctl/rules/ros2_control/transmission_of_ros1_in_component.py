@@ -43,21 +43,21 @@ from urdfctl.rules.ros2_control.common import component, components, hardware_in
     },
 )
 def transmission_of_ros1_in_component(project: Project) -> Iterator[Finding]:
-    """A transmission in a component is written as ROS 1 has it.
+    """Transmission of a component in the ROS 1 format.
 
-    ROS 2 refuses the description, and no interface would come of the transmission: what a joint takes and gives
-    stands in `<joint>`, with a command interface for what controllers write and state interfaces for what they read.
-    A transmission of ROS 2 names a `<plugin>`, has roles, and is there only for a gear between motor and joint.
+    ROS 2 rejects the description, and the transmission would not create an interface. Interfaces belong in `<joint>`:
+    command interfaces for what controllers write, state interfaces for what they read. A ROS 2 transmission has a
+    `<plugin>` and roles. It is needed only for a gear between motor and joint.
     """
     for control in components(project):
-        there = {joint.name for joint in control.of_kind("joint")}
+        controlled = {joint.name for joint in control.of_kind("joint")}
         for transmission in control.transmissions:
             if transmission.is_ros1:
                 name = label("transmission", transmission.name)
                 message = (
-                    f"{name} in {component(control)} is written as ROS 1 has it, which ROS 2 refuses: "
-                    "the interfaces of a joint stand in <joint> there"
+                    f"{name} in {component(control)} uses the ROS 1 format, which ROS 2 rejects; "
+                    "declare the joint's interfaces in <joint>"
                 )
                 joints = [(end.name, hardware_interfaces(end.tag)) for end in transmission.joints]
-                notes = tuple(replacement(joints, there))
-                yield Finding(transmission.at, message, notes, Fix("write the <joint> instead of the transmission"))
+                notes = tuple(replacement(joints, controlled))
+                yield Finding(transmission.at, message, notes, Fix("replace the transmission with a <joint>"))

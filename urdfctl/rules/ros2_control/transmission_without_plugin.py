@@ -43,17 +43,17 @@ from urdfctl.rules.ros2_control.common import component, components
     },
 )
 def transmission_without_plugin(project: Project) -> Iterator[Finding]:
-    """A transmission in a component names no plugin, or an empty one.
+    """Transmission of a component without a plugin.
 
-    The controller manager refuses the whole description where it is missing, and no hardware can load the
-    transmission where it is empty.
+    If `<plugin>` is missing, the controller manager rejects the whole description. If it is empty, no hardware can load
+    the transmission.
     """
     for control in components(project):
         for transmission in control.transmissions:
             of = f"{label('transmission', transmission.name)} in {component(control)}"
-            what = "write <plugin>transmission_interface/SimpleTransmission</plugin>"
+            element = "<plugin>transmission_interface/SimpleTransmission</plugin>"
             if transmission.plugins and not transmission.plugins[0].past_comments:
-                message = f"the <plugin> of {of} is empty; {what}"
+                message = f"<plugin> of {of} is empty; write {element}"
                 yield Finding(transmission.plugins[0].at, message, severity=Severity.WARNING)
             elif not transmission.plugins and not transmission.is_ros1 and is_all_there(project, transmission.tag):
-                yield Finding(transmission.at, f"{of} has no <plugin>; {what}")
+                yield Finding(transmission.at, f"{of} has no <plugin>; add {element}")

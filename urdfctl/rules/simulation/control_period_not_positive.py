@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
+from urdfctl.control.simulator_plugins import control_plugins
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known
-from urdfctl.rules.simulation.common import control_plugins, number
+from urdfctl.rules.simulation.common import number
 
 
 @rule(
@@ -36,23 +37,23 @@ from urdfctl.rules.simulation.common import control_plugins, number
     },
 )
 def control_period_not_positive(project: Project) -> Iterator[Finding]:
-    """The period of ros_control's plugin is not more than 0 seconds, or so long that a rate in Hz was meant.
+    """Control period is not positive, or too long to be in seconds.
 
-    It is the time between two updates of the controllers, in seconds; without it they are updated in each step of the
-    simulation.
+    `<controlPeriod>` is the time between two updates of the controllers, in seconds. Without it, they are updated in
+    each step of the simulation.
     """
-    for one in control_plugins(project):
-        setting = one.setting("controlPeriod")
+    for sim_plugin in control_plugins(project):
+        setting = sim_plugin.setting("controlPeriod")
         value = number(setting.text) if setting and is_known(setting.text) else None
         if setting is None or value is None or 0 < value <= _LONGEST:
             continue
         message = (
-            f"<controlPeriod> is {setting.text} s, and must be more than 0; without it, it is the simulation's step"
+            f"<controlPeriod> must be greater than 0 s, not {setting.text}; without it, the simulation step is used"
         )
         if value > 0:
-            message = f"<controlPeriod> is {setting.text} s between two updates; is a rate in Hz meant?"
+            message = f"<controlPeriod> is {setting.text} s between two updates; did you mean a rate in Hz?"
         yield Finding(setting.at.content, message)
 
 
 _LONGEST = 1.0
-"""In s. Nobody controls more slowly."""
+"""The longest plausible period, in s."""

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.simulator_plugins import loaded_plugins
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import robot_in
-from urdfctl.rules.simulation.common import loaded
 
 
 @rule(
     "UC510",
     severity=Severity.WARNING,
-    authority="gazebo physics/Model.cc, Model::LoadPlugins: the plugins of a model alone; gz-sim: 'is not a model. Please "
+    authority="gazebo physics/Model.cc, Model::LoadPlugins: only the plugins of a model; gz-sim: 'is not a model. Please "
     "make sure that Gazebo ROS 2 Control is attached to a valid model.'",
     bad={
         "robot.urdf": """
@@ -30,15 +30,18 @@ from urdfctl.rules.simulation.common import loaded
     },
 )
 def control_plugin_in_reference(project: Project) -> Iterator[Finding]:
-    """The plugin that moves a robot stands in a `<gazebo reference="...">`.
+    """Control or drive plugin inside `<gazebo reference="...">`.
 
-    What stands there becomes part of that link or joint, and Gazebo loads such plugins of the whole model alone.
+    The content of such an element becomes part of that link or joint. Gazebo loads these plugins only for the whole
+    model.
     """
     robot = robot_in(project)
     inside = (
         {plugin.at for gazebo in robot.gazebos if gazebo.reference for plugin in gazebo.plugins} if robot else set()
     )
-    for one in loaded(project):
-        if one.plugin.at in inside and (one.hosts_control or one.drives):
-            message = f"'{one.filename}' is a plugin of the whole robot, and is not loaded in <gazebo reference>"
-            yield Finding(one.plugin.at, message, fix=Fix("write it in a <gazebo> without reference"))
+    for sim_plugin in loaded_plugins(project):
+        if sim_plugin.plugin.at in inside and (sim_plugin.hosts_control or sim_plugin.drives):
+            message = (
+                f"'{sim_plugin.filename}' is a plugin of the whole robot; it is not loaded inside <gazebo reference>"
+            )
+            yield Finding(sim_plugin.plugin.at, message, fix=Fix("move it to a <gazebo> without reference"))

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
+from urdfctl.control.simulator_plugins import IN_GAZEBO, components, loaded_plugins, simulator_of
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import whole_robot_in
-from urdfctl.rules.simulation.common import IN_GAZEBO, components, loaded, simulator_of
 
 
 @rule(
@@ -41,26 +41,30 @@ from urdfctl.rules.simulation.common import IN_GAZEBO, components, loaded, simul
     },
 )
 def control_plugin_missing(project: Project) -> Iterator[Finding]:
-    """A robot's hardware runs in Gazebo, and no plugin of the robot brings it there.
+    """Hardware for Gazebo without the plugin that loads it.
 
-    The controller manager of a simulated robot lives in a plugin of Gazebo, which loads the hardware. Without it
-    spawners wait for the manager in vain.
+    The controller manager of a simulated robot runs in a plugin of Gazebo, which loads the hardware. Without the
+    plugin, spawners wait for a controller manager that never starts.
     """
     robot = whole_robot_in(project)
-    if robot is None or any(one.hosts_control or one.any is None for one in loaded(project) if one.filename):
+    if robot is None or any(
+        sim_plugin.hosts_control or sim_plugin.any is None
+        for sim_plugin in loaded_plugins(project)
+        if sim_plugin.filename
+    ):
         return
     for control in components(project):
         simulator = simulator_of(project, control)
         if simulator not in IN_GAZEBO:
             continue
         last = project.distros[-1] if project.distro else "iron" if simulator == "gazebo-classic" else "rolling"
-        hosts = [one for one in project.catalog.simulator_plugins(last) if one.hosts_control]
-        right = next((one for one in hosts if one.simulator == simulator), None)
-        message = f"'{control.plugin}' runs in {IN_GAZEBO[simulator]}, and no <plugin> of the robot loads it there"
+        hosts = [plugin for plugin in project.catalog.simulator_plugins(last) if plugin.hosts_control]
+        host = next((plugin for plugin in hosts if plugin.simulator == simulator), None)
+        message = f"'{control.plugin}' runs in {IN_GAZEBO[simulator]}, but no <plugin> of the robot loads it there"
         fix = None
-        if right:
-            name = right.names[0] if right.names else "gazebo_ros2_control"
-            plugin = f'<plugin filename="{right.filenames[0]}" name="{name}">'
-            fix = Fix(f"add <gazebo>{plugin}<parameters>...</parameters></plugin></gazebo>")
+        if host:
+            name = host.names[0] if host.names else "gazebo_ros2_control"
+            element = f'<plugin filename="{host.filenames[0]}" name="{name}">'
+            fix = Fix(f"add <gazebo>{element}<parameters>...</parameters></plugin></gazebo>")
         yield Finding(control.hardware[-1].plugins[0].at, message, fix=fix)
         return

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.simulator_plugins import LoadedPlugin, control_plugins, namespace_of
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known
-from urdfctl.rules.simulation.common import Loaded, control_plugins, namespace_of
 
 
 @rule(
     "UC509",
     severity=Severity.WARNING,
     in_library=False,
-    authority="gazebo_ros_control and gz_ros2_control: each plugin makes a controller manager of its own; roscpp: 'Tried to "
+    authority="gazebo_ros_control and gz_ros2_control: each plugin creates its own controller manager; roscpp: 'Tried to "
     "advertise a service that is already advertised in this node'; ros-controls/gz_ros2_control#145",
     bad={
         "robot.urdf": """
@@ -34,24 +34,24 @@ from urdfctl.rules.simulation.common import Loaded, control_plugins, namespace_o
     },
 )
 def control_plugin_twice(project: Project) -> Iterator[Finding]:
-    """A robot loads the plugin that runs its controllers twice.
+    """Control plugin is loaded twice.
 
-    Each makes a controller manager, and both have the same name: one of them is never heard, and both command the
-    joints. Robots with several arms give each plugin a namespace of its own.
+    Each plugin creates a controller manager, and both have the same name. One of them is never reached, and both
+    command the joints. Robots with several arms give each plugin its own namespace.
     """
-    seen: dict[tuple[str | None, str, str], Loaded] = {}
-    for one in control_plugins(project):
-        manager = _manager(one)
+    seen: dict[tuple[str | None, str, str], LoadedPlugin] = {}
+    for sim_plugin in control_plugins(project):
+        manager = _manager(sim_plugin)
         if not is_known(*manager):
             continue
-        first = seen.setdefault((one.simulator, *manager), one)
-        if first is not one:
-            message = f"'{one.filename}' is loaded twice, so that two controller managers have the same name"
-            yield Finding(one.plugin.at, message, (Note("the first stands here", first.plugin.at),))
+        first = seen.setdefault((sim_plugin.simulator, *manager), sim_plugin)
+        if first is not sim_plugin:
+            message = f"'{sim_plugin.filename}' is loaded twice, and both controller managers have the same name"
+            yield Finding(sim_plugin.plugin.at, message, (Note("first loaded here", first.plugin.at),))
 
 
-def _manager(one: Loaded) -> tuple[str, str]:
-    """The namespace and name of the controller manager that a plugin makes."""
-    namespace = one.setting("robotNamespace") or one.setting("ros/namespace")
-    name = one.setting("controller_manager_name")
+def _manager(sim_plugin: LoadedPlugin) -> tuple[str, str]:
+    """The namespace and name of the controller manager that a plugin creates."""
+    namespace = sim_plugin.setting("robotNamespace") or sim_plugin.setting("ros/namespace")
+    name = sim_plugin.setting("controller_manager_name")
     return namespace_of(namespace.text) if namespace else "", name.text if name else ""

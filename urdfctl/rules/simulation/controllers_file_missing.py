@@ -52,14 +52,14 @@ from urdfctl.rules.simulation.common import controllers_files
     },
 )
 def controllers_file_missing(project: Project) -> Iterator[Finding]:
-    """The file that a simulator's plugin names in `<parameters>` does not exist.
+    """Controller file of a simulator plugin does not exist.
 
-    The plugin ends, and often the simulator with it. Where an argument makes the name, another value may name a file
-    that is there: then this is a warning.
+    The plugin exits, and often the simulator with it. If the path contains an argument, another value may name an
+    existing file. In that case this is a warning.
     """
-    for one, tag, reference in controllers_files(project):
+    for sim_plugin, tag, reference in controllers_files(project):
         if reference.exists is False:
             written = tag.at.content.span.text
             chosen = "$(arg" in written or "${" in written
-            message = f"'{one.filename}' is given the controllers' file '{written}', which does not exist"
+            message = f"controller file of '{sim_plugin.filename}' does not exist: '{written}'"
             yield Finding(reference.at, message, severity=Severity.WARNING if chosen else None)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
+from urdfctl.control.simulator_plugins import control_plugins, namespace_of
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known
-from urdfctl.rules.simulation.common import control_plugins, namespace_of
 
 
 @rule(
@@ -49,29 +49,36 @@ from urdfctl.rules.simulation.common import control_plugins, namespace_of
     },
 )
 def controllers_of_other_namespace(project: Project) -> Iterator[Finding]:
-    """The controllers are configured in another namespace than the simulated robot's manager looks in.
+    """Controllers are configured outside the namespace of the simulated robot.
 
-    The manager of the plugin lives in `<robotNamespace>` and looks there for the parameters of each controller: it
-    finds no type, and loads none.
+    The plugin's controller manager runs in `<robotNamespace>` and looks there for the parameters of each controller. It
+    finds no type and loads no controller.
     """
-    hosts = [one for one in control_plugins(project) if one.library == "gazebo_ros_control"]
+    hosts = [sim_plugin for sim_plugin in control_plugins(project) if sim_plugin.library == "gazebo_ros_control"]
     setting = hosts[0].setting("robotNamespace") if len(hosts) == 1 else None
     if project.controllers is None or setting is None or not is_known(setting.text):
         return
     ours = namespace_of(setting.text)
-    placed = [(c, c.namespace) for c in project.controllers.controllers if c.declared_at and c.namespace is not None]
+    placed = [
+        (controller, controller.namespace)
+        for controller in project.controllers.controllers
+        if controller.declared_at and controller.namespace is not None
+    ]
     loaded = project.launch is not None and bool(project.launch.loads)
     if not placed or any(_may_be_in(ours, namespace, loaded) for _, namespace in placed):
         return
     controller, theirs = placed[0]
     message = (
-        f"the simulated robot's controllers are looked for in '{ours or '/'}', and configured in '{theirs or '/'}'"
+        f"the simulated robot expects its controllers in namespace '{ours or '/'}', "
+        f"but they are configured in '{theirs or '/'}'"
     )
     notes = [Note(f"controller '{controller.name}' is configured here", controller.declared_at)]
     yield Finding(setting.at, message, tuple(notes))
 
 
-def _may_be_in(ours: str, theirs: str, loaded: bool) -> bool:  # noqa: FBT001 (what is known)
-    """Whether a manager may find the controllers of a namespace: by their own names, or with a part of it before.
-    Where no launch file tells, another may load them below a further namespace."""
+def _may_be_in(ours: str, theirs: str, loaded: bool) -> bool:  # noqa: FBT001 (private)
+    """Whether a manager may find the controllers of a namespace: in its own namespace, or in one below it.
+
+    Without a launch file that loads them, another launch file may load them below a further namespace.
+    """
     return theirs == ours or theirs.startswith(f"{ours}/") or (not loaded and ours.endswith(theirs))

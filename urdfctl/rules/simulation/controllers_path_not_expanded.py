@@ -14,8 +14,8 @@ from urdfctl.rules.simulation.common import controllers_files
     "UC521",
     severity=Severity.WARNING,
     distros=ROS2,
-    authority="ros-controls/gazebo_ros2_control#141 and #155: 'Error opening YAML file' with the literal '$(find ...)': nothing "
-    "but xacro expands it",
+    authority="ros-controls/gazebo_ros2_control#141 and #155: 'Error opening YAML file' with the literal '$(find ...)': only "
+    "xacro expands it",
     bad={
         "robot.urdf": """
             <ros2_control name="arm" type="system">
@@ -52,16 +52,14 @@ from urdfctl.rules.simulation.common import controllers_files
     },
 )
 def controllers_path_not_expanded(project: Project) -> Iterator[Finding]:
-    """The name of the controllers' file still holds `$(find ...)` or `${...}`.
+    """Expression in the path of the controller file is not expanded.
 
-    Xacro works these out, and nobody else: in a plain URDF the simulator looks for a file of that very name. All is
-    well only where the launch file gives the URDF to xacro after all.
+    Only xacro expands `$(find ...)` and `${...}`. In a plain URDF, the simulator looks for a file with exactly that
+    name. This works only if the launch file runs xacro on the URDF anyway.
     """
-    for one, _, reference in controllers_files(project):
+    for sim_plugin, _, reference in controllers_files(project):
         text = reference.text
         if is_known(text) and ("$(" in text or "${" in text):
-            message = (
-                f"'{text}' stands here as it is, and '{one.filename}' finds no file of that name: only xacro expands it"
-            )
-            fix = Fix("name the file .xacro and let the launch file call xacro, or write the whole path")
+            message = f"'{text}' is not expanded, and '{sim_plugin.filename}' finds no file of that name; only xacro expands it"
+            fix = Fix("rename the file to .xacro and run xacro in the launch file, or write the absolute path")
             yield Finding(reference.at, message, fix=fix)

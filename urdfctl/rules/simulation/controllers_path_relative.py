@@ -14,7 +14,7 @@ from urdfctl.rules.simulation.common import controllers_files
     "UC522",
     severity=Severity.WARNING,
     distros=ROS2,
-    authority="gz_ros2_control and gazebo_ros2_control hand the text to rcl as --params-file: 'Error opening YAML file'",
+    authority="gz_ros2_control and gazebo_ros2_control pass the text to rcl as --params-file: 'Error opening YAML file'",
     bad={
         "robot.urdf": """
             <ros2_control name="arm" type="system">
@@ -43,18 +43,20 @@ from urdfctl.rules.simulation.common import controllers_files
     },
 )
 def controllers_path_relative(project: Project) -> Iterator[Finding]:
-    """A simulator's plugin is given the controllers' file by a relative path, or by an address.
+    """Controller file is a relative path or a URL.
 
-    A relative path is looked for where the simulator was started, and there alone. Addresses like `package://` mean
-    nothing here.
+    A relative path is resolved only in the folder where the simulator was started. URLs such as `package://` are not
+    supported.
     """
-    for one, _, reference in controllers_files(project):
+    for sim_plugin, _, reference in controllers_files(project):
         text = reference.text
         if text.startswith("/") or "$" in text or not is_known(text):
             continue
-        address = "://" in text
-        message = f"'{one.filename}' looks for '{text}' in the folder where the simulator is started"
-        if address:
-            message = f"'{one.filename}' knows no addresses, and finds no file '{text}'"
+        is_url = "://" in text
+        message = (
+            f"'{sim_plugin.filename}' looks for relative path '{text}' in the folder where the simulator is started"
+        )
+        if is_url:
+            message = f"'{sim_plugin.filename}' does not support URLs and finds no file '{text}'"
         fix = Fix("write $(find your_package)/... in a .xacro file")
-        yield Finding(reference.at, message, fix=fix, severity=Severity.ERROR if address else None)
+        yield Finding(reference.at, message, fix=fix, severity=Severity.ERROR if is_url else None)

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.simulator_plugins import loaded_plugins
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known
-from urdfctl.rules.simulation.common import loaded, number, wheel_measures
+from urdfctl.rules.simulation.common import number, wheel_measures
 
 
 @rule(
@@ -40,13 +41,15 @@ from urdfctl.rules.simulation.common import loaded, number, wheel_measures
     },
 )
 def drive_wheels_impossible(project: Project) -> Iterator[Finding]:
-    """The wheels of a drive, or the distance between them, measure 0 or less.
+    """Wheel size or wheel separation of a drive is not positive.
 
-    Speeds are divided by them: the wheels turn infinitely fast, backwards or not at all.
+    Speeds are divided by these values: the wheels turn infinitely fast, backwards or not at all.
     """
-    for one in loaded(project):
-        measures = dict(wheel_measures(one)) if one.drives else {}
-        for name, tag in one.settings():
+    for sim_plugin in loaded_plugins(project):
+        measures = dict(wheel_measures(sim_plugin)) if sim_plugin.drives else {}
+        for name, tag in sim_plugin.settings():
             value = number(tag.text) if name in measures and is_known(tag.text) else None
             if value is not None and not value > 0:
-                yield Finding(tag.at.content, f"<{name}> of '{one.filename}' is {tag.text} m, and must be more than 0")
+                yield Finding(
+                    tag.at.content, f"<{name}> of '{sim_plugin.filename}' must be greater than 0 m, not {tag.text}"
+                )

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.simulator_plugins import loaded_plugins
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_all_there
-from urdfctl.rules.simulation.common import loaded, unread_settings, wheel_measures
+from urdfctl.rules.simulation.common import unread_settings, wheel_measures
 
 
 @rule(
     "UC517",
     severity=Severity.WARNING,
-    authority="gazebo_plugins gazebo_ros_diff_drive.cpp: wheelSeparation 0.34, wheelDiameter 0.15 where none is given; gz-sim "
+    authority="gazebo_plugins gazebo_ros_diff_drive.cpp: wheelSeparation 0.34, wheelDiameter 0.15 by default; gz-sim "
     "DiffDrive.cc: wheel_separation 1.0, wheel_radius 0.2",
     bad={
         "robot.urdf": """
@@ -39,16 +40,16 @@ from urdfctl.rules.simulation.common import loaded, unread_settings, wheel_measu
     },
 )
 def drive_wheels_unmeasured(project: Project) -> Iterator[Finding]:
-    """A drive is not told how large its wheels are, or how far apart.
+    """Drive without wheel size or wheel separation.
 
-    It takes a default that is hardly ever yours: the robot turns and drives faster or slower than it is told, and its
+    The plugin uses a default that rarely fits. The robot turns and drives faster or slower than commanded, and its
     odometry is wrong.
     """
-    misspelt = {(unread.one.plugin.at, unread.meant) for unread in unread_settings(project)}
-    for one in loaded(project):
-        if not one.drives or not is_all_there(project, one.plugin.tag):
+    misspelt = {(unread.sim_plugin.plugin.at, unread.meant) for unread in unread_settings(project)}
+    for sim_plugin in loaded_plugins(project):
+        if not sim_plugin.drives or not is_all_there(project, sim_plugin.plugin.tag):
             continue
-        for name, default in wheel_measures(one):
-            if one.setting(name) is None and (one.plugin.at, name) not in misspelt:
-                message = f"'{one.filename}' is not told its <{name}>, and takes {default:g} m"
-                yield Finding(one.plugin.at, message)
+        for name, default in wheel_measures(sim_plugin):
+            if sim_plugin.setting(name) is None and (sim_plugin.plugin.at, name) not in misspelt:
+                message = f"'{sim_plugin.filename}' has no <{name}> and uses the default of {default:g} m"
+                yield Finding(sim_plugin.plugin.at, message)

@@ -1,4 +1,4 @@
-"""UC5: the plugins that bring a robot into a simulator."""
+"""UC5: rules on the plugins that bring a robot into a simulator."""
 
 from __future__ import annotations
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
+from urdfctl.control.simulator_plugins import IN_GAZEBO, components, control_plugins
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import is_conditional, is_known, is_xacro
-from urdfctl.rules.simulation.common import IN_GAZEBO, components, control_plugins
 
 
 @rule(
@@ -15,7 +15,7 @@ from urdfctl.rules.simulation.common import IN_GAZEBO, components, control_plugi
     severity=Severity.ERROR,
     distros=ROS2,
     in_library=False,
-    authority="gz_ros2_control src/gz_ros2_control_plugin.cpp loads GazeboSimSystemInterface alone: 'The plugin failed to "
+    authority="gz_ros2_control src/gz_ros2_control_plugin.cpp loads only GazeboSimSystemInterface: 'The plugin failed to "
     "load for some reason. Error: According to the loaded plugin descriptions the class "
     "mock_components/GenericSystem with base class type gz_ros2_control::GazeboSimSystemInterface does not exist'",
     options=["--distro=jazzy", "--simulator=gz"],
@@ -47,11 +47,11 @@ from urdfctl.rules.simulation.common import IN_GAZEBO, components, control_plugi
     },
 )
 def hardware_not_simulated(project: Project) -> Iterator[Finding]:
-    """A component's hardware is none that Gazebo's plugin can load.
+    """Hardware that Gazebo's plugin cannot load.
 
-    The plugin in Gazebo loads hardware that simulates, and no driver and no mock: the component's joints have no
-    interfaces in the simulator. Outside Gazebo the same description may be right, so that this is an error only where
-    you name the simulator, and a warning where the file cannot choose.
+    The plugin in Gazebo loads only simulated hardware, neither drivers nor mock hardware. The component's joints have
+    no interfaces in the simulator. Outside Gazebo the same description may be correct. It is therefore an error only if
+    you name the simulator, and a warning in a file that cannot choose.
     """
     hosts = control_plugins(project)
     robot = project.robot
@@ -61,11 +61,11 @@ def hardware_not_simulated(project: Project) -> Iterator[Finding]:
     for control in components(project):
         name = control.plugin or ""
         known = [project.catalog.hardware(name, distro) for distro in project.distros] if is_known(name) else []
-        simulators = {each.simulator for each in known if each}
+        simulators = {hardware.simulator for hardware in known if hardware}
         chosen = not project.named_simulator and is_conditional(control.hardware[-1].at)
         if not simulators or simulators & set(IN_GAZEBO) or chosen:
             continue
-        right = hosts[0].any.default_hardware if hosts[0].any else None
-        message = f"'{name}' does not simulate, so that '{hosts[0].filename}' cannot load it in Gazebo"
-        fix = Fix(f"write <plugin>{right}</plugin> for the simulation") if right else None
+        default = hosts[0].any.default_hardware if hosts[0].any else None
+        message = f"'{name}' is not simulated hardware; '{hosts[0].filename}' cannot load it in Gazebo"
+        fix = Fix(f"write <plugin>{default}</plugin> for the simulation") if default else None
         yield Finding(control.hardware[-1].plugins[0].at, message, fix=fix, severity=severity)

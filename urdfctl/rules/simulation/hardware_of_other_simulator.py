@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
+from urdfctl.control.simulator_plugins import IN_GAZEBO, components, control_plugins, simulator_of
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
-from urdfctl.rules.simulation.common import IN_GAZEBO, components, control_plugins, simulator_of
 
 
 @rule(
@@ -44,20 +44,20 @@ from urdfctl.rules.simulation.common import IN_GAZEBO, components, control_plugi
     },
 )
 def hardware_of_other_simulator(project: Project) -> Iterator[Finding]:
-    """A component's hardware is of another Gazebo than the plugin that is to load it.
+    """Hardware and control plugin are for different simulators.
 
-    Gazebo Classic's plugin loads gazebo_ros2_control/GazeboSystem and its like, that of gz
-    gz_ros2_control/GazeboSimSystem; neither finds the other's, and the joints have no interfaces.
+    Gazebo Classic's plugin loads `gazebo_ros2_control/GazeboSystem` and similar, and gz's plugin loads
+    `gz_ros2_control/GazeboSimSystem`. Neither finds the other's hardware, and the joints have no interfaces.
     """
     hosts = control_plugins(project)
     for control in components(project):
         simulator = simulator_of(project, control)
-        if not hosts or simulator not in IN_GAZEBO or any(one.simulator == simulator for one in hosts):
+        if not hosts or simulator not in IN_GAZEBO or any(sim_plugin.simulator == simulator for sim_plugin in hosts):
             continue
         host = hosts[0]
-        right = host.any.default_hardware if host.any else None
-        message = f"'{control.plugin}' is for {IN_GAZEBO[simulator]}, and '{host.filename}' is the plugin of "
+        default = host.any.default_hardware if host.any else None
+        message = f"'{control.plugin}' is for {IN_GAZEBO[simulator]}, but plugin '{host.filename}' is for "
         message += IN_GAZEBO.get(host.simulator or "", "another simulator")
-        notes = (Note("the plugin stands here", host.plugin.at),)
+        notes = (Note("the plugin is loaded here", host.plugin.at),)
         at = control.hardware[-1].plugins[0].at
-        yield Finding(at, message, notes, Fix(f"write <plugin>{right}</plugin>") if right else None)
+        yield Finding(at, message, notes, Fix(f"write <plugin>{default}</plugin>") if default else None)

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.simulator_plugins import components, control_plugins, loaded_plugins
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known, robot_in
-from urdfctl.rules.simulation.common import components, control_plugins, loaded, named_joints
+from urdfctl.rules.simulation.common import named_joints
 from urdfctl.source.span import Place
 
 
@@ -52,21 +53,22 @@ from urdfctl.source.span import Place
     },
 )
 def joint_driven_twice(project: Project) -> Iterator[Finding]:
-    """Two things drive one joint: a drive plugin and ros_control, or two drive plugins.
+    """Joint is driven twice.
 
-    Each writes its command in every step, and the joint obeys whichever comes last, or jerks between the two.
+    A drive plugin and ros_control, or two drive plugins, command the same joint. Each writes its command in every step.
+    The joint follows the last command or jerks between the two.
     """
     driven = dict(_controlled(project))
-    for one in loaded(project):
-        for name, place in named_joints(one) if one.moves_joints else ():
+    for sim_plugin in loaded_plugins(project):
+        for name, place in named_joints(sim_plugin) if sim_plugin.moves_joints else ():
             first = driven.setdefault(name, ("another plugin", place))
             if first[1] is not place and is_known(name):
-                message = f"joint '{name}' is driven by '{one.filename}' and by {first[0]}: one of them must go"
+                message = f"joint '{name}' is driven by '{sim_plugin.filename}' and by {first[0]}; remove one of them"
                 yield Finding(place, message, (Note(f"{first[0]} drives it here", first[1]),))
 
 
 def _controlled(project: Project) -> Iterator[tuple[str, tuple[str, Place]]]:
-    """The joints that ros_control or ros2_control commands in the simulator: by what, and where."""
+    """The joints that ros_control or ros2_control commands in the simulator, each with its owner and place."""
     robot = robot_in(project)
     if robot is None or not control_plugins(project):
         return

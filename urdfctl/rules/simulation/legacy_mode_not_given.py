@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.simulator_plugins import control_plugins
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import is_all_there
-from urdfctl.rules.simulation.common import control_plugins
 
 
 @rule(
@@ -37,15 +37,16 @@ from urdfctl.rules.simulation.common import control_plugins
     },
 )
 def legacy_mode_not_given(project: Project) -> Iterator[Finding]:
-    """In kinetic, ros_control's plugin is not told whether to look for gains in the robot's namespace.
+    """Plugin of ros_control without `<legacyModeNS>` in kinetic.
 
-    It prints an error and takes true: the gains in the namespace of `<robotNamespace>` are passed over. Before kinetic
-    and from melodic on nobody asks, so that this is told only where kinetic is named.
+    The setting says whether gains are read from the robot's namespace. Without it, the plugin logs an error and uses
+    true: the gains in the namespace of `<robotNamespace>` are ignored. Only kinetic reads this setting, so it is
+    reported only if kinetic is named.
     """
-    for one in control_plugins(project) if project.distro else ():
-        simulation = one.setting("robotSimType")
+    for sim_plugin in control_plugins(project) if project.distro else ():
+        simulation = sim_plugin.setting("robotSimType")
         default = simulation is None or simulation.text == "gazebo_ros_control/DefaultRobotHWSim"
-        if default and one.setting("legacyModeNS") is None and is_all_there(project, one.plugin.tag):
-            message = "kinetic wants <legacyModeNS> in this plugin, and takes true with an error where it is missing"
-            fix = Fix("write <legacyModeNS>false</legacyModeNS>, or true where gains stand in /gazebo_ros_control")
-            yield Finding(one.plugin.at, message, fix=fix)
+        if default and sim_plugin.setting("legacyModeNS") is None and is_all_there(project, sim_plugin.plugin.tag):
+            message = "plugin has no <legacyModeNS>; kinetic logs an error and uses true"
+            fix = Fix("add <legacyModeNS>false</legacyModeNS>, or true if the gains are in /gazebo_ros_control")
+            yield Finding(sim_plugin.plugin.at, message, fix=fix)

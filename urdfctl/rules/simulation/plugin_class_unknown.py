@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from urdfctl.control.simulator_plugins import loaded_plugins
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, replaced
-from urdfctl.rules.simulation.common import loaded
 
 
 @rule(
@@ -43,18 +43,18 @@ from urdfctl.rules.simulation.common import loaded
     },
 )
 def plugin_class_unknown(project: Project) -> Iterator[Finding]:
-    """A plugin of gz has a name that is no class of its library.
+    """Unknown class of a gz plugin.
 
-    In gz the name is not free, as it was in Gazebo Classic: it must be that of a class that the library registers.
-    Otherwise the plugin is not loaded, and of ros2_control nothing runs.
+    In gz the name of a plugin is not free, as it was in Gazebo Classic: it must be a class that the library registers.
+    Otherwise the plugin is not loaded, and nothing of ros2_control runs.
     """
-    for one in loaded(project):
-        name = re.sub(r"::v[0-9]+::", "::", (one.plugin.name or "").strip())
-        names = {each: None for known in one.known for each in (*known.names, *known.old_names)}
+    for sim_plugin in loaded_plugins(project):
+        name = re.sub(r"::v[0-9]+::", "::", (sim_plugin.plugin.name or "").strip())
+        names = {name: None for known in sim_plugin.known for name in (*known.names, *known.old_names)}
         if not name or not names or name in names or not is_known(name):
             continue
-        right = next(iter(names))
-        at = one.plugin.at["name"]
-        message = f"'{one.plugin.name}' is no class in the library '{one.filename}'; its name must be '{right}'"
-        fix = replaced(at, one.plugin.name or "", right, safe=len(names) == 1)
+        expected = next(iter(names))
+        at = sim_plugin.plugin.at["name"]
+        message = f"library '{sim_plugin.filename}' has no class '{sim_plugin.plugin.name}'; use '{expected}'"
+        fix = replaced(at, sim_plugin.plugin.name or "", expected, safe=len(names) == 1)
         yield Finding(at, message, fix=fix)

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.hardware import library_of
+from urdfctl.control.gazebo_plugins import DRIVES, LIBRARIES
+from urdfctl.control.simulator_plugins import LoadedPlugin, loaded_plugins
+from urdfctl.names import folded, is_slip
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, replaced
-from urdfctl.rules.simulation.common import Loaded, loaded
-from urdfctl.rules.simulation.facts import DRIVES, LIBRARIES
-from urdfctl.suggest import folded, is_slip
 
 
 @rule(
@@ -33,25 +33,25 @@ from urdfctl.suggest import folded, is_slip
     },
 )
 def plugin_filename_misspelt(project: Project) -> Iterator[Finding]:
-    """A plugin's file is spelt nearly like one that exists.
+    """Misspelt file name of a plugin.
 
-    Gazebo Classic wants the whole name of the file, with `lib` and `.so`; gz takes it without them too. A library that
-    is not found is not loaded, and the robot goes without it.
+    Gazebo Classic requires the complete file name with `lib` and `.so`; gz also accepts it without them. A library that
+    is not found is not loaded, and the robot runs without it.
     """
     known = {library: f"lib{library}.so" for of in LIBRARIES.values() for library in of}
     for ros_distro in ("noetic", "humble", "jazzy"):
         for plugin in project.catalog.simulator_plugins(ros_distro):
             known |= {name.removeprefix("lib").removesuffix(".so"): name for name in reversed(plugin.filenames)}
-    for one in loaded(project):
-        if not one.filename or not is_known(one.filename) or "/" in one.filename:
+    for sim_plugin in loaded_plugins(project):
+        if not sim_plugin.filename or not is_known(sim_plugin.filename) or "/" in sim_plugin.filename:
             continue
-        meant = _meant(one, known)
+        meant = _meant(sim_plugin, known)
         if meant:
-            at = one.plugin.at["filename"]
+            at = sim_plugin.plugin.at["filename"]
             vital = library_of(meant) in DRIVES or _hosts_control(project, meant)
             severity = Severity.ERROR if vital else None
-            message = f"no plugin has the file '{one.filename}'; did you mean '{meant}'?"
-            fix = replaced(at, one.plugin.filename or "", meant)
+            message = f"unknown plugin library '{sim_plugin.filename}'; did you mean '{meant}'?"
+            fix = replaced(at, sim_plugin.plugin.filename or "", meant)
             yield Finding(at, message, fix=fix, severity=severity)
 
 
@@ -61,13 +61,13 @@ def _hosts_control(project: Project, filename: str) -> bool:
     return plugin is not None and plugin.hosts_control
 
 
-def _meant(one: Loaded, known: dict[str, str]) -> str | None:
-    if one.library in known:
-        whole = known[one.library].endswith(".so") and one.simulator == "gazebo-classic"
-        return known[one.library] if whole and one.filename != known[one.library] else None
-    if one.any is not None:
+def _meant(sim_plugin: LoadedPlugin, known: dict[str, str]) -> str | None:
+    if sim_plugin.library in known:
+        whole = known[sim_plugin.library].endswith(".so") and sim_plugin.simulator == "gazebo-classic"
+        return known[sim_plugin.library] if whole and sim_plugin.filename != known[sim_plugin.library] else None
+    if sim_plugin.any is not None:
         return None
-    if one.library.rstrip("0123456789") in known:
+    if sim_plugin.library.rstrip("0123456789") in known:
         return None
-    same = {folded(library): name for library, name in known.items()}.get(folded(one.library))
-    return same or next((name for library, name in known.items() if is_slip(one.library, library)), None)
+    same = {folded(library): name for library, name in known.items()}.get(folded(sim_plugin.library))
+    return same or next((name for library, name in known.items() if is_slip(sim_plugin.library, library)), None)

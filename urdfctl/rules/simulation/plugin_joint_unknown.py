@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.simulator_plugins import loaded_plugins
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import Names, is_known, replaced, whole_robot_in
-from urdfctl.rules.simulation.common import default_joints, loaded, named_joints
+from urdfctl.rules.simulation.common import default_joints, named_joints
 
 
 @rule(
@@ -42,10 +43,10 @@ from urdfctl.rules.simulation.common import default_joints, loaded, named_joints
     },
 )
 def plugin_joint_unknown(project: Project) -> Iterator[Finding]:
-    """A plugin names a joint that the robot does not have, or that Gazebo merges away.
+    """Plugin names an unknown or fixed joint.
 
-    A drive without its joint does not work; in ROS 1 Gazebo ends. Joints of type fixed are gone in Gazebo, which makes
-    one link of two.
+    A drive without its joint does not work; in ROS 1 Gazebo exits. Gazebo merges the links of a fixed joint, and the
+    joint does not exist there.
     """
     robot = whole_robot_in(project)
     if robot is None:
@@ -54,25 +55,32 @@ def plugin_joint_unknown(project: Project) -> Iterator[Finding]:
     fixed = {joint.name for joint in robot.joints if joint.type == "fixed"} - {
         gazebo.reference for gazebo in robot.gazebos if any(child.name in _KEEPING for child in gazebo.tag.children)
     }
-    for one in loaded(project):
-        severity = Severity.ERROR if one.moves_joints else None
-        for name, place in named_joints(one):
+    for sim_plugin in loaded_plugins(project):
+        severity = Severity.ERROR if sim_plugin.moves_joints else None
+        for name, place in named_joints(sim_plugin):
             if not is_known(name) or "::" in name or (name in names and name not in fixed):
                 continue
             if name in fixed:
-                message = f"joint '{name}' of '{one.filename}' is fixed, and merged away in Gazebo"
-                yield Finding(place, message, severity=Severity.WARNING if one.moves_joints else Severity.INFO)
+                message = f"'{sim_plugin.filename}' names joint '{name}', which is fixed; Gazebo merges it away"
+                yield Finding(place, message, severity=Severity.WARNING if sim_plugin.moves_joints else Severity.INFO)
                 continue
             meant = names.meant_by(name)
             hint = f"; did you mean '{meant}'?" if meant else ""
             fix = replaced(place, name, meant) if meant else None
-            message = f"'{one.filename}' names joint '{name}', which the robot does not have{hint}"
+            message = f"'{sim_plugin.filename}' names joint '{name}', which the robot does not have{hint}"
             yield Finding(place, message, fix=fix, severity=severity)
-        for setting, default in default_joints(project, one):
+        for setting, default in default_joints(project, sim_plugin):
             if default not in names:
-                message = f"'{one.filename}' has no <{setting}>, and the robot no joint '{default}', its default"
-                yield Finding(one.plugin.at, message, (Note(f"<{setting}> names a joint"),), severity=severity)
+                message = (
+                    f"'{sim_plugin.filename}' has no <{setting}>, and the robot has no joint '{default}' (its default)"
+                )
+                yield Finding(
+                    sim_plugin.plugin.at,
+                    message,
+                    (Note(f"add <{setting}> with the name of a joint"),),
+                    severity=severity,
+                )
 
 
 _KEEPING = {"preserveFixedJoint", "disableFixedJointLumping"}
-"""What keeps a fixed joint in Gazebo, in <gazebo reference="joint">."""
+"""Elements of <gazebo reference="joint"> that keep a fixed joint in Gazebo."""

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.simulator_plugins import loaded_plugins
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import Names, is_known, replaced, whole_robot_in
-from urdfctl.rules.simulation.common import loaded
 
 
 @rule(
@@ -38,17 +38,17 @@ from urdfctl.rules.simulation.common import loaded
     },
 )
 def plugin_link_unknown(project: Project) -> Iterator[Finding]:
-    """A plugin names a link that the robot does not have.
+    """Plugin names an unknown link.
 
-    It does not start. The frame that a drive's odometry is told for may be any, and is not judged.
+    The plugin does not start. The base frame of a drive's odometry can have any name and is not checked.
     """
     robot = whole_robot_in(project)
     if robot is None:
         return
     names = Names(link.name for link in robot.links)
-    for one in loaded(project):
-        children = one.children
-        for setting, tag in one.settings():
+    for sim_plugin in loaded_plugins(project):
+        children = sim_plugin.children
+        for setting, tag in sim_plugin.settings():
             child = children.get(setting)
             name = tag.text
             if child is None or child.names != "link" or setting in _FRAMES or not name or not is_known(name):
@@ -58,7 +58,7 @@ def plugin_link_unknown(project: Project) -> Iterator[Finding]:
             meant = names.meant_by(name)
             hint = f"; did you mean '{meant}'?" if meant else ""
             at = tag.at.content
-            message = f"'{one.filename}' names link '{name}', which the robot does not have{hint}"
+            message = f"'{sim_plugin.filename}' names link '{name}', which the robot does not have{hint}"
             yield Finding(at, message, fix=replaced(at, name, meant) if meant else None)
 
 

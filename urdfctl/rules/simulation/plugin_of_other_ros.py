@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1, in_words, since
+from urdfctl.control.gazebo_plugins import IN_PLACE, LIBRARIES
+from urdfctl.control.simulator_plugins import LoadedPlugin, control_plugins, loaded_plugins, of_sensors
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import replaced
-from urdfctl.rules.simulation.common import ROS_2, Loaded, control_plugins, loaded, of_sensors
-from urdfctl.rules.simulation.facts import IN_PLACE, LIBRARIES
+from urdfctl.rules.simulation.common import ROS_2
 
 
 @rule(
@@ -39,53 +40,78 @@ from urdfctl.rules.simulation.facts import IN_PLACE, LIBRARIES
     },
 )
 def plugin_of_other_ros(project: Project) -> Iterator[Finding]:
-    """A plugin of Gazebo does not exist in this distro: it is of the other ROS, or of a later or earlier distro.
+    """Gazebo plugin is not available in this distro.
 
-    The library is not found and the plugin not loaded. Of ros_control's own plugin everything depends: without it no
-    controller manager runs in the simulator, and spawners wait for it until they give up.
+    The plugin belongs to the other ROS version, or to an earlier or later distro. Its library is not found, and the
+    plugin is not loaded. Without the plugin of ros_control, no controller manager runs in the simulator. Spawners wait
+    for it until they give up.
     """
-    for one in (*loaded(project), *of_sensors(project)):
-        where = _where(project, one)
+    for sim_plugin in (*loaded_plugins(project), *of_sensors(project)):
+        where = _where(project, sim_plugin)
         if where is None:
             continue
-        at = one.plugin.at["filename"]
-        right = _in_place(project, one)
-        vital = one.hosts_control or one.moves_joints
-        sure = vital and not (one.any and one.any.external) and not any(host.known for host in control_plugins(project))
+        at = sim_plugin.plugin.at["filename"]
+        replacement = _in_place(project, sim_plugin)
+        vital = sim_plugin.hosts_control or sim_plugin.moves_joints
+        sure = (
+            vital
+            and not (sim_plugin.any and sim_plugin.any.external)
+            and not any(host.known for host in control_plugins(project))
+            and _is_controlled(project)
+        )
         severity = Severity.ERROR if sure else Severity.WARNING
-        message = f"'{one.filename}' is not in {in_words(project.distros)}, but in {where}"
-        fix = replaced(at, one.plugin.filename or "", right) if right else None
-        yield Finding(at, message, tuple(_notes(project, one)), fix, severity)
+        here = (
+            f"ROS {project.ros}"
+            if where in ("ROS 1", "ROS 2") and project.distro is None
+            else in_words(project.distros)
+        )
+        message = f"'{sim_plugin.filename}' is not available in {here}, only in {where}"
+        fix = replaced(at, sim_plugin.plugin.filename or "", replacement) if replacement else None
+        yield Finding(at, message, tuple(_notes(project, sim_plugin)), fix, severity)
 
 
-def _where(project: Project, one: Loaded) -> str | None:
-    """In which distros a plugin is that none of the project's has; None where one has it, or it is not known.
+def _is_controlled(project: Project) -> bool:
+    """Whether the user names the distro, or the robot has parts for its controllers: otherwise it may only be shown."""
+    parts = project.robot is not None and project.robot.ros2_controls
+    return project.distro is not None or project.controllers is not None or bool(parts)
 
-    That Gazebo Classic is gone from jazzy on is told apart, by a rule on moving on."""
-    if one.known or (set(project.distros) <= set(since("jazzy")) and one.simulator == "gazebo-classic"):
+
+def _where(project: Project, sim_plugin: LoadedPlugin) -> str | None:
+    """The distros of a plugin that none of the project's distros has; None if one has it, or it is not known.
+
+    Gazebo Classic is gone since jazzy: a migration rule reports that.
+    """
+    if sim_plugin.known or (set(project.distros) <= set(since("jazzy")) and sim_plugin.simulator == "gazebo-classic"):
         return None
-    if one.distros:
-        return in_words(one.distros)
+    if sim_plugin.distros:
+        return in_words(sim_plugin.distros)
     ros = project.ros
     other = {1: 2, 2: 1}.get(ros or 0)
-    if ros is None or other is None or one.library in LIBRARIES[ros] or one.library not in LIBRARIES[other]:
+    if (
+        ros is None
+        or other is None
+        or sim_plugin.library in LIBRARIES[ros]
+        or sim_plugin.library not in LIBRARIES[other]
+    ):
         return None
     return f"ROS {other}"
 
 
-def _in_place(project: Project, one: Loaded) -> str | None:
+def _in_place(project: Project, sim_plugin: LoadedPlugin) -> str | None:
     """The file to load instead."""
-    if one.hosts_control and project.ros == ROS_2:
+    if sim_plugin.hosts_control and project.ros == ROS_2:
         last = project.distros[-1]
-        wanted = "gz" if project.named_simulator == "gz" or one.simulator == "gz" or last in since("jazzy") else None
+        wanted = (
+            "gz" if project.named_simulator == "gz" or sim_plugin.simulator == "gz" or last in since("jazzy") else None
+        )
         hosts = [plugin for plugin in project.catalog.simulator_plugins(last) if plugin.hosts_control]
-        found = [plugin for plugin in hosts if plugin.simulator == (wanted or "gazebo-classic")]
-        return found[-1].filenames[0] if found else None
-    return IN_PLACE[project.ros or 1].get(one.library)
+        fitting = [plugin for plugin in hosts if plugin.simulator == (wanted or "gazebo-classic")]
+        return fitting[-1].filenames[0] if fitting else None
+    return IN_PLACE[project.ros or 1].get(sim_plugin.library)
 
 
-def _notes(project: Project, one: Loaded) -> Iterator[Note]:
-    if one.hosts_control and project.ros == ROS_2 and set(one.distros) <= set(ROS1):
-        yield Note("in ROS 2 it reads <parameters> and <ros><namespace>, and the joints from <ros2_control>")
-    if one.library == "gazebo_ros_skid_steer_drive" and project.ros == ROS_2:
-        yield Note("write <num_wheel_pairs>2</num_wheel_pairs>, and <left_joint> and <right_joint> twice")
+def _notes(project: Project, sim_plugin: LoadedPlugin) -> Iterator[Note]:
+    if sim_plugin.hosts_control and project.ros == ROS_2 and set(sim_plugin.distros) <= set(ROS1):
+        yield Note("in ROS 2, the plugin reads <parameters>, <ros><namespace>, and the joints of <ros2_control>")
+    if sim_plugin.library == "gazebo_ros_skid_steer_drive" and project.ros == ROS_2:
+        yield Note("add <num_wheel_pairs>2</num_wheel_pairs>, and two each of <left_joint> and <right_joint>")

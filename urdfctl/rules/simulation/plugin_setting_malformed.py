@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.hardware import PluginChild
+from urdfctl.control.simulator_plugins import loaded_plugins
 from urdfctl.model.parts import Tag
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import in_words, is_known
-from urdfctl.rules.simulation.common import is_written_empty, loaded, number
+from urdfctl.rules.simulation.common import is_written_empty, number
 
 
 @rule(
@@ -44,30 +45,31 @@ from urdfctl.rules.simulation.common import is_written_empty, loaded, number
     },
 )
 def plugin_setting_malformed(project: Project) -> Iterator[Finding]:
-    """A plugin's setting is not what the plugin reads there: no number, neither true nor false, none of the choices.
+    """Malformed plugin setting.
 
-    Gazebo prints a line among many, and the plugin takes 0, false or its default in its place.
+    The value is not the number, boolean or choice that the plugin reads. Gazebo logs a single line, and the plugin uses
+    0, false or its default instead.
     """
-    for one in loaded(project):
-        children = one.children
-        for name, tag in one.settings():
+    for sim_plugin in loaded_plugins(project):
+        children = sim_plugin.children
+        for name, tag in sim_plugin.settings():
             child = children.get(name)
             problem = _problem(child, tag) if child and is_known(tag.text) else None
             if problem and (tag.text or is_written_empty(tag)):
-                yield Finding(tag.at, f"<{name.removeprefix('ros/')}> of '{one.filename}' {problem}")
+                yield Finding(tag.at, f"<{name.removeprefix('ros/')}> of '{sim_plugin.filename}' {problem}")
 
 
 def _problem(child: PluginChild, tag: Tag) -> str | None:
     text = tag.text
     if not text and child.type in ("double", "int", "bool"):
-        return f"is empty; {_WANTED[child.type]} must stand there"
+        return f"is empty; it must be {_WANTED[child.type]}"
     choices = child.validators.get("one_of")
     if isinstance(choices, list) and text not in [str(choice) for choice in choices]:
-        return f"is '{text}', and may only be {in_words(str(choice) for choice in choices).replace(' and ', ' or ')}"
+        return f"must be {in_words(str(choice) for choice in choices).replace(' and ', ' or ')}, not '{text}'"
     if child.type in ("double", "int") and number(text) is None:
-        return f"is '{text}', and must be {_WANTED[child.type]}"
+        return f"must be {_WANTED[child.type]}, not '{text}'"
     if child.type == "bool" and text.lower() not in ("true", "false", "1", "0"):
-        return f"is '{text}', and must be {_WANTED['bool']}"
+        return f"must be {_WANTED['bool']}, not '{text}'"
     return None
 
 

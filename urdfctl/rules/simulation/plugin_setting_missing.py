@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.simulator_plugins import LoadedPlugin, loaded_plugins
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_all_there
-from urdfctl.rules.simulation.common import Loaded, is_written_empty, loaded
+from urdfctl.rules.simulation.common import is_written_empty
 
 
 @rule(
@@ -41,28 +42,32 @@ from urdfctl.rules.simulation.common import Loaded, is_written_empty, loaded
     },
 )
 def plugin_setting_missing(project: Project) -> Iterator[Finding]:
-    """A plugin lacks a setting that it cannot do without.
+    """Missing plugin setting.
 
-    gz's plugin for ros2_control ends at once where no `<parameters>` name a file; that of Gazebo Classic goes on
-    without controllers. A drive without its wheels' joints does not start.
+    The plugin of gz for ros2_control exits at once if no `<parameters>` names a file. The one of Gazebo Classic goes on
+    without controllers. A drive without its wheel joints does not start.
     """
-    for one in loaded(project):
-        if not one.known or not is_all_there(project, one.plugin.tag):
+    for sim_plugin in loaded_plugins(project):
+        if not sim_plugin.known or not is_all_there(project, sim_plugin.plugin.tag):
             continue
-        for name in _required(one):
-            given = one.setting(name)
+        for name in _required(sim_plugin):
+            given = sim_plugin.setting(name)
             if given is not None and not is_written_empty(given):
                 continue
-            refused = one.drives or (one.hosts_control and one.simulator == "gz")
-            told = f"an empty <{name}>" if given else f"no <{name}>"
-            message = f"'{one.filename}' has {told}, without which it does not work"
+            is_fatal = sim_plugin.drives or (sim_plugin.hosts_control and sim_plugin.simulator == "gz")
+            fault = f"an empty <{name}>" if given else f"no <{name}>"
+            message = f"'{sim_plugin.filename}' has {fault} and does not work without it"
             if name == "parameters":
-                message = f"'{one.filename}' has {told}, which names the file with the controllers"
-            at = given.at if given else one.plugin.at
-            yield Finding(at, message, severity=Severity.ERROR if refused else None)
+                message = f"'{sim_plugin.filename}' has {fault}, which must name the controller file"
+            at = given.at if given else sim_plugin.plugin.at
+            yield Finding(at, message, severity=Severity.ERROR if is_fatal else None)
 
 
-def _required(one: Loaded) -> list[str]:
-    """What every distro wants that the project may be for."""
-    first = one.known[0].children
-    return [name for name in first if all(name in each.children and each.children[name].required for each in one.known)]
+def _required(sim_plugin: LoadedPlugin) -> list[str]:
+    """The settings that the plugin requires in all of the project's distros."""
+    first = sim_plugin.known[0].children
+    return [
+        name
+        for name in first
+        if all(name in known.children and known.children[name].required for known in sim_plugin.known)
+    ]

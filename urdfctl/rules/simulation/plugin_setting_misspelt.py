@@ -4,16 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.simulator_plugins import namespace_of
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import renamed
-from urdfctl.rules.simulation.common import Unread, namespace_of, unread_settings
+from urdfctl.rules.simulation.common import Unread, unread_settings
 
 
 @rule(
     "UC511",
     severity=Severity.WARNING,
     authority="gazebo_ros_pkgs: in ROS 2 the settings of plugins are written_like_this, in ROS 1 writtenLikeThis; sdformat "
-    "Element::HasElement compares the names as they are, and nobody asks for the others",
+    "Element::HasElement compares names exactly, and a plugin asks only for the names that it knows",
     options=["--distro=galactic"],
     bad={
         "robot.urdf": """
@@ -45,28 +46,31 @@ from urdfctl.rules.simulation.common import Unread, namespace_of, unread_setting
     },
 )
 def plugin_setting_misspelt(project: Project) -> Iterator[Finding]:
-    """A plugin's setting is spelt otherwise than the plugin reads it, or as the other ROS has it.
+    """Misspelt plugin setting, or a setting of the other ROS version.
 
-    The plugin asks for its settings by name, and takes its default where it finds none: what is written is lost without
-    a word.
+    The plugin looks up its settings by name and uses the default if it finds none. The value is lost without a message.
     """
     for unread in unread_settings(project):
         if unread.meant is None:
             continue
         shown = unread.shown
         fix = Fix(f"write {shown}")
-        if unread.meant in unread.one.children and "/" not in unread.name + unread.meant:
+        if unread.meant in unread.sim_plugin.children and "/" not in unread.name + unread.meant:
             fix = Fix(f"write {shown}", renamed(unread.tag, unread.meant), safe=unread.same)
-        message = f"'{unread.one.filename}' does not read <{unread.name.removeprefix('ros/')}>; it is {shown}"
+        message = f"'{unread.sim_plugin.filename}' has no setting <{unread.name.removeprefix('ros/')}>; use {shown}"
         severity = Severity.INFO if unread.harmless else None
         yield Finding(unread.tag.at, message, tuple(_notes(project, unread)), fix, severity)
 
 
 def _notes(project: Project, unread: Unread) -> Iterator[Note]:
-    """That a namespace is none that the controllers are configured in."""
+    """A note if the controllers are not configured in the given namespace."""
     managers = project.controllers.managers if project.controllers else ()
     namespace = namespace_of(unread.tag.text)
-    if unread.meant == "ros/namespace" and managers and all(m.namespace not in (None, namespace) for m in managers):
-        there = f"'{managers[0].namespace}'" if managers[0].namespace else "no namespace"
-        told = f"the controllers are configured in {there}: leave it out, or write '{namespace}' there too"
-        yield Note(told, managers[0].at)
+    if (
+        unread.meant == "ros/namespace"
+        and managers
+        and all(manager.namespace not in (None, namespace) for manager in managers)
+    ):
+        where = f"in namespace '{managers[0].namespace}'" if managers[0].namespace else "without a namespace"
+        text = f"the controllers are configured {where}; remove this setting, or use '{namespace}' there too"
+        yield Note(text, managers[0].at)

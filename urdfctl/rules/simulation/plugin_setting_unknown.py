@@ -12,7 +12,7 @@ from urdfctl.rules.simulation.common import Unread, unread_settings
 @rule(
     "UC512",
     severity=Severity.INFO,
-    authority="sdformat Element::HasElement: a plugin asks for the elements that it knows, and nobody for the others",
+    authority="sdformat Element::HasElement: a plugin asks only for the elements that it knows",
     bad={
         "robot.urdf": """
             <gazebo>
@@ -34,22 +34,22 @@ from urdfctl.rules.simulation.common import Unread, unread_settings
     },
 )
 def plugin_setting_unknown(project: Project) -> Iterator[Finding]:
-    """A plugin does not read one of its settings.
+    """Unknown plugin setting.
 
-    It does no harm, and it does nothing: what it was meant to say must be said elsewhere.
+    The setting does no harm, but has no effect. If its value matters, set it elsewhere.
     """
     for unread in unread_settings(project):
         if unread.meant is None and unread.name not in _HARMLESS:
             readers = _readers(project, unread)
-            where = f" in {in_words(project.distros)}, but in {in_words(readers)}" if readers else ""
-            message = f"'{unread.one.filename}' does not read <{unread.name.removeprefix('ros/')}>{where}"
+            where = f" in {in_words(project.distros)}, only in {in_words(readers)}" if readers else "; it is ignored"
+            message = f"'{unread.sim_plugin.filename}' has no setting <{unread.name.removeprefix('ros/')}>{where}"
             yield Finding(unread.tag.at, message)
 
 
 _HARMLESS = {"alwaysOn", "always_on", "robot_param", "robot_param_node", "visualize", "ignition-pose"}
-"""What stands in many examples, and was or is read elsewhere."""
+"""Settings of many examples that were or are read elsewhere."""
 
 
 def _readers(project: Project, unread: Unread) -> list[str]:
-    found = ((distro, project.catalog.simulator_plugin(unread.one.filename, distro)) for distro in ALL)
-    return [distro for distro, plugin in found if plugin and unread.name in plugin.children]
+    by_distro = ((distro, project.catalog.simulator_plugin(unread.sim_plugin.filename, distro)) for distro in ALL)
+    return [distro for distro, plugin in by_distro if plugin and unread.name in plugin.children]

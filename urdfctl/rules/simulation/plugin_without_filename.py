@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.simulator_plugins import loaded_plugins
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import label
-from urdfctl.rules.simulation.common import loaded
 
 
 @rule(
@@ -33,13 +33,13 @@ from urdfctl.rules.simulation.common import loaded
     },
 )
 def plugin_without_filename(project: Project) -> Iterator[Finding]:
-    """A plugin of Gazebo names no library.
+    """Gazebo plugin without a file name.
 
-    Gazebo loads a library by its file name; without one the plugin is not loaded, or the whole model refused.
+    Gazebo loads a library by its file name. Without one, the plugin is not loaded, or the whole model is rejected.
     """
-    for one in loaded(project):
-        plugin = one.plugin
+    for sim_plugin in loaded_plugins(project):
+        plugin = sim_plugin.plugin
         if not (plugin.filename or "").strip():
             empty = "filename" in plugin.tag.attributes
-            told = "an empty filename" if empty else "no filename"
-            yield Finding(plugin.at, f"{label('plugin', plugin.name)} has {told}, so that Gazebo has nothing to load")
+            fault = "an empty 'filename'" if empty else "no 'filename'"
+            yield Finding(plugin.at, f"{label('plugin', plugin.name)} has {fault}; Gazebo has nothing to load")

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.simulator_plugins import loaded_plugins
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
-from urdfctl.rules.simulation.common import loaded
 
 
 @rule(
@@ -29,12 +29,16 @@ from urdfctl.rules.simulation.common import loaded
     },
 )
 def plugin_without_name(project: Project) -> Iterator[Finding]:
-    """A plugin of Gazebo Classic has no name.
+    """Gazebo Classic plugin without a name.
 
-    It may be any, but there must be one: without it the whole model is refused. gz does without, and takes the only class of the
-    library.
+    Any name is accepted, but without one the whole model is rejected. gz does not need a name and uses the only class
+    of the library.
     """
-    for one in loaded(project):
-        if one.simulator == "gazebo-classic" and not (one.plugin.name or "").strip():
-            fix = Fix(f'write name="{one.library}"')
-            yield Finding(one.plugin.at, f"the plugin of '{one.filename}' has no name, and is refused", fix=fix)
+    for sim_plugin in loaded_plugins(project):
+        if sim_plugin.simulator == "gazebo-classic" and not (sim_plugin.plugin.name or "").strip():
+            fix = Fix(f'add name="{sim_plugin.library}"')
+            yield Finding(
+                sim_plugin.plugin.at,
+                f"plugin '{sim_plugin.filename}' has no 'name'; Gazebo Classic rejects the model",
+                fix=fix,
+            )

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
+from urdfctl.control.simulator_plugins import control_plugins
+from urdfctl.names import folded, is_slip
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, replaced
-from urdfctl.rules.simulation.common import control_plugins
-from urdfctl.suggest import folded, is_slip
 
 
 @rule(
@@ -37,28 +37,28 @@ from urdfctl.suggest import folded, is_slip
     },
 )
 def robot_sim_type_unknown(project: Project) -> Iterator[Finding]:
-    """The simulation that ros_control's plugin is to load is spelt nearly like one that exists.
+    """Misspelt `<robotSimType>` of the ros_control plugin.
 
-    It is looked up as `package/Class`; where there is none of that name, Gazebo goes on without a controller manager. A
-    name that is like none may be one of your own.
+    The name is looked up as `package/Class`. If the class does not exist, Gazebo goes on without a controller manager.
+    A name that resembles no known class may be your own, and is not reported.
     """
     known = {name for distro in project.distros if distro in ROS1 for name in project.catalog.known_hardware(distro)}
-    for one in control_plugins(project):
-        setting = one.setting("robotSimType")
+    for sim_plugin in control_plugins(project):
+        setting = sim_plugin.setting("robotSimType")
         name = setting.text if setting else ""
-        meant = _meant(name, known) if is_known(name) else None
+        meant = _meant(name, known) if is_known(name) and name not in project.own.hardware else None
         if setting is None or meant is None:
             continue
         at = setting.at.content
-        yield Finding(at, f"there is no simulation '{name}'; did you mean '{meant}'?", fix=replaced(at, name, meant))
+        yield Finding(at, f"unknown <robotSimType> '{name}'; did you mean '{meant}'?", fix=replaced(at, name, meant))
 
 
 def _meant(name: str, known: set[str]) -> str | None:
     if not name or name in known:
         return None
     key = folded(name.replace("::", "/"))
-    for each in sorted(known):
-        other = folded(each)
+    for candidate in sorted(known):
+        other = folded(candidate)
         if key in (other, other.partition("/")[2]) or is_slip(key, other):
-            return each
+            return candidate
     return None

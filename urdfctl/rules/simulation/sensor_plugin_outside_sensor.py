@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.gazebo_plugins import OF_SENSORS
+from urdfctl.control.simulator_plugins import loaded_plugins
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
-from urdfctl.rules.simulation.common import loaded
-from urdfctl.rules.simulation.facts import OF_SENSORS
 
 
 @rule(
@@ -32,12 +32,13 @@ from urdfctl.rules.simulation.facts import OF_SENSORS
     },
 )
 def sensor_plugin_outside_sensor(project: Project) -> Iterator[Finding]:
-    """The plugin of a sensor stands in no `<sensor>`.
+    """Sensor plugin outside `<sensor>`.
 
-    It publishes what the sensor around it measures. As a plugin of the robot it is of the wrong type, and not loaded.
+    The plugin publishes what the enclosing sensor measures. As a plugin of the robot it has the wrong type and is not
+    loaded.
     """
-    for one in loaded(project):
-        if one.library in OF_SENSORS:
-            message = f"'{one.filename}' is the plugin of a sensor, and is not loaded outside of a <sensor>"
-            fix = Fix('write it in <gazebo reference="link"><sensor type="..." name="...">')
-            yield Finding(one.plugin.at, message, fix=fix)
+    for sim_plugin in loaded_plugins(project):
+        if sim_plugin.library in OF_SENSORS:
+            message = f"'{sim_plugin.filename}' is a sensor plugin; it is not loaded outside <sensor>"
+            fix = Fix('move it into <gazebo reference="link"><sensor type="..." name="...">')
+            yield Finding(sim_plugin.plugin.at, message, fix=fix)

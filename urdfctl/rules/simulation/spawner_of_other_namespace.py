@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
+from urdfctl.control.simulator_plugins import control_plugins, namespace_of
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known
-from urdfctl.rules.simulation.common import control_plugins, namespace_of
 
 
 @rule(
@@ -50,21 +50,22 @@ from urdfctl.rules.simulation.common import control_plugins, namespace_of
     },
 )
 def spawner_of_other_namespace(project: Project) -> Iterator[Finding]:
-    """A spawner looks for the controller manager in another namespace than the simulated robot's.
+    """Spawner looks for the controller manager in another namespace.
 
-    The plugin's manager lives in `<robotNamespace>`; the spawner asks in its own namespace, waits for half a minute, and
-    gives up.
+    The plugin's controller manager runs in `<robotNamespace>`. The spawner asks in its own namespace, waits for half a
+    minute and gives up.
     """
-    hosts = [one for one in control_plugins(project) if one.library == "gazebo_ros_control"]
-    settings = [one.setting("robotNamespace") for one in hosts]
+    hosts = [sim_plugin for sim_plugin in control_plugins(project) if sim_plugin.library == "gazebo_ros_control"]
+    settings = [sim_plugin.setting("robotNamespace") for sim_plugin in hosts]
     known = {namespace_of(setting.text): setting for setting in settings if setting and is_known(setting.text)}
     if project.launch is None or not hosts or len(known) < len(hosts):
         return
     for spawn in project.launch.spawns:
         if spawn.sure and spawn.namespace is not None and namespace_of(spawn.namespace) not in known:
             ours, setting = next(iter(known.items()))
-            there = namespace_of(spawn.namespace) or "/"
+            theirs = namespace_of(spawn.namespace) or "/"
             message = (
-                f"the spawner asks in namespace '{there}', and the simulated robot's manager is in '{ours or '/'}'"
+                f"spawner asks in namespace '{theirs}', "
+                f"but the simulated robot's controller manager is in '{ours or '/'}'"
             )
-            yield Finding(spawn.at, message, (Note("the plugin says so here", setting.at),))
+            yield Finding(spawn.at, message, (Note("the plugin's namespace is set here", setting.at),))

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
+from urdfctl.control.simulator_plugins import LoadedPlugin, loaded_plugins
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_all_there, is_known
-from urdfctl.rules.simulation.common import Loaded, loaded, number
+from urdfctl.rules.simulation.common import number
 
 
 @rule(
@@ -45,31 +46,36 @@ from urdfctl.rules.simulation.common import Loaded, loaded, number
     },
 )
 def wheel_pairs_miscounted(project: Project) -> Iterator[Finding]:
-    """A drive has not as many left and right joints as pairs of wheels.
+    """Number of wheel joints does not match the number of wheel pairs.
 
-    The plugin then does nothing. Without `<num_wheel_pairs>` it is one pair.
+    The plugin then does nothing. Without `<num_wheel_pairs>` it expects one pair.
     """
-    for one in loaded(project):
-        if one.library != "gazebo_ros_diff_drive" or "num_wheel_pairs" not in one.children:
+    for sim_plugin in loaded_plugins(project):
+        if sim_plugin.library != "gazebo_ros_diff_drive" or "num_wheel_pairs" not in sim_plugin.children:
             continue
-        wanted = _pairs(one)
-        found = [sum(name == side for name, _ in one.settings()) for side in ("left_joint", "right_joint")]
-        if wanted is None or not all(found) or not is_all_there(project, one.plugin.tag) or set(found) == {wanted}:
+        expected = _pairs(sim_plugin)
+        counts = [sum(name == side for name, _ in sim_plugin.settings()) for side in ("left_joint", "right_joint")]
+        if (
+            expected is None
+            or not all(counts)
+            or not is_all_there(project, sim_plugin.plugin.tag)
+            or set(counts) == {expected}
+        ):
             continue
         message = (
-            f"'{one.filename}' has {_counted(wanted, 'pair')} of wheels, and {_counted(found[0], 'left joint')} and "
-            f"{_counted(found[1], 'right joint')}"
+            f"'{sim_plugin.filename}' expects {_counted(expected, 'pair')} of wheels, but has "
+            f"{_counted(counts[0], 'left joint')} and {_counted(counts[1], 'right joint')}"
         )
-        yield Finding(one.plugin.at, message)
+        yield Finding(sim_plugin.plugin.at, message)
 
 
 def _counted(count: int, what: str) -> str:
     return f"{count} {what}" if count == 1 else f"{count} {what}s"
 
 
-def _pairs(one: Loaded) -> int | None:
-    """How many pairs the plugin expects; None where it cannot be told."""
-    setting = one.setting("num_wheel_pairs")
+def _pairs(sim_plugin: LoadedPlugin) -> int | None:
+    """The number of pairs that the plugin expects; None if it is not known."""
+    setting = sim_plugin.setting("num_wheel_pairs")
     if setting is None:
         return 1
     value = number(setting.text) if is_known(setting.text) else None

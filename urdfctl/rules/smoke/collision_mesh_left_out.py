@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.smoke.common import GAINS, LIFT, told_by_smoke
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
+from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
 
 
 @rule(
     "UC922",
+    stage=Stage.MOVE,
     severity=Severity.WARNING,
+    message="the collision geometry of link '{link}' is ignored{more}: {why}",
     authority="measured on 35 real robots and 109 hand-made cases, in pybullet and MuJoCo",
     options=["--distro=jazzy"],
     bad={
@@ -23,9 +25,9 @@ from urdfctl.rules.smoke.common import GAINS, LIFT, told_by_smoke
     good={"robot.urdf": LIFT, "controllers.yaml": GAINS % "mover"},
 )
 def collision_mesh_left_out(project: Project) -> Iterator[Finding]:
-    """A mesh that a link collides with is not given to the physics engine.
+    """Collision geometry cannot be simulated.
 
-    It is not there, or it is broken: engines end the whole process on some such files. The robot is moved without it; a wheel
-    becomes a cylinder of the radius that its controller is told.
+    The mesh is missing or broken. Some broken meshes crash physics engines, so the robot is simulated without it. A
+    wheel gets a cylinder with the radius that its controller uses.
     """
-    return told_by_smoke(project)
+    return found_by_smoke_test(project)

@@ -1,4 +1,4 @@
-"""What the rules of the smoke test share: none of them reads, and the parts of their examples."""
+"""What the rules of the smoke test share: their check, which finds nothing, and the parts of their examples."""
 
 from __future__ import annotations
 
@@ -133,6 +133,6 @@ GAINS = """
 """
 
 
-def told_by_smoke(_: Project) -> Iterator[Finding]:
-    """Nothing: it is `urdfctl smoke` that finds it, by what the robot does."""
+def found_by_smoke_test(_: Project) -> Iterator[Finding]:
+    """Return no findings: `urdfctl smoke` makes them, from what the robot does."""
     return iter(())

@@ -4,22 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.smoke.common import CONTROLLERS, HARDWARE, told_by_smoke
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
+from urdfctl.rules.smoke.common import CONTROLLERS, HARDWARE, found_by_smoke_test
 
 
 @rule(
     "UC904",
+    stage=Stage.CONFIGURE,
     severity=Severity.ERROR,
-    authority="controller_manager.cpp: \"After configuring, controller 'arm' is in state 'unconfigured', expected inactive.\"",
+    message="controller '{controller}' cannot be configured: {why}",
+    authority="controller_manager.cpp: \"After configuring, controller 'arm' is in state 'unconfigured', "
+    'expected inactive."',
     options=["--distro=jazzy"],
     bad={"robot.urdf": HARDWARE, "controllers.yaml": CONTROLLERS % ("«arm»", "joints: []")},
     good={"robot.urdf": HARDWARE, "controllers.yaml": CONTROLLERS % ("arm", "joints: [shoulder, elbow]")},
 )
 def controller_not_configured(project: Project) -> Iterator[Finding]:
-    """The controller manager loads a controller of ROS 2, and cannot configure it.
+    """Controller cannot be configured.
 
-    Its parameters are there, but do not fit together, or one that it needs is empty. The note has the words in which the
-    manager refuses it.
+    Its parameters do not fit together, or a required one is empty. The controller manager of ROS 2 loads the
+    controller, but cannot configure it. The note quotes the controller manager.
     """
-    return told_by_smoke(project)
+    return found_by_smoke_test(project)

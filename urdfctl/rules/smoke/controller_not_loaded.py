@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.smoke.common import CONTROLLERS, HARDWARE, told_by_smoke
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
+from urdfctl.rules.smoke.common import CONTROLLERS, HARDWARE, found_by_smoke_test
 
 
 @rule(
     "UC903",
+    stage=Stage.LOAD,
     severity=Severity.ERROR,
-    authority="controller_manager.cpp: \"Loader for controller 'arm' (type 'x') not found.\"; ROS 1: \"Could not load controller 'arm' because controller type 'x' does not exist.\"",
+    message="controller '{controller}' cannot be loaded: {why}",
+    authority="controller_manager.cpp: \"Loader for controller 'arm' (type 'x') not found.\"; ROS 1: \"Could not "
+    "load controller 'arm' because controller type 'x' does not exist.\"",
     options=["--distro=jazzy"],
     bad={
         "robot.urdf": HARDWARE,
@@ -20,9 +23,9 @@ from urdfctl.rules.smoke.common import CONTROLLERS, HARDWARE, told_by_smoke
     good={"robot.urdf": HARDWARE, "controllers.yaml": CONTROLLERS % ("arm", "joints: [shoulder, elbow]")},
 )
 def controller_not_loaded(project: Project) -> Iterator[Finding]:
-    """The controller manager does not load a controller.
+    """Controller cannot be loaded.
 
-    Its type does not exist in the distro, or it refuses its parameters as soon as they are declared. In ROS 1 it also takes
-    its joints when it is loaded. The note has the words in which the manager refuses it.
+    Its type does not exist in the ROS distro, or it rejects its parameters when it declares them. In ROS 1 a controller
+    also claims its joints when it is loaded. The note quotes the controller manager.
     """
-    return told_by_smoke(project)
+    return found_by_smoke_test(project)

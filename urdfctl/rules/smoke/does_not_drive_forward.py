@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.smoke.common import ROVER, WHEELS, told_by_smoke
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
+from urdfctl.rules.smoke.common import ROVER, WHEELS, found_by_smoke_test
 
 
 @rule(
     "UC941",
+    stage=Stage.MOVE,
     severity=Severity.ERROR,
+    message="controller '{controller}' should drive the robot {expected}, but {actual}",
     authority="measured on 35 real robots and 109 hand-made cases, in pybullet and MuJoCo",
     options=["--distro=jazzy"],
     bad={
@@ -20,9 +22,9 @@ from urdfctl.rules.smoke.common import ROVER, WHEELS, told_by_smoke
     good={"robot.urdf": ROVER, "controllers.yaml": WHEELS % "base"},
 )
 def does_not_drive_forward(project: Project) -> Iterator[Finding]:
-    """A mobile base that is told to drive forward does not.
+    """Mobile base does not drive straight forward.
 
-    It goes too far or not far enough, backwards, or turns on the way: wheels turn the wrong way, do not grip, are too weak,
-    or are of another radius than their controller is told.
+    It goes too far, not far enough or backwards, or it turns. The wheels turn the wrong way, slip, are too weak, or
+    have another radius than their controller uses.
     """
-    return told_by_smoke(project)
+    return found_by_smoke_test(project)

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.smoke.common import ROVER, WHEELS, told_by_smoke
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
+from urdfctl.rules.smoke.common import ROVER, WHEELS, found_by_smoke_test
 
 
 @rule(
     "UC942",
+    stage=Stage.MOVE,
     severity=Severity.ERROR,
+    message="controller '{controller}' should turn the robot by {expected:+.2g} rad, but it turns by {actual:+.2g} rad",
     authority="measured on 35 real robots and 109 hand-made cases, in pybullet and MuJoCo",
     options=["--distro=jazzy"],
     bad={
@@ -23,9 +25,9 @@ from urdfctl.rules.smoke.common import ROVER, WHEELS, told_by_smoke
     good={"robot.urdf": ROVER, "controllers.yaml": WHEELS % "base"},
 )
 def does_not_turn_left(project: Project) -> Iterator[Finding]:
-    """A mobile base that is told to turn left does not.
+    """Mobile base does not turn left as commanded.
 
-    It turns right, or by far too much or too little: left and right are exchanged, a steering axis stands upside down, or the
-    wheels are farther apart than their controller is told.
+    It turns right, or far too much or too little. Left and right are swapped, a steering axis points down, or the
+    wheels are farther apart than their controller expects.
     """
-    return told_by_smoke(project)
+    return found_by_smoke_test(project)

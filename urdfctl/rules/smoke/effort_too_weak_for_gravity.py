@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.smoke.common import GAINS, LIFT, told_by_smoke
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
+from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
 
 
 @rule(
     "UC915",
+    stage=Stage.MOVE,
     severity=Severity.ERROR,
+    message="joint '{joint}' needs {needed:.3g} {unit} to hold the robot at spawn, but its effort limit is "
+    "{limit:g} {unit}",
     authority="gazebo_ros_control and gz_ros2_control clamp efforts to the joint's limit",
     options=["--distro=jazzy"],
     bad={
@@ -22,9 +25,9 @@ from urdfctl.rules.smoke.common import GAINS, LIFT, told_by_smoke
     good={"robot.urdf": LIFT, "controllers.yaml": GAINS % "mover"},
 )
 def effort_too_weak_for_gravity(project: Project) -> Iterator[Finding]:
-    """A joint's effort limit is too small to hold up what hangs on it.
+    """Effort limit too low to hold the robot.
 
-    At spawn the robot sinks, whatever its controller commands. It is worked out from the masses and where they are; joints
-    with a limit of 0, which many robots have for want of a better number, are not judged.
+    The joint sinks at spawn, whatever its controller commands. The load is computed from the masses and their
+    positions. Joints with an effort limit of 0 are not checked, because many descriptions use 0 for an unknown limit.
     """
-    return told_by_smoke(project)
+    return found_by_smoke_test(project)

@@ -4,22 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.smoke.common import GAINS, LIFT, told_by_smoke
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
+from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
 
 
 @rule(
     "UC920",
+    stage=Stage.MOVE,
     severity=Severity.ERROR,
+    message="{engine} crashed while simulating the robot: {why}",
     authority="measured on 35 real robots and 109 hand-made cases, in pybullet and MuJoCo",
     options=["--distro=jazzy"],
     bad={},
     good={"robot.urdf": LIFT, "controllers.yaml": GAINS % "mover"},
 )
 def engine_died(project: Project) -> Iterator[Finding]:
-    """The physics engine dies while it moves a robot.
+    """Physics engine crashed or exceeded its limits.
 
-    It ended itself, or took more time or memory than a robot needs. It is tried a second time without meshes. The robot is
-    not judged further; another engine (`--engine mujoco`) may take it.
+    The engine crashed, or needed more time or memory than allowed. It is tried once more without the robot's meshes. If
+    that fails too, the robot is not simulated; another engine (`--engine mujoco`) may succeed.
     """
-    return told_by_smoke(project)
+    return found_by_smoke_test(project)

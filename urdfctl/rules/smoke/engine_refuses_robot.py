@@ -4,21 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.smoke.common import GAINS, LIFT, told_by_smoke
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
+from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
 
 
 @rule(
     "UC921",
+    stage=Stage.MOVE,
     severity=Severity.ERROR,
+    message="{engine} rejects the robot: {why}",
     authority="measured on 35 real robots and 109 hand-made cases, in pybullet and MuJoCo",
     options=["--distro=jazzy"],
     bad={},
     good={"robot.urdf": LIFT, "controllers.yaml": GAINS % "mover"},
 )
 def engine_refuses_robot(project: Project) -> Iterator[Finding]:
-    """The physics engine does not take a robot.
+    """Physics engine rejects the robot.
 
-    It says why, in its own words; another engine may take it.
+    The message quotes the engine. Another engine may accept the robot.
     """
-    return told_by_smoke(project)
+    return found_by_smoke_test(project)

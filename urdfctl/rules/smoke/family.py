@@ -1,4 +1,8 @@
-"""UC9: what the smoke test finds, by what the robot and its controllers do."""
+"""UC9: what the smoke test finds when it runs the robot and its controllers.
+
+A smoke rule holds its code, severity, stage, message and explanation. The code in `urdfctl.smoke` that measures the
+fault calls `trouble_of` with the rule and the fields of its message.
+"""
 
 from __future__ import annotations
 

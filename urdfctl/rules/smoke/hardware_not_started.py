@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.smoke.common import CONTROLLERS, HARDWARE, told_by_smoke
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
+from urdfctl.rules.smoke.common import CONTROLLERS, HARDWARE, found_by_smoke_test
 
 
 @rule(
     "UC902",
+    stage=Stage.HARDWARE,
     severity=Severity.ERROR,
+    message="the hardware cannot be started: {why}",
     authority="ros2_control resource_manager.cpp and component_parser.cpp; ros_control transmission_parser.cpp",
     options=["--distro=jazzy"],
     bad={
@@ -20,8 +22,9 @@ from urdfctl.rules.smoke.common import CONTROLLERS, HARDWARE, told_by_smoke
     good={"robot.urdf": HARDWARE, "controllers.yaml": CONTROLLERS % ("arm", "joints: [shoulder, elbow]")},
 )
 def hardware_not_started(project: Project) -> Iterator[Finding]:
-    """The robot's hardware is refused: a component of ros2_control, or a transmission of ROS 1.
+    """Hardware cannot be started.
 
-    The robot stands, but no controller can claim anything, and none of them becomes active.
+    A ros2_control component, or a transmission in ROS 1, is rejected. The robot is spawned, but no controller can claim
+    an interface, so none becomes active.
     """
-    return told_by_smoke(project)
+    return found_by_smoke_test(project)

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.smoke.common import LIFT, told_by_smoke
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
+from urdfctl.rules.smoke.common import LIFT, found_by_smoke_test
 
 
 @rule(
     "UC910",
+    stage=Stage.MOVE,
     severity=Severity.ERROR,
+    message="link '{link}' has a mass or inertia that is {problem}",
     authority="measured: an engine that is given such a body puts nan into every state of the robot",
     options=["--distro=jazzy"],
     bad={
@@ -21,8 +23,9 @@ from urdfctl.rules.smoke.common import LIFT, told_by_smoke
     good={"robot.urdf": LIFT},
 )
 def inertia_unusable(project: Project) -> Iterator[Finding]:
-    """A link has a mass or an inertia that no body can have.
+    """Mass or inertia is negative or not a finite number.
 
-    Not a number, or less than nothing: the first step of a simulator spreads it over the whole robot.
+    No body can have such a mass or inertia. In the first step of a simulation the invalid value spreads over the whole
+    robot.
     """
-    return told_by_smoke(project)
+    return found_by_smoke_test(project)

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.smoke.common import GAINS, LIFT, told_by_smoke
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
+from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
 
 
 @rule(
     "UC932",
+    stage=Stage.MOVE,
     severity=Severity.ERROR,
+    message="controller '{controller}': joint '{joint}' should move by {expected:+.3g} {unit}, but moves by "
+    "{actual:+.3g} {unit}",
     authority="measured on 35 real robots and 109 hand-made cases, in pybullet and MuJoCo",
     options=["--distro=jazzy"],
     bad={
@@ -22,8 +25,8 @@ from urdfctl.rules.smoke.common import GAINS, LIFT, told_by_smoke
     good={"robot.urdf": LIFT, "controllers.yaml": GAINS % "mover"},
 )
 def joint_does_not_follow(project: Project) -> Iterator[Finding]:
-    """A joint does not come to where its controller tells it to go.
+    """Joint does not reach its target.
 
-    Its effort limit, or its gains, are too small for what hangs on it; or something holds it.
+    Its effort limit or its gains are too low for the load on it, or something blocks it.
     """
-    return told_by_smoke(project)
+    return found_by_smoke_test(project)

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.smoke.common import GAINS, LIFT, told_by_smoke
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
+from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
 
 
 @rule(
     "UC914",
+    stage=Stage.MOVE,
     severity=Severity.ERROR,
+    message="joint '{joint}' has a velocity limit of 0, so controller '{controller}' cannot move it. "
+    "Set the real limit",
     authority="gazebo_ros_control and gz_ros2_control clamp velocities to the joint's limit",
     options=["--distro=jazzy"],
     bad={
@@ -22,8 +25,8 @@ from urdfctl.rules.smoke.common import GAINS, LIFT, told_by_smoke
     good={"robot.urdf": LIFT, "controllers.yaml": GAINS % "mover"},
 )
 def joint_held_still(project: Project) -> Iterator[Finding]:
-    """A controller is to move a joint whose velocity limit is 0.
+    """Controlled joint with a velocity limit of 0.
 
-    Simulators and drivers take the limit at its word: the controller is active, and nothing moves.
+    Simulators and drivers obey the limit: the controller is active, but the joint does not move.
     """
-    return told_by_smoke(project)
+    return found_by_smoke_test(project)

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.smoke.common import GAINS, LIFT, told_by_smoke
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
+from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
 
 
 @rule(
     "UC935",
+    stage=Stage.MOVE,
     severity=Severity.ERROR,
+    message="controller '{controller}': joint '{joint}' {command}, but moves by {actual:+.3g} {unit}",
     authority="measured on 35 real robots and 109 hand-made cases, in pybullet and MuJoCo",
     options=["--distro=jazzy"],
     bad={
@@ -27,8 +29,9 @@ from urdfctl.rules.smoke.common import GAINS, LIFT, told_by_smoke
     good={"robot.urdf": LIFT, "controllers.yaml": GAINS % "mover"},
 )
 def joint_moves_wrong_way(project: Project) -> Iterator[Finding]:
-    """A joint does not move as a velocity or an effort tells it, or moves the other way.
+    """Joint does not move as commanded.
 
-    A sign is wrong: of a gain, or of the command's way to the joint; or something holds it.
+    It stands still, runs away, or moves in the wrong direction under a velocity or effort command. A gain or the
+    command has the wrong sign, or something blocks the joint.
     """
-    return told_by_smoke(project)
+    return found_by_smoke_test(project)

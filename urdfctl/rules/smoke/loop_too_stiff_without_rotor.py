@@ -4,14 +4,30 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.smoke.common import GAINS, LIFT, LIGHT, told_by_smoke
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
+from urdfctl.rules.smoke.common import GAINS, LIFT, LIGHT, found_by_smoke_test
+from urdfctl.rules.smoke.joint_does_not_follow import joint_does_not_follow
+from urdfctl.rules.smoke.joint_leaves_limits import joint_leaves_limits
+from urdfctl.rules.smoke.joint_oscillates import joint_oscillates
+from urdfctl.rules.smoke.joint_too_fast import joint_too_fast
+from urdfctl.rules.smoke.joints_oscillate_together import joints_oscillate_together
+from urdfctl.rules.smoke.simulation_explodes import simulation_explodes
 
 
 @rule(
     "UC918",
+    stage=Stage.MOVE,
     severity=Severity.WARNING,
+    message="the gains of controller '{controller}' are too high for its lightest joint at {rate:g} Hz",
     authority="measured: uniform gains on light wrists, which real motors hold for their rotors' inertia",
+    explains=(
+        simulation_explodes,
+        joint_does_not_follow,
+        joint_oscillates,
+        joints_oscillate_together,
+        joint_leaves_limits,
+        joint_too_fast,
+    ),
     options=["--distro=jazzy"],
     bad={
         "robot.urdf": LIGHT,
@@ -20,9 +36,9 @@ from urdfctl.rules.smoke.common import GAINS, LIFT, LIGHT, told_by_smoke
     good={"robot.urdf": LIFT, "controllers.yaml": GAINS % "mover"},
 )
 def loop_too_stiff_without_rotor(project: Project) -> Iterator[Finding]:
-    """The gains of a controller are too high for its lightest joint as it is described.
+    """Gains too high for the lightest joint as described.
 
-    A real motor's rotor, through its gears, adds inertia that no description has, and would calm the joint. Simulators know
-    of none, and shake it.
+    The rotor of a real motor adds inertia through its gears, which steadies the joint. Robot descriptions and
+    simulators do not model rotors, so the joint shakes in simulation.
     """
-    return told_by_smoke(project)
+    return found_by_smoke_test(project)

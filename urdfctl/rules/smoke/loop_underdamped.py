@@ -4,14 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.smoke.common import GAINS, LIFT, told_by_smoke
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
+from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
 
 
 @rule(
     "UC917",
+    stage=Stage.MOVE,
     severity=Severity.ERROR,
-    authority="the damping ratio of the sampled closed loop is below 0.05; agreed with simulation on 20 of 20 sets of gains",
+    message="the gains of controller '{controller}' leave its joints swinging: the damping ratio is {ratio:.2g}, "
+    "but should be at least {least:g}",
+    authority="the damping ratio of the sampled closed loop is below 0.05; agreed with simulation on 20 of 20 "
+    "sets of gains",
     options=["--distro=jazzy"],
     bad={
         "robot.urdf": LIFT,
@@ -20,8 +24,8 @@ from urdfctl.rules.smoke.common import GAINS, LIFT, told_by_smoke
     good={"robot.urdf": LIFT, "controllers.yaml": GAINS % "mover"},
 )
 def loop_underdamped(project: Project) -> Iterator[Finding]:
-    """The gains of a controller leave its joints swinging.
+    """Underdamped controller gains.
 
-    The loop does settle, but after many swings: what a d gain, or damping in the joint, would calm at once.
+    The joints settle only after many swings. A d gain, or damping in the joints, stops them sooner.
     """
-    return told_by_smoke(project)
+    return found_by_smoke_test(project)

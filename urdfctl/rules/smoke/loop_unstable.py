@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.smoke.common import GAINS, LIFT, told_by_smoke
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
+from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
 
 
 @rule(
     "UC916",
+    stage=Stage.MOVE,
     severity=Severity.ERROR,
-    authority="the sampled closed loop has an eigenvalue outside the unit circle; agreed with simulation on 20 of 20 sets of gains",
+    message="the gains of controller '{controller}' are unstable at {rate:g} Hz: its joints swing more and more",
+    authority="the sampled closed loop has an eigenvalue outside the unit circle; agreed with simulation on 20 "
+    "of 20 sets of gains",
     options=["--distro=jazzy"],
     bad={
         "robot.urdf": LIFT,
@@ -20,9 +23,9 @@ from urdfctl.rules.smoke.common import GAINS, LIFT, told_by_smoke
     good={"robot.urdf": LIFT, "controllers.yaml": GAINS % "mover"},
 )
 def loop_unstable(project: Project) -> Iterator[Finding]:
-    """The gains of a controller make its joints swing ever more.
+    """Unstable controller gains.
 
-    They are too high for the mass that they move and for how often the controller is updated, or of the wrong sign. It is
-    worked out for the robot at spawn, all joints of the controller together.
+    The gains are too high for the mass that they move and for the update rate, or have the wrong sign. The stability of
+    the closed loop is computed for the robot at spawn, with all joints of the controller together.
     """
-    return told_by_smoke(project)
+    return found_by_smoke_test(project)

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.smoke.common import CONTROLLERS, HARDWARE, told_by_smoke
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
+from urdfctl.rules.smoke.common import CONTROLLERS, HARDWARE, found_by_smoke_test
 
 
 @rule(
     "UC901",
+    stage=Stage.SPAWN,
     severity=Severity.ERROR,
-    authority="urdfdom: 'Failed to build tree'; Gazebo, robot_state_publisher and the controller manager all refuse such a description",
+    message="the robot cannot be spawned: {why}",
+    authority="urdfdom: 'Failed to build tree'; Gazebo, robot_state_publisher and the controller manager all "
+    "refuse such a description",
     options=["--distro=jazzy"],
     bad={
         "robot.urdf": HARDWARE + '<joint name="spare" type="fixed"><parent link="fore"/><child link="«tool»"/></joint>',
@@ -20,9 +23,9 @@ from urdfctl.rules.smoke.common import CONTROLLERS, HARDWARE, told_by_smoke
     good={"robot.urdf": HARDWARE, "controllers.yaml": CONTROLLERS % ("arm", "joints: [shoulder, elbow]")},
 )
 def robot_not_spawned(project: Project) -> Iterator[Finding]:
-    """The robot's description is refused, so that nothing of it is spawned.
+    """Robot cannot be spawned.
 
-    No controller is loaded then. `urdfctl lint` tells all that is wrong with the description; the smoke test tells the
-    first of it.
+    The robot description is rejected, so no controller is loaded. The smoke test reports the first error of the
+    description; `urdfctl lint` reports all of them.
     """
-    return told_by_smoke(project)
+    return found_by_smoke_test(project)

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.smoke.common import ROVER, WHEELS, told_by_smoke
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
+from urdfctl.rules.smoke.common import ROVER, WHEELS, found_by_smoke_test
 
 
 @rule(
     "UC931",
+    stage=Stage.MOVE,
     severity=Severity.ERROR,
+    message="the robot tips over at spawn: roll {roll:.2g} rad, pitch {pitch:.2g} rad",
     authority="measured on 35 real robots and 109 hand-made cases, in pybullet and MuJoCo",
     options=["--distro=jazzy"],
     bad={
@@ -25,8 +27,9 @@ from urdfctl.rules.smoke.common import ROVER, WHEELS, told_by_smoke
     good={"robot.urdf": ROVER, "controllers.yaml": WHEELS % "base"},
 )
 def robot_tips_over(project: Project) -> Iterator[Finding]:
-    """A mobile base tips over as soon as it stands.
+    """Mobile base tips over.
 
-    It stands on its wheels and on what else touches the ground: without a caster two wheels do not carry it.
+    It falls over as soon as it stands on the ground. Only its wheels and other parts that touch the ground support it:
+    two wheels without a caster do not.
     """
-    return told_by_smoke(project)
+    return found_by_smoke_test(project)

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.smoke.common import ROVER, WHEELS, told_by_smoke
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
+from urdfctl.rules.smoke.common import ROVER, WHEELS, found_by_smoke_test
 
 
 @rule(
     "UC913",
+    stage=Stage.MOVE,
     severity=Severity.ERROR,
+    message="controller '{controller}' expects a wheel {measure} of {expected} m, but the robot has {actual} m",
     authority="diff_drive_controller takes wheel_radius and wheel_separation as they are given",
     options=["--distro=jazzy"],
     bad={
@@ -20,9 +22,9 @@ from urdfctl.rules.smoke.common import ROVER, WHEELS, told_by_smoke
     good={"robot.urdf": ROVER, "controllers.yaml": WHEELS % "base"},
 )
 def wheel_measures_differ(project: Project) -> Iterator[Finding]:
-    """A drive is told wheels of another radius, or of another distance, than the robot has.
+    """Wheel radius or separation differs from the robot.
 
-    The robot drives or turns by as much too far or not far enough, and its odometry is wrong by as much. What collides with
-    the ground tells the radius; wheels that are a little apart from what is told (15 %) are taken as tuned.
+    The robot drives or turns too far or not far enough, and its odometry is wrong by the same factor. The real radius
+    is taken from the collision geometry of the wheels. A difference of up to 15 % is accepted as calibration.
     """
-    return told_by_smoke(project)
+    return found_by_smoke_test(project)

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.smoke.common import ROVER, WHEELS, told_by_smoke
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
+from urdfctl.rules.smoke.common import ROVER, WHEELS, found_by_smoke_test
 
 
 @rule(
     "UC940",
+    stage=Stage.MOVE,
     severity=Severity.ERROR,
+    message="wheel '{joint}' of controller '{controller}' does not touch the ground",
     authority="measured on 35 real robots and 109 hand-made cases, in pybullet and MuJoCo",
     options=["--distro=jazzy"],
     bad={
@@ -23,8 +25,8 @@ from urdfctl.rules.smoke.common import ROVER, WHEELS, told_by_smoke
     good={"robot.urdf": ROVER, "controllers.yaml": WHEELS % "base"},
 )
 def wheel_off_the_ground(project: Project) -> Iterator[Finding]:
-    """A driven wheel does not touch the ground.
+    """Driven wheel does not touch the ground.
 
-    It is mounted too high, it has no shape to collide with, or other parts of the robot carry it.
+    It is mounted too high, it has no collision geometry, or other parts of the robot carry the weight.
     """
-    return told_by_smoke(project)
+    return found_by_smoke_test(project)

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.smoke.common import ROVER, WHEELS, told_by_smoke
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
+from urdfctl.rules.smoke.common import ROVER, WHEELS, found_by_smoke_test
 
 
 @rule(
     "UC911",
+    stage=Stage.MOVE,
     severity=Severity.ERROR,
+    message="controller '{controller}' has left and right wheels swapped: '{left}' is on the right side and "
+    "'{right}' on the left",
     authority="diff_drive_controller: the left wheel's velocity is (linear - angular * separation / 2) / radius",
     options=["--distro=jazzy"],
     bad={
@@ -23,9 +26,9 @@ from urdfctl.rules.smoke.common import ROVER, WHEELS, told_by_smoke
     good={"robot.urdf": ROVER, "controllers.yaml": WHEELS % "base"},
 )
 def wheel_sides_swapped(project: Project) -> Iterator[Finding]:
-    """A drive's left wheels are on the right side of the robot.
+    """Left and right wheels are swapped.
 
-    Told to turn left the robot turns right; driving straight looks well. It is told from where the wheels are in the frame
-    of the base, at spawn.
+    The robot turns right when it is commanded to turn left, while driving straight looks correct. The check uses the
+    positions of the wheels in the base frame at spawn.
     """
-    return told_by_smoke(project)
+    return found_by_smoke_test(project)

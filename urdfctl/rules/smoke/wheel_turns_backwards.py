@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.smoke.common import ROVER, WHEELS, told_by_smoke
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
+from urdfctl.rules.smoke.common import ROVER, WHEELS, found_by_smoke_test
 
 
 @rule(
     "UC912",
+    stage=Stage.MOVE,
     severity=Severity.ERROR,
+    message="wheel '{joint}' turns {how} when controller '{controller}' drives forward",
     authority="REP 103: x forward, y left; a wheel that rolls forward turns about y",
     options=["--distro=jazzy"],
     bad={
@@ -22,9 +24,9 @@ from urdfctl.rules.smoke.common import ROVER, WHEELS, told_by_smoke
     good={"robot.urdf": ROVER, "controllers.yaml": WHEELS % "base"},
 )
 def wheel_turns_backwards(project: Project) -> Iterator[Finding]:
-    """A driven wheel turns backwards, or about an axis on which it cannot roll.
+    """Driven wheel turns backwards or about the wrong axis.
 
-    A wheel whose velocity is positive must roll the robot forward: seen from the base its axis points to the left. Told to
-    drive forward the robot goes back, or turns on the spot.
+    A positive velocity must roll the robot forward: the wheel's axis must point to the left in the base frame.
+    Otherwise the robot drives backwards, or turns on the spot, when it is commanded to drive forward.
     """
-    return told_by_smoke(project)
+    return found_by_smoke_test(project)

@@ -49,19 +49,23 @@ from urdfctl.rules.transmissions.facts import PREFIX
     },
 )
 def actuator_interface_differs(project: Project) -> Iterator[Finding]:
-    """An actuator names another hardware interface than its joint.
+    """Actuator and joint name different hardware interfaces.
 
-    From indigo on the joint's counts, and the actuator's is dropped without a word: the robot is not driven as the
+    From indigo on, the joint's interface is used and the actuator's is silently ignored. The robot is not driven as the
     actuator says.
     """
     for transmission in read_transmissions(project):
-        ours = {name for joint in transmission.joints for name in _names(joint)}
+        joint_interfaces = {name for joint in transmission.joints for name in _names(joint)}
         for actuator in transmission.actuators:
             for interface in actuator.named_interfaces:
-                if ours and _short(interface.value) not in ours and is_known(interface.value, *ours):
+                if (
+                    joint_interfaces
+                    and _short(interface.value) not in joint_interfaces
+                    and is_known(interface.value, *joint_interfaces)
+                ):
                     message = (
-                        f"the interface '{interface.value}' of actuator '{actuator.name}' of {transmission.label} "
-                        f"is not read; its joint has {listed(sorted(ours))}"
+                        f"interface '{interface.value}' of actuator '{actuator.name}' of {transmission.label} "
+                        f"is ignored; its joint has {listed(sorted(joint_interfaces))}"
                     )
                     notes = [Note(f"joint '{joint.name}' is here", joint.at) for joint in transmission.kept_joints[:1]]
                     yield Finding(interface.at, message, tuple(notes))

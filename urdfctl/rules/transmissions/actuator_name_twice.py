@@ -16,7 +16,7 @@ from urdfctl.source.span import Place
     severity=Severity.WARNING,
     in_library=False,
     distros=ROS1,
-    authority="ros_control transmission_interface/src/transmission_interface_loader.cpp asks the robot for an "
+    authority="ros_control transmission_interface/src/transmission_interface_loader.cpp looks up an "
     "actuator by its name: 'Actuator '<name>' does not expose the required hardware interface'",
     bad={
         "robot.urdf": """
@@ -64,10 +64,10 @@ from urdfctl.source.span import Place
     },
 )
 def actuator_name_twice(project: Project) -> Iterator[Finding]:
-    """Two actuators have one name.
+    """Duplicate actuator name.
 
-    Real hardware offers its actuators by name: both transmissions then drive the same motor, each overwriting what
-    the other one commands. Gazebo's hardware simulation does not look at actuators.
+    Real hardware offers its actuators by name. Both transmissions then drive the same motor, and each overwrites the
+    commands of the other. Gazebo's hardware simulation ignores actuators.
     """
     seen: dict[str, tuple[Place, str]] = {}
     for transmission in read_transmissions(project):
@@ -77,6 +77,6 @@ def actuator_name_twice(project: Project) -> Iterator[Finding]:
                 continue
             if name in seen:
                 place, label = seen[name]
-                message = f"actuator '{name}' of {transmission.label} has the name of another one"
+                message = f"actuator '{name}' of {transmission.label} has the same name as another actuator; rename one"
                 yield Finding(actuator.at["name"], message, (Note(f"the first one is in {label}", place),))
             seen.setdefault(name, (actuator.at["name"], transmission.label))

@@ -49,10 +49,10 @@ from urdfctl.rules.transmissions.common import (
     },
 )
 def actuator_without_mechanical_reduction(project: Project) -> Iterator[Finding]:
-    """An actuator has no `<mechanicalReduction>`.
+    """Actuator without `<mechanicalReduction>`.
 
-    The loader of real hardware wants it in each actuator, stops at the transmission, and loads none of those behind
-    it either. Gazebo's hardware simulation does not look at it.
+    The transmission loader of real hardware requires it in each actuator. It stops at this transmission, and does not
+    load the later ones either. Gazebo's hardware simulation ignores it.
     """
     for transmission in read_transmissions(project):
         if is_of_another_package(transmission):
@@ -65,23 +65,23 @@ def actuator_without_mechanical_reduction(project: Project) -> Iterator[Finding]
 
 
 def _fix(actuator: TransmissionEnd, *, elsewhere: bool) -> Fix:
-    """What is written with a slip is surely meant; what stands elsewhere is for a person to move."""
-    written = misspelt(actuator.others, "mechanicalReduction")
-    if written:
-        edits = renamed(written, "mechanicalReduction")
-        return Fix(f"write <mechanicalReduction> for <{written.name}>", edits, safe=True)
+    """A misspelt element is safe to rename; one in the wrong place must be moved by hand."""
+    misspelled = misspelt(actuator.others, "mechanicalReduction")
+    if misspelled:
+        edits = renamed(misspelled, "mechanicalReduction")
+        return Fix(f"rename <{misspelled.name}> to <mechanicalReduction>", edits, safe=True)
     element = "<mechanicalReduction>1</mechanicalReduction>"
     edits = () if elsewhere else inserted(actuator.at, element)
-    return Fix(f"add {element} to the actuator, or the ratio of its gear", edits)
+    return Fix(f"add {element} to the actuator; if it has a gear, use its ratio instead of 1", edits)
 
 
 def _elsewhere(transmission: Transmission, actuator: TransmissionEnd) -> Iterator[Note]:
-    written = misspelt(actuator.others, "mechanicalReduction")
-    if written:
-        yield Note(f"<{written.name}> is not read: the element is spelt <mechanicalReduction>", written.at)
+    misspelled = misspelt(actuator.others, "mechanicalReduction")
+    if misspelled:
+        yield Note(f"<{misspelled.name}> is ignored; the element is called <mechanicalReduction>", misspelled.at)
     for joint in transmission.joints:
         for reduction in joint.reductions[:1]:
-            yield Note("the one in <joint> does not stand for it: it belongs inside <actuator>", reduction.at)
+            yield Note("the one in <joint> does not apply to the actuator; it belongs inside <actuator>", reduction.at)
     for other in transmission.others:
         if other.name == "mechanicalReduction":
-            yield Note("this one stands beside the actuator; it belongs inside <actuator>", other.at)
+            yield Note("this one is outside the actuator; move it into <actuator>", other.at)

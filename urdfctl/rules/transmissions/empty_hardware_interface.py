@@ -45,15 +45,15 @@ from urdfctl.rules.transmissions.common import named_joints
     },
 )
 def empty_hardware_interface(project: Project) -> Iterator[Finding]:
-    """A joint has an empty `<hardwareInterface>` beside a good one.
+    """Empty `<hardwareInterface>` beside a valid one.
 
-    ros_control skips it without a word that one would see: where a second interface was meant, it is not there.
+    ros_control skips it without a visible message. If a second interface was intended, it is missing.
     """
     for transmission, joint, name in named_joints(project):
         for interface in joint.interfaces if joint.named_interfaces else ():
             if not interface.value and is_whole(project, interface.at):
-                message = f"a <hardwareInterface> of joint '{name}' of {transmission.label} is empty"
-                hidden = (Note("a comment stands before its text, and ROS 1's XML reader gives nothing then"),)
+                message = f"joint '{name}' of {transmission.label} has an empty <hardwareInterface>"
+                hidden = (Note("a comment precedes the text, so ROS 1's XML reader finds none"),)
                 yield Finding(
                     interface.at, message, hidden if interface.hidden else (), Fix("remove it, or name an interface")
                 )

@@ -1,14 +1,12 @@
-"""What ros_control's readers of transmissions take: types with their ends and roles, and hardware interfaces."""
+"""Transmission types, their roles, and the hardware interfaces that ros_control and Gazebo accept."""
 
 from __future__ import annotations
 
-from urdfctl.record import NamedTuple
+from urdfctl.startup.records import NamedTuple
 
 PREFIX = "hardware_interface/"
 PACKAGE = "transmission_interface/"
 
-GAZEBO_INTERFACES = ("EffortJointInterface", "PositionJointInterface", "VelocityJointInterface")
-"""Those that gazebo_ros_control's DefaultRobotHWSim knows (default_robot_hw_sim.cpp)."""
 
 HARDWARE_INTERFACES = (
     "JointStateInterface",
@@ -22,28 +20,31 @@ HARDWARE_INTERFACES = (
     "JointTrajectoryInterface",
     "CartesianTrajectoryInterface",
 )
-"""Further ones of the package hardware_interface, which only real hardware can have."""
+"""Other interfaces of package hardware_interface, available only on real hardware."""
 
 ROS2_WORDS = {
     "effort": "EffortJointInterface",
     "position": "PositionJointInterface",
     "velocity": "VelocityJointInterface",
 }
-"""What ROS 2 calls the interfaces of a joint."""
+"""ROS 1 interfaces by the name that ROS 2 uses."""
 
 JOINT_ROLES = ("joint1", "joint2")
 ACTUATOR_ROLES = ("actuator1", "actuator2")
 
 ROLES = {"joint": JOINT_ROLES, "actuator": ACTUATOR_ROLES}
-"""By the kind of a transmission's end."""
+"""Roles by the kind of a transmission's end."""
 
 
 class TransmissionType(NamedTuple):
-    """How many ends of each side a type wants, and whether they have roles (its *_transmission_loader.cpp)."""
+    """What a transmission type requires (its *_transmission_loader.cpp)."""
 
     joints: int
+    """How many joints it has."""
     actuators: int
+    """How many actuators it has."""
     has_roles: bool
+    """Whether each end needs a `<role>`."""
 
 
 TYPES = {
@@ -53,4 +54,4 @@ TYPES = {
 }
 
 NO_PLUGIN_TYPES = (PACKAGE, PREFIX, "pr2_mechanism_model/")
-"""Packages that bring no transmission type but those in TYPES."""
+"""Packages that have no transmission types other than those in TYPES."""

@@ -1,4 +1,4 @@
-"""UC2: the transmissions of ROS 1."""
+"""UC2: ROS 1 transmissions."""
 
 from __future__ import annotations
 

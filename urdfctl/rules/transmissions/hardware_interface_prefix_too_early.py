@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import until
+from urdfctl.control.gazebo_ros1 import GAZEBO_INTERFACES, in_gazebo
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
-from urdfctl.rules.transmissions.common import in_gazebo, in_place_of, named_joints, takes_prefix
-from urdfctl.rules.transmissions.facts import GAZEBO_INTERFACES, PREFIX
+from urdfctl.rules.transmissions.common import in_place_of, named_joints, takes_prefix
+from urdfctl.rules.transmissions.facts import PREFIX
 
 
 @rule(
@@ -45,10 +46,10 @@ from urdfctl.rules.transmissions.facts import GAZEBO_INTERFACES, PREFIX
     },
 )
 def hardware_interface_prefix_too_early(project: Project) -> Iterator[Finding]:
-    """A hardware interface is named with `hardware_interface/` in a distro whose Gazebo does not know the prefix.
+    """Hardware interface with the prefix `hardware_interface/` before kinetic.
 
-    Up to jade, Gazebo's hardware simulation knows the bare names only: it stops, and there is no controller manager
-    at all. The loader of real hardware wants the prefix.
+    Up to jade, Gazebo's hardware simulation knows only the bare names. It stops, and there is no controller manager.
+    The loader of real hardware requires the prefix.
     """
     severity = in_gazebo(project)
     if severity is None or takes_prefix(project):
@@ -58,8 +59,8 @@ def hardware_interface_prefix_too_early(project: Project) -> Iterator[Finding]:
             right = interface.value.removeprefix(PREFIX)
             if right != interface.value and right in GAZEBO_INTERFACES:
                 message = (
-                    f"the interface '{interface.value}' of joint '{name}' of {transmission.label} has a prefix that "
-                    f"Gazebo takes from kinetic on: up to jade it is '{right}'"
+                    f"interface '{interface.value}' of joint '{name}' of {transmission.label} has a prefix, which "
+                    f"Gazebo accepts only from kinetic on; use '{right}'"
                 )
                 fix = Fix(f"write '{right}'", in_place_of(interface, right))
                 yield Finding(interface.at.content, message, fix=fix, severity=severity)

@@ -5,18 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
+from urdfctl.control.gazebo_ros1 import GAZEBO_INTERFACES, in_gazebo
 from urdfctl.model.parts import Text
+from urdfctl.names import nearest
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import is_known
-from urdfctl.rules.transmissions.common import in_gazebo, in_place_of, listed, named_joints, with_prefix
-from urdfctl.rules.transmissions.facts import (
-    GAZEBO_INTERFACES,
-    HARDWARE_INTERFACES,
-    PACKAGE,
-    PREFIX,
-    ROS2_WORDS,
-)
-from urdfctl.suggest import nearest
+from urdfctl.rules.transmissions.common import in_place_of, listed, named_joints, with_prefix
+from urdfctl.rules.transmissions.facts import HARDWARE_INTERFACES, PACKAGE, PREFIX, ROS2_WORDS
 
 
 @rule(
@@ -54,10 +49,10 @@ from urdfctl.suggest import nearest
     },
 )
 def hardware_interface_unknown(project: Project) -> Iterator[Finding]:
-    """A transmission's joint names a hardware interface that is not known.
+    """Unknown hardware interface.
 
-    Gazebo's hardware simulation knows three; at another it stops, and there is no controller manager at all. The
-    loader of real hardware skips the interface. Those of other packages are for the hardware of these packages.
+    Gazebo's hardware simulation knows three interfaces. At any other it stops, and there is no controller manager. The
+    loader of real hardware skips the interface. Interfaces of other packages need the hardware of those packages.
     """
     for transmission, joint, name in named_joints(project):
         for index, interface in enumerate(joint.named_interfaces):
@@ -66,20 +61,24 @@ def hardware_interface_unknown(project: Project) -> Iterator[Finding]:
             if severity is None or not is_known(interface.value):
                 continue
             right = with_prefix(meant, project) if meant else None
-            whose = f"interface '{interface.value}' of joint '{name}' of {transmission.label}"
-            message = f"unknown {whose}; did you mean '{right}'?" if right else f"the {whose} is {_none_of(project)}"
+            interface_label = f"interface '{interface.value}' of joint '{name}' of {transmission.label}"
+            message = (
+                f"unknown {interface_label}; did you mean '{right}'?"
+                if right
+                else f"{interface_label} {_unknown_to(project)}"
+            )
             fix = Fix(f"write '{right}'", in_place_of(interface, right)) if right else None
             yield Finding(interface.at.content, message, fix=fix, severity=severity)
 
 
-def _none_of(project: Project) -> str:
+def _unknown_to(project: Project) -> str:
     known = listed(with_prefix(short, project) for short in GAZEBO_INTERFACES)
     reader = "Gazebo's hardware simulation" if project.may_be_simulated else "ros_control"
-    return f"none that {reader} knows: {known}"
+    return f"is unknown to {reader}, which knows {known}"
 
 
 def _severity(project: Project, interface: Text, meant: str | None, *, first: bool) -> Severity | None:
-    """None where the interface is known, or nobody can tell. Gazebo looks at a joint's first interface only."""
+    """None if the interface is known or cannot be checked. Gazebo reads only a joint's first interface."""
     short = interface.value.removeprefix(PREFIX)
     simulated = in_gazebo(project) if first else None
     if short in GAZEBO_INTERFACES:
@@ -100,7 +99,7 @@ def _of_another_package(project: Project) -> Severity:
 
 
 def _meant(text: str) -> str | None:
-    """The interface that a text misspells: in case or letters, with `::`, from a wrong package, or as ROS 2 has it."""
+    """The interface most likely meant: wrong case or spelling, `::`, a wrong package, or the ROS 2 name."""
     if text.removeprefix(PREFIX) in HARDWARE_INTERFACES:
         return None
     package, slash, short = text.replace("::", "/").rpartition("/")

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
+from urdfctl.control.gazebo_ros1 import GAZEBO_INTERFACES, in_gazebo
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
-from urdfctl.rules.transmissions.common import in_gazebo, in_place_of, named_joints, on_hardware
-from urdfctl.rules.transmissions.facts import GAZEBO_INTERFACES, HARDWARE_INTERFACES, PREFIX
+from urdfctl.rules.transmissions.common import in_place_of, named_joints, on_hardware
+from urdfctl.rules.transmissions.facts import HARDWARE_INTERFACES, PREFIX
 
 
 @rule(
@@ -45,11 +46,10 @@ from urdfctl.rules.transmissions.facts import GAZEBO_INTERFACES, HARDWARE_INTERF
     },
 )
 def hardware_interface_without_prefix(project: Project) -> Iterator[Finding]:
-    """A hardware interface is named without `hardware_interface/`.
+    """Hardware interface without the prefix `hardware_interface/`.
 
-    From kinetic on, Gazebo's hardware simulation takes the bare name with a warning that it is deprecated. The
-    loader of real hardware looks the name up as a plugin's, does not find it, and loads no transmission from there
-    on.
+    From kinetic on, Gazebo's hardware simulation accepts the bare name with a deprecation warning. The loader of real
+    hardware looks up the name as a plugin and does not find it. It loads neither this transmission nor the later ones.
     """
     known = set(GAZEBO_INTERFACES)
     if in_gazebo(project) is not Severity.ERROR:
@@ -60,8 +60,8 @@ def hardware_interface_without_prefix(project: Project) -> Iterator[Finding]:
             if interface.value in known:
                 right = PREFIX + interface.value
                 message = (
-                    f"the interface '{interface.value}' of joint '{name}' of {transmission.label} lacks its prefix: "
-                    f"from kinetic on it is '{right}'"
+                    f"interface '{interface.value}' of joint '{name}' of {transmission.label} has no prefix; "
+                    f"from kinetic on, use '{right}'"
                 )
                 fix = Fix(f"write '{right}'", in_place_of(interface, right), safe=certain)
                 yield Finding(interface.at.content, message, fix=fix, severity=on_hardware(project))

@@ -64,22 +64,23 @@ from urdfctl.rules.transmissions.facts import PREFIX
     },
 )
 def joint_in_two_transmissions(project: Project) -> Iterator[Finding]:
-    """A joint stands in two transmissions.
+    """Joint in two transmissions.
 
-    The second one's handle replaces the first one's. Where their interfaces differ, both exist, and two controllers
-    may command one joint at the same time.
+    The handle of the second transmission replaces that of the first. If their interfaces differ, both exist, and two
+    controllers can command the joint at the same time.
     """
     seen: dict[str, tuple[Transmission, TransmissionEnd]] = {}
     for transmission, joint, name in known_joints(project):
         first, before = seen.setdefault(name, (transmission, joint))
         if first is transmission:
             continue
-        notes = [Note(f"it stands in {first.label} first", before.at["name"])]
+        notes = [Note(f"it is first used in {first.label}", before.at["name"])]
         if _interfaces(before) != _interfaces(joint):
-            notes.append(Note("their interfaces differ: both can be claimed, and command the joint against each other"))
-        yield Finding(
-            joint.at["name"], f"joint '{name}' of {transmission.label} is in another transmission too", tuple(notes)
-        )
+            notes.append(
+                Note("their interfaces differ: two controllers can claim the joint and command it at the same time")
+            )
+        message = f"joint '{name}' of {transmission.label} is already in another transmission"
+        yield Finding(joint.at["name"], message, tuple(notes))
 
 
 def _interfaces(joint: TransmissionEnd) -> set[str]:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
+from urdfctl.control.gazebo_ros1 import in_gazebo
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.transmissions.common import in_gazebo, named_joints
+from urdfctl.rules.transmissions.common import named_joints
 
 
 @rule(
@@ -47,10 +48,10 @@ from urdfctl.rules.transmissions.common import in_gazebo, named_joints
     },
 )
 def joint_with_two_interfaces_in_gazebo(project: Project) -> Iterator[Finding]:
-    """Gazebo is to simulate a joint that has several hardware interfaces.
+    """Joint with several hardware interfaces in Gazebo.
 
-    Real hardware offers all of them. Gazebo's hardware simulation takes the first and warns; controllers of the
-    others find no joint.
+    Real hardware offers all of them. Gazebo's hardware simulation uses the first one and prints a warning. Controllers
+    of the other interfaces do not find the joint.
     """
     if in_gazebo(project) is not Severity.ERROR:
         return
@@ -58,7 +59,7 @@ def joint_with_two_interfaces_in_gazebo(project: Project) -> Iterator[Finding]:
         for interface in joint.named_interfaces[1:]:
             first = joint.named_interfaces[0].value
             message = (
-                f"Gazebo's hardware simulation does not take the interface '{interface.value}' of joint '{name}' of "
-                f"{transmission.label}: it takes the first one, '{first}'"
+                f"interface '{interface.value}' of joint '{name}' of {transmission.label} is ignored; "
+                f"Gazebo's hardware simulation uses only the first one, '{first}'"
             )
             yield Finding(interface.at, message)

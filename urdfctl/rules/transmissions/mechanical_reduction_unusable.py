@@ -51,10 +51,10 @@ _PLAIN = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
     },
 )
 def mechanical_reduction_unusable(project: Project) -> Iterator[Finding]:
-    """A `<mechanicalReduction>` is empty, no number, or zero.
+    """`<mechanicalReduction>` is empty, zero or not a number.
 
-    The loader of real hardware stops at such a one, and loads no transmission from there on. It reads the number at
-    the start of the text and drops what follows: `1,5` is 1. Gazebo's hardware simulation does not look at it.
+    The loader of real hardware stops there, and loads neither this transmission nor the later ones. It reads the number
+    at the start of the text and ignores the rest: `1,5` is 1. Gazebo's hardware simulation ignores the element.
     """
     for transmission in read_transmissions(project):
         if is_of_another_package(transmission):
@@ -63,16 +63,15 @@ def mechanical_reduction_unusable(project: Project) -> Iterator[Finding]:
             for reduction in end.reductions[:1]:
                 fault = _fault(reduction)
                 if fault and is_known(reduction.value):
-                    message = f"the <mechanicalReduction> of {kind} '{end.name}' of {transmission.label} {fault}"
-                    fix = Fix("write the ratio of the gear as a number; 1 where there is none")
-                    sure = not fault.startswith("is read")
-                    yield Finding(
-                        reduction.at.content, message, fix=fix, severity=on_hardware(project) if sure else None
-                    )
+                    message = f"<mechanicalReduction> of {kind} '{end.name}' of {transmission.label} {fault}"
+                    fix = Fix("write the gear ratio as a number, or 1 without a gear")
+                    is_rejected = not fault.startswith("is read")
+                    severity = on_hardware(project) if is_rejected else None
+                    yield Finding(reduction.at.content, message, fix=fix, severity=severity)
 
 
 def _read_ends(transmission: Transmission) -> list[tuple[str, TransmissionEnd]]:
-    """The ends whose reduction is read: the joints' only by the types with two of them."""
+    """The ends whose reduction is read. Only types with two joints read the reduction of a joint."""
     kind = TYPES.get(transmission.type.value) if transmission.type else None
     joints = transmission.joints if kind and kind.has_roles else ()
     return [*(("joint", joint) for joint in joints), *(("actuator", actuator) for actuator in transmission.actuators)]

@@ -14,7 +14,7 @@ from urdfctl.rules.transmissions.common import joints_by_name, known_joints
     severity=Severity.WARNING,
     distros=ROS1,
     authority="gazebo_ros_pkgs gazebo_ros_control/src/default_robot_hw_sim.cpp registers each joint of a "
-    "transmission by itself; neither it nor ros_control reads <mimic>",
+    "transmission separately; neither it nor ros_control reads <mimic>",
     bad={
         "robot.urdf": """
             <link name="finger">
@@ -59,21 +59,20 @@ from urdfctl.rules.transmissions.common import joints_by_name, known_joints
     },
 )
 def mimic_joint_in_transmission(project: Project) -> Iterator[Finding]:
-    """A transmission drives a joint that is to mimic another one.
+    """Transmission drives a mimic joint.
 
-    ros_control does not read <mimic>: the joint is a plain one that waits for commands of its own and does not
-    follow.
+    ros_control does not read <mimic>. The joint waits for its own commands and does not follow the other joint.
     """
     joints = joints_by_name(project)
     for transmission, joint, name in known_joints(project):
         driven = joints.get(name)
         if driven is not None and driven.mimic is not None:
             message = (
-                f"{transmission.label} drives joint '{name}', which is to mimic '{driven.mimic.joint}': "
-                f"ros_control does not read <mimic>"
+                f"{transmission.label} drives joint '{name}', which mimics '{driven.mimic.joint}'; "
+                f"ros_control ignores <mimic>"
             )
             note = Note(
-                "let controllers command both joints, or a plugin that mimics drive this one without a transmission",
+                "command both joints with controllers, or remove the transmission and use a mimic plugin",
                 driven.mimic.at,
             )
             yield Finding(joint.at["name"], message, (note,))

@@ -61,10 +61,10 @@ from urdfctl.rules.transmissions.facts import TYPES
     },
 )
 def transmission_ends_miscounted(project: Project) -> Iterator[Finding]:
-    """A transmission has not as many joints or actuators as its type joins.
+    """Wrong number of joints or actuators in a transmission.
 
-    A simple transmission joins one of each; a differential one and a four-bar linkage join two of each. The loader
-    of real hardware stops at another count, and loads no transmission from there on.
+    A simple transmission has one of each; a differential transmission and a four-bar linkage have two of each. At any
+    other number the loader of real hardware stops, and loads neither this transmission nor the later ones.
     """
     for transmission in read_transmissions(project):
         kind = transmission.type.value if transmission.type else ""
@@ -77,9 +77,9 @@ def transmission_ends_miscounted(project: Project) -> Iterator[Finding]:
         for end, count, wanted in counts:
             if count not in (0, wanted):
                 short = kind.rpartition("/")[2]
-                message = f"{transmission.label} has {_counted(count, end)}: a {short} joins {_counted(wanted, end)}"
+                message = f"{transmission.label} has {_counted(count, end)}; a {short} has {_counted(wanted, end)}"
                 yield Finding(transmission.at, message, severity=on_hardware(project))
 
 
-def _counted(number: int, what: str) -> str:
-    return f"{number} {what}" + ("s" if number != 1 else "")
+def _counted(number: int, noun: str) -> str:
+    return f"{number} {noun}" + ("s" if number != 1 else "")

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
+from urdfctl.control.gazebo_ros1 import in_gazebo
 from urdfctl.model.robot import Joint
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.transmissions.common import in_gazebo, joints_by_name, known_joints
+from urdfctl.rules.transmissions.common import joints_by_name, known_joints
 
 
 @rule(
@@ -48,32 +49,32 @@ from urdfctl.rules.transmissions.common import in_gazebo, joints_by_name, known_
     },
 )
 def transmission_joint_cannot_be_driven(project: Project) -> Iterator[Finding]:
-    """A transmission drives a joint of a type that has no single axis: fixed, floating or planar.
+    """Transmission drives a fixed, floating or planar joint.
 
-    Gazebo joins the links of a fixed joint into one and has no joint of the other two types; its hardware
-    simulation then stops, and there is no controller manager at all.
+    These types have no single axis. Gazebo merges the links of a fixed joint, and has no floating or planar joints. Its
+    hardware simulation then stops, and there is no controller manager.
     """
     joints = joints_by_name(project)
     for transmission, joint, name in known_joints(project):
-        meant = joints.get(name)
-        if meant is None or meant.type not in ("fixed", "floating", "planar"):
+        driven = joints.get(name)
+        if driven is None or driven.type not in ("fixed", "floating", "planar"):
             continue
         message = (
-            f"{transmission.label} drives joint '{name}', which is {meant.type}: "
-            f"it takes a revolute, continuous or prismatic one"
+            f"{transmission.label} drives joint '{name}', which is {driven.type}; "
+            f"it needs a revolute, continuous or prismatic joint"
         )
-        severity = None if _is_kept(project, meant) else in_gazebo(project)
-        yield Finding(joint.at["name"], message, (Note("the joint is defined here", meant.at),), severity=severity)
+        severity = None if _is_kept(project, driven) else in_gazebo(project)
+        yield Finding(joint.at["name"], message, (Note("the joint is defined here", driven.at),), severity=severity)
 
 
 def _is_kept(project: Project, joint: Joint) -> bool:
-    """Whether Gazebo is told to keep a fixed joint."""
-    words = ("preserveFixedJoint", "disableFixedJointLumping")
+    """Whether a <gazebo> element makes Gazebo keep a fixed joint."""
+    options = ("preserveFixedJoint", "disableFixedJointLumping")
     gazebos = project.robot.gazebos if project.robot else ()
     return joint.type == "fixed" and any(
         tag.text.strip() in ("true", "1")
         for gazebo in gazebos
         if gazebo.reference == joint.name
         for tag in gazebo.tag.children
-        if tag.name in words
+        if tag.name in options
     )

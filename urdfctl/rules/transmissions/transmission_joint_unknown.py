@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from urdfctl.catalog.distros import ROS1
+from urdfctl.control.gazebo_ros1 import in_gazebo
 from urdfctl.model.robot import Joint, Robot
 from urdfctl.model.transmission import Transmission, TransmissionEnd
+from urdfctl.names import nearest
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
-from urdfctl.rules.transmissions.common import in_gazebo, in_place_of_name, joints_by_name, known_joints
+from urdfctl.rules.transmissions.common import in_place_of_name, joints_by_name, known_joints
 from urdfctl.rules.transmissions.wrong_calls import WrongCall, macro_call, wrong_calls
 from urdfctl.source.span import Call
-from urdfctl.suggest import nearest
 
 
 @rule(
@@ -49,11 +50,11 @@ from urdfctl.suggest import nearest
     },
 )
 def transmission_joint_unknown(project: Project) -> Iterator[Finding]:
-    """A transmission names a joint that the robot does not have.
+    """Unknown joint in a transmission.
 
-    Gazebo's hardware simulation stops there, and there is no controller manager at all. Real hardware offers a
-    joint that is in no joint state and no controller's list, and lacks the one that was meant. Where a macro of another
-    file names several joints and none is like one of the robot's, the macro is that of another robot: its call is told.
+    Gazebo's hardware simulation stops there, and there is no controller manager. Real hardware offers a joint that is
+    in no joint state and no controller, and lacks the intended joint. If a macro from another file names several
+    joints, and none is similar to a joint of the robot, the macro belongs to another robot. Then its call is reported.
     """
     robot = project.robot
     if robot is None or not robot.joints:
@@ -70,8 +71,8 @@ def transmission_joint_unknown(project: Project) -> Iterator[Finding]:
         if name in known or macro_call(joint.at) in wrong:
             continue
         right = nearest(name, known)
-        reason = f"; did you mean '{right}'?" if right else ", and none of the robot's is like it"
-        message = f"unknown joint '{name}' in {transmission.label}{reason}"
+        hint = f"; did you mean '{right}'?" if right else ""
+        message = f"{transmission.label} names joint '{name}', which the robot does not have{hint}"
         fix = Fix(f"write '{right}'", in_place_of_name(joint.at, name, right)) if right else None
         yield Finding(joint.at["name"], message, tuple(_links(robot, name)), fix, severity)
 
@@ -79,7 +80,7 @@ def transmission_joint_unknown(project: Project) -> Iterator[Finding]:
 def _wrong_calls(
     robot: Robot, named: list[tuple[Transmission, TransmissionEnd, str]], known: Mapping[str, Joint]
 ) -> dict[Call | None, WrongCall]:
-    """The calls of macros whose transmissions are those of another robot."""
+    """The calls of macros whose transmissions belong to another robot."""
     places = ((joint.at["name"], name) for _, joint, name in named)
     return wrong_calls(robot, places, lambda name: name in known or nearest(name, known) is not None)
 
@@ -91,4 +92,4 @@ def _links(robot: Robot, name: str) -> Iterator[Note]:
     yield Note(f"'{name}' is a link; a transmission drives a joint", link.at)
     for joint in robot.joints:
         if joint.child is not None and joint.child.name == name:
-            yield Note(f"the joint that moves this link is '{joint.name}'", joint.at)
+            yield Note(f"joint '{joint.name}' moves this link", joint.at)

@@ -46,10 +46,10 @@ from urdfctl.rules.transmissions.facts import PREFIX
     },
 )
 def transmission_joint_without_interface(project: Project) -> Iterator[Finding]:
-    """A transmission's joint names no hardware interface.
+    """Transmission joint without a hardware interface.
 
-    ros_control skips the joint, so no controller can claim it: the robot starts, and the joint never moves. Up to hydro
-    the interface stood in <actuator>; from indigo on it is read from <joint> only.
+    ros_control skips the joint, so no controller can claim it: the robot starts, but the joint never moves. Up to hydro
+    the interface belonged in <actuator>; from indigo on it is read only from <joint>.
     """
     for transmission in read_transmissions(project):
         for joint in transmission.joints:
@@ -60,47 +60,48 @@ def transmission_joint_without_interface(project: Project) -> Iterator[Finding]:
 def _finding(transmission: Transmission, joint: TransmissionEnd, project: Project) -> Finding:
     message = f"joint '{joint.name}' of {transmission.label} has no <hardwareInterface>"
     if joint.interfaces:
-        message = f"the <hardwareInterface> of joint '{joint.name}' of {transmission.label} is empty"
+        message = f"joint '{joint.name}' of {transmission.label} has an empty <hardwareInterface>"
     return Finding(joint.at, message, tuple(_why(transmission, joint)), _repair(transmission, joint, project))
 
 
 def _repair(transmission: Transmission, joint: TransmissionEnd, project: Project) -> Fix:
-    written = misspelt(joint.others, "hardwareInterface")
-    if written and written.text:
-        return Fix(f"write <hardwareInterface> for <{written.name}>", renamed(written, "hardwareInterface"), safe=True)
-    known, reason = _intended(transmission, joint)
+    misspelled = misspelt(joint.others, "hardwareInterface")
+    if misspelled and misspelled.text:
+        edits = renamed(misspelled, "hardwareInterface")
+        return Fix(f"rename <{misspelled.name}> to <hardwareInterface>", edits, safe=True)
+    known, source = _intended(transmission, joint)
     example = with_prefix(known.value if known else "EffortJointInterface", project)
     element = f"<hardwareInterface>{example}</hardwareInterface>"
-    older = example.startswith(PREFIX) and not set(project.distros) <= set(since("kinetic"))
-    title = f"add {element}{reason}" + (" (before kinetic: without the prefix)" if older else "")
+    may_be_older = example.startswith(PREFIX) and not set(project.distros) <= set(since("kinetic"))
+    title = f"add {element}{source}" + (" (before kinetic: without the prefix)" if may_be_older else "")
     literal = known is not None and known.at.content.span.text == known.value
     return Fix(title, inserted(joint.at, element) if literal and not joint.interfaces else (), safe=literal)
 
 
 def _intended(transmission: Transmission, joint: TransmissionEnd) -> tuple[Text | None, str]:
-    """The interface that was meant, and what tells so: a comment in the joint, an element beside it, or an actuator."""
+    """The intended interface and its source: a comment in the joint, an element beside it, or an actuator."""
     for interface in joint.interfaces:
         if interface.hidden:
-            return interface._replace(value=interface.hidden), ", without a comment before the text"
+            return interface._replace(value=interface.hidden), ", without the comment before the text"
     beside = [other for other in transmission.others if other.name == "hardwareInterface" and other.text]
     if beside:
-        return Text(beside[0].text, beside[0].at), ", as beside the joint"
-    named = {i.value: i for actuator in transmission.actuators for i in actuator.named_interfaces}
+        return Text(beside[0].text, beside[0].at), ", as it is beside the joint"
+    named = {text.value: text for actuator in transmission.actuators for text in actuator.named_interfaces}
     if len(named) == 1:
-        return next(iter(named.values())), ", as its actuator names"
-    return None, ", or the position or velocity one"
+        return next(iter(named.values())), ", as in its actuator"
+    return None, ", or the position or velocity interface"
 
 
 def _why(transmission: Transmission, joint: TransmissionEnd) -> Iterator[Note]:
-    written = misspelt(joint.others, "hardwareInterface")
-    if written:
-        yield Note(f"<{written.name}> is not read: the element is spelt <hardwareInterface>", written.at)
+    misspelled = misspelt(joint.others, "hardwareInterface")
+    if misspelled:
+        yield Note(f"<{misspelled.name}> is ignored; the element is called <hardwareInterface>", misspelled.at)
     for interface in joint.interfaces:
         if interface.hidden:
-            yield Note("a comment stands before the text, and ROS 1's XML reader gives nothing then", interface.at)
+            yield Note("a comment precedes the text, so ROS 1's XML reader finds none", interface.at)
     for other in transmission.others:
         if other.name == "hardwareInterface":
-            yield Note("this <hardwareInterface> stands beside the joint; it belongs inside <joint>", other.at)
+            yield Note("this <hardwareInterface> is outside the joint; move it into <joint>", other.at)
     for actuator in transmission.actuators:
         for interface in actuator.named_interfaces:
-            yield Note("the one in <actuator> is not read for the joint: move it, or repeat it there", interface.at)
+            yield Note("the one in <actuator> does not apply to the joint; move or copy it into <joint>", interface.at)

@@ -65,17 +65,17 @@ from urdfctl.rules.transmissions.common import listed, on_hardware, read_transmi
     },
 )
 def transmission_joints_with_different_interfaces(project: Project) -> Iterator[Finding]:
-    """The joints of one transmission have different hardware interfaces.
+    """Joints of a transmission with different hardware interfaces.
 
-    The loader of real hardware takes none but the same interfaces for all of them, in any order. It stops at the
-    transmission, and loads none of those behind it either.
+    The loader of real hardware requires the same interfaces for all joints, in any order. It stops at this
+    transmission, and does not load the later ones either.
     """
     for transmission in read_transmissions(project):
         kept = transmission.kept_joints
         for joint in kept[1:]:
-            ours, first = _interfaces(joint), _interfaces(kept[0])
-            if ours != first and is_known(*ours, *first):
-                has = listed(sorted(ours))
+            interfaces, first = _interfaces(joint), _interfaces(kept[0])
+            if interfaces != first and is_known(*interfaces, *first):
+                has = listed(sorted(interfaces))
                 message = f"joint '{joint.name}' of {transmission.label} has {has}, unlike joint '{kept[0].name}'"
                 note = Note(f"joint '{kept[0].name}' has {listed(sorted(first))}", kept[0].at)
                 yield Finding(joint.at, message, (note,), severity=on_hardware(project))

@@ -16,8 +16,8 @@ from urdfctl.source.span import Place
     severity=Severity.WARNING,
     in_library=False,
     distros=ROS1,
-    authority="ros_control transmission_interface/src/transmission_parser.cpp keeps both: all that it and its "
-    "loaders say of a transmission names it by its name, as in 'Failed to load transmission'",
+    authority="ros_control transmission_interface/src/transmission_parser.cpp keeps both; its messages and "
+    "those of its loaders identify a transmission by its name, as in 'Failed to load transmission'",
     bad={
         "robot.urdf": """
             <transmission name="tran1">
@@ -64,9 +64,9 @@ from urdfctl.source.span import Place
     },
 )
 def transmission_name_twice(project: Project) -> Iterator[Finding]:
-    """Two transmissions have one name.
+    """Duplicate transmission name.
 
-    Nothing checks it, but all that ros_control says of a transmission names it so: one cannot tell which of them
+    Nothing checks it, but ros_control's messages identify a transmission by its name. They do not show which of the two
     failed.
     """
     seen: dict[str, Place] = {}
@@ -75,6 +75,6 @@ def transmission_name_twice(project: Project) -> Iterator[Finding]:
         if not name or not is_known(name):
             continue
         if name in seen:
-            message = f"a second transmission is called '{name}': give each a name of its own"
-            yield Finding(transmission.at["name"], message, (Note("the first one is here", seen[name]),))
+            message = f"transmission '{name}' is already defined; give each transmission its own name"
+            yield Finding(transmission.at["name"], message, (Note("first defined here", seen[name]),))
         seen.setdefault(name, transmission.at["name"])

@@ -44,9 +44,9 @@ from urdfctl.rule import Finding, Fix, Project, Severity, rule
     },
 )
 def transmission_not_in_root(project: Project) -> Iterator[Finding]:
-    """A transmission stands inside another element than `<robot>`.
+    """Transmission is not directly under `<robot>`.
 
-    ros_control reads those directly under the root element: the joint of this one does not exist for controllers.
+    ros_control reads only transmissions directly under the root element. Controllers do not find the joint of this one.
     """
     robot = project.robot
     if robot is None:
@@ -56,13 +56,13 @@ def transmission_not_in_root(project: Project) -> Iterator[Finding]:
             continue
         if transmission.joints or transmission.type:
             where = transmission.parent
-            message = f"{transmission.label} stands inside <{where}>: ros_control reads it directly under <robot> only"
-            yield Finding(transmission.at, message, fix=Fix("move it out, to stand directly under <robot>"))
+            message = f"{transmission.label} is inside <{where}>; ros_control reads it only directly under <robot>"
+            yield Finding(transmission.at, message, fix=Fix("move it directly under <robot>"))
     for control in robot.ros2_controls if project.ros == 1 else ():
         for inner in control.transmissions:
             if inner.is_ros1:
                 message = (
-                    f"transmission '{inner.name or ''}' stands inside <ros2_control>, "
-                    f"which ROS 1 does not read: it belongs directly under <robot>"
+                    f"transmission '{inner.name or ''}' is inside <ros2_control>, which ROS 1 ignores; "
+                    f"it belongs directly under <robot>"
                 )
-                yield Finding(inner.at, message, fix=Fix("move it out, to stand directly under <robot>"))
+                yield Finding(inner.at, message, fix=Fix("move it directly under <robot>"))

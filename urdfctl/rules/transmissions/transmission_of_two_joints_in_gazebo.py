@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
+from urdfctl.control.gazebo_ros1 import in_gazebo
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.transmissions.common import in_gazebo, read_transmissions
+from urdfctl.rules.transmissions.common import read_transmissions
 
 
 @rule(
@@ -54,10 +55,10 @@ from urdfctl.rules.transmissions.common import in_gazebo, read_transmissions
     },
 )
 def transmission_of_two_joints_in_gazebo(project: Project) -> Iterator[Finding]:
-    """Gazebo is to simulate a transmission of more than one joint.
+    """Transmission with several joints in Gazebo.
 
-    Gazebo's hardware simulation skips the transmission but keeps its places: the joints behind it are taken for
-    each other, and it reads past the end of its list. It may crash, or run on with wrong joints.
+    Gazebo's hardware simulation skips the transmission but keeps its slots. It then confuses the later joints, and
+    reads past the end of its list. It may crash, or continue with the wrong joints.
     """
     if in_gazebo(project) is not Severity.ERROR:
         return
@@ -65,6 +66,6 @@ def transmission_of_two_joints_in_gazebo(project: Project) -> Iterator[Finding]:
     for transmission in read_transmissions(project):
         kept = transmission.kept_joints
         if len(kept) > 1:
-            message = f"{transmission.label} has {len(kept)} joints: Gazebo's hardware simulation takes one"
-            notes = [Note(f"here is joint '{joint.name}'", joint.at) for joint in kept[1:]]
+            message = f"{transmission.label} has {len(kept)} joints; Gazebo's hardware simulation supports only 1"
+            notes = [Note(f"joint '{joint.name}' is here", joint.at) for joint in kept[1:]]
             yield Finding(transmission.at, message, tuple(notes), severity=severity)

@@ -47,21 +47,21 @@ from urdfctl.rules.transmissions.common import on_hardware, read_transmissions
     },
 )
 def transmission_offset_unusable(project: Project) -> Iterator[Finding]:
-    """The `<offset>` of a transmission's joint is not a number, or it stands in the actuator.
+    """`<offset>` of a transmission is not a number, or is in the actuator.
 
-    At one that is not a number the loader of real hardware stops, and loads no transmission from there on. Nobody
-    reads the offset of an actuator. Gazebo's hardware simulation looks at none.
+    If the offset of a joint is not a number, the loader of real hardware stops. It loads neither this transmission nor
+    the later ones. The offset of an actuator is ignored. Gazebo's hardware simulation ignores all offsets.
     """
     for transmission in read_transmissions(project):
         for joint in transmission.joints:
             for offset in joint.offsets[:1]:
                 if leading_number(offset.value) is None and is_known(offset.value):
-                    written = f"'{offset.value}' is" if offset.value else "an empty text is"
-                    message = f"the offset of joint '{joint.name}' of {transmission.label}: {written} not a number"
-                    fix = Fix("write radians or metres, or leave the element out: it is 0 then")
+                    problem = f"is not a number: '{offset.value}'" if offset.value else "is empty"
+                    message = f"<offset> of joint '{joint.name}' of {transmission.label} {problem}"
+                    fix = Fix("write radians or metres, or remove the element (the default is 0)")
                     yield Finding(offset.at.content, message, fix=fix, severity=on_hardware(project))
         for actuator in transmission.actuators:
             for offset in actuator.offsets:
-                who = f"actuator '{actuator.name}' of {transmission.label}"
-                message = f"the <offset> of {who} is not read; it belongs inside <joint>"
+                owner = f"actuator '{actuator.name}' of {transmission.label}"
+                message = f"<offset> of {owner} is ignored; it belongs inside <joint>"
                 yield Finding(offset.at, message)

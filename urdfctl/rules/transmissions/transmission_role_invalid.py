@@ -67,11 +67,11 @@ from urdfctl.rules.transmissions.facts import ROLES, TYPES
     },
 )
 def transmission_role_invalid(project: Project) -> Iterator[Finding]:
-    """A joint or an actuator of a differential or four-bar-linkage transmission has no role of its own.
+    """Missing, invalid or duplicate role in a transmission.
 
-    Such a transmission has the joints joint1 and joint2 and the actuators actuator1 and actuator2. The loader of
-    real hardware stops where a role is missing, empty, another or given twice, and loads no transmission from there
-    on.
+    A differential or four-bar linkage transmission has the joints joint1 and joint2 and the actuators actuator1 and
+    actuator2. If a role is missing, empty, unknown or used twice, the loader of real hardware stops. It loads neither
+    this transmission nor the later ones.
     """
     for transmission in read_transmissions(project):
         kind = TYPES.get(transmission.type.value) if transmission.type else None
@@ -87,21 +87,20 @@ def _faults(
     expected = " or ".join(f"'{role}'" for role in ROLES[kind])
     seen: dict[str, TransmissionEnd] = {}
     for end in ends:
-        who = f"{kind} '{end.name}' of {transmission.label}"
+        owner = f"{kind} '{end.name}' of {transmission.label}"
         role = end.role
         if role is None:
             if is_whole(project, end.at):
-                yield Finding(end.at, f"{who} has no <role>: it is {expected}", severity=severity)
+                yield Finding(end.at, f"{owner} has no <role>; use {expected}", severity=severity)
         elif not is_known(role.value):
             continue
         elif role.value not in ROLES[kind]:
-            written = f"has the role '{role.value}'" if role.value else "has an empty <role>"
-            yield Finding(role.at.content, f"{who} {written}: it is {expected}", severity=severity)
+            problem = f"has unknown role '{role.value}'" if role.value else "has an empty <role>"
+            yield Finding(role.at.content, f"{owner} {problem}; use {expected}", severity=severity)
         elif role.value in seen:
-            notes = (Note(f"{kind} '{seen[role.value].name}' has it first", seen[role.value].at),)
-            message = (
-                f"{who} has the role '{role.value}' of another {kind}: they are {expected.replace(' or ', ' and ')}"
-            )
+            notes = (Note(f"{kind} '{seen[role.value].name}' has this role", seen[role.value].at),)
+            both = expected.replace(" or ", " and ")
+            message = f"{owner} has the same role '{role.value}' as another {kind}; use {both}"
             yield Finding(role.at.content, message, notes, severity=severity)
         else:
             seen[role.value] = end

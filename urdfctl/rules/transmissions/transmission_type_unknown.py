@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
+from urdfctl.names import nearest
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import is_known
 from urdfctl.rules.transmissions.common import in_place_of, listed, on_hardware, read_transmissions
 from urdfctl.rules.transmissions.facts import NO_PLUGIN_TYPES, PACKAGE, TYPES
-from urdfctl.suggest import nearest
 
 
 @rule(
@@ -45,10 +45,10 @@ from urdfctl.suggest import nearest
     },
 )
 def transmission_type_unknown(project: Project) -> Iterator[Finding]:
-    """A transmission's type is none that ros_control's loader knows.
+    """Unknown transmission type.
 
-    Gazebo's hardware simulation never looks at the type. On real hardware the loader stops at the transmission, and
-    none of those behind it are loaded either. Types of other packages may be plugins of these packages.
+    Gazebo's hardware simulation ignores the type. On real hardware, the loader stops at this transmission, and does not
+    load the later ones either. Types of other packages may be plugins of those packages, and are not reported.
     """
     for transmission in read_transmissions(project):
         kind = transmission.type
@@ -57,8 +57,8 @@ def transmission_type_unknown(project: Project) -> Iterator[Finding]:
         right = _meant(kind.value)
         if right is None and "/" in kind.value and not kind.value.startswith(NO_PLUGIN_TYPES):
             continue
-        reason = f"did you mean '{right}'?" if right else f"ros_control knows {listed(TYPES)}"
-        message = f"unknown type '{kind.value}' of {transmission.label}; {reason}"
+        hint = f"did you mean '{right}'?" if right else f"ros_control knows {listed(TYPES)}"
+        message = f"unknown type '{kind.value}' of {transmission.label}; {hint}"
         fix = Fix(f"write '{right}'", in_place_of(kind, right)) if right else None
         yield Finding(kind.at.content, message, fix=fix, severity=on_hardware(project))
 

@@ -43,10 +43,10 @@ from urdfctl.rules.transmissions.common import misspelt, read_transmissions, tak
     },
 )
 def transmission_without_actuator(project: Project) -> Iterator[Finding]:
-    """A transmission has no actuator, or one without a name.
+    """Transmission without an actuator, or with an unnamed one.
 
-    ros_control skips the transmission, so that no controller can claim its joint; in Gazebo too, which has no use
-    for actuators. An actuator with an empty name is skipped alone.
+    ros_control skips the transmission, so no controller can claim its joint. This applies in Gazebo too, which does not
+    use actuators. If an actuator's name is empty, only that actuator is skipped.
     """
     for transmission in read_transmissions(project):
         if not transmission.actuators and is_whole(project, transmission.at):
@@ -54,15 +54,15 @@ def transmission_without_actuator(project: Project) -> Iterator[Finding]:
             yield Finding(transmission.at, f"{transmission.label} has no <actuator>", tuple(_why(transmission)), fix)
         for actuator in transmission.actuators:
             if actuator.name is None:
-                yield Finding(actuator.at, f"an actuator of {transmission.label} has no name")
+                yield Finding(actuator.at, f"<actuator> of {transmission.label} has no 'name'")
             elif not actuator.name and not takes_empty_names(project):
                 others = any(other.name for other in transmission.actuators)
                 severity = Severity.WARNING if others else Severity.ERROR
-                message = f"the name of an actuator of {transmission.label} is empty"
+                message = f"<actuator> of {transmission.label} has an empty 'name'"
                 yield Finding(actuator.at, message, severity=severity)
 
 
 def _why(transmission: Transmission) -> Iterator[Note]:
-    written = misspelt(transmission.others, "actuator")
-    if written:
-        yield Note(f"<{written.name}> is not read: the element is spelt <actuator>", written.at)
+    misspelled = misspelt(transmission.others, "actuator")
+    if misspelled:
+        yield Note(f"<{misspelled.name}> is ignored; the element is called <actuator>", misspelled.at)

@@ -45,25 +45,24 @@ from urdfctl.rules.transmissions.common import misspelt, read_transmissions, tak
     },
 )
 def transmission_without_joint(project: Project) -> Iterator[Finding]:
-    """A transmission has no joint, or one without a name.
+    """Transmission without a joint, or with an unnamed one.
 
-    ros_control skips the transmission, so that no controller can claim what it drives. A joint with an empty name
-    is skipped alone.
+    ros_control skips the transmission, so no controller can claim what it drives. If a joint's name is empty, only that
+    joint is skipped.
     """
     for transmission in read_transmissions(project):
         if not transmission.joints and is_whole(project, transmission.at):
             yield Finding(transmission.at, f"{transmission.label} has no <joint>", tuple(_why(transmission)))
         for joint in transmission.joints:
             if joint.name is None:
-                yield Finding(
-                    joint.at, f"a joint of {transmission.label} has no name: give it the name of a joint of the robot"
-                )
+                message = f"<joint> of {transmission.label} has no 'name'; add the name of a joint of the robot"
+                yield Finding(joint.at, message)
             elif not joint.name and not takes_empty_names(project):
                 severity = Severity.WARNING if transmission.kept_joints else Severity.ERROR
-                yield Finding(joint.at, f"the name of a joint of {transmission.label} is empty", severity=severity)
+                yield Finding(joint.at, f"<joint> of {transmission.label} has an empty 'name'", severity=severity)
 
 
 def _why(transmission: Transmission) -> Iterator[Note]:
-    written = misspelt(transmission.others, "joint")
-    if written:
-        yield Note(f"<{written.name}> is not read: the element is spelt <joint>", written.at)
+    misspelled = misspelt(transmission.others, "joint")
+    if misspelled:
+        yield Note(f"<{misspelled.name}> is ignored; the element is called <joint>", misspelled.at)

@@ -43,17 +43,13 @@ from urdfctl.rules.transmissions.common import read_transmissions, takes_empty_n
     },
 )
 def transmission_without_name(project: Project) -> Iterator[Finding]:
-    """A transmission has no name, or an empty one.
+    """Transmission without a name.
 
-    ros_control skips it, so that no controller can claim its joint.
+    ros_control skips it, so no controller can claim its joint.
     """
     for transmission in read_transmissions(project):
         if transmission.name or (transmission.name is not None and takes_empty_names(project)):
             continue
         joint = next((joint.name for joint in transmission.joints if joint.name), "joint")
-        message = (
-            f"{transmission.label} has no name"
-            if transmission.name is None
-            else f"the name of {transmission.label} is empty"
-        )
-        yield Finding(transmission.at, message, fix=Fix(f'add name="{joint}_trans"'))
+        problem = "has no 'name'" if transmission.name is None else "has an empty 'name'"
+        yield Finding(transmission.at, f"{transmission.label} {problem}", fix=Fix(f'add name="{joint}_trans"'))

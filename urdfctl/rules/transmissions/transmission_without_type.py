@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
+from urdfctl.control.gazebo_ros1 import control_plugins
 from urdfctl.model.transmission import Transmission
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import is_whole
-from urdfctl.rules.transmissions.common import control_plugins, misspelt
+from urdfctl.rules.transmissions.common import misspelt
 
 
 @rule(
@@ -44,16 +45,16 @@ from urdfctl.rules.transmissions.common import control_plugins, misspelt
     },
 )
 def transmission_without_type(project: Project) -> Iterator[Finding]:
-    """A transmission has no `<type>`, or an empty one.
+    """Transmission without a `<type>`.
 
-    ros_control skips the whole transmission, so that no controller can claim its joint. A type in an attribute is
-    the form of the PR2, which ros_control does not read.
+    ros_control skips the whole transmission, so no controller can claim its joint. A type in an attribute is the form
+    of the PR2, which ros_control does not read.
     """
     for transmission in project.robot.transmissions if project.robot else ():
         if transmission.is_pr2 and not control_plugins(project):
             continue
         if transmission.type is not None and not transmission.type.value:
-            message = f"the <type> of {transmission.label} is empty"
+            message = f"{transmission.label} has an empty <type>"
             yield Finding(transmission.type.at, message, tuple(_why(transmission)), _fix(transmission))
         elif transmission.type is None and is_whole(project, transmission.at):
             message = f"{transmission.label} has no <type>"
@@ -62,12 +63,12 @@ def transmission_without_type(project: Project) -> Iterator[Finding]:
 
 def _why(transmission: Transmission) -> Iterator[Note]:
     if transmission.type_attribute is not None:
-        yield Note("the attribute type is not read by ros_control", transmission.at["type"])
+        yield Note("ros_control does not read the attribute 'type'", transmission.at["type"])
     if transmission.type is not None and transmission.type.hidden:
-        yield Note("a comment stands before the text, and ROS 1's XML reader gives nothing then", transmission.type.at)
-    written = misspelt(transmission.others, "type")
-    if written:
-        yield Note(f"<{written.name}> is not read: the element is spelt <type>", written.at)
+        yield Note("a comment precedes the text, so ROS 1's XML reader finds none", transmission.type.at)
+    misspelled = misspelt(transmission.others, "type")
+    if misspelled:
+        yield Note(f"<{misspelled.name}> is ignored; the element is called <type>", misspelled.at)
 
 
 def _fix(transmission: Transmission) -> Fix:

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import attribute_respelt, robot_in
 from urdfctl.rules.urdf.grammar import ATTRIBUTES, read_tags
-from urdfctl.suggest import nearest
 
 
 @rule(
     "UC155",
     severity=Severity.WARNING,
-    authority='urdfdom urdf_parser: Attribute("...") by exact names; unknown attributes are ignored without a word',
+    authority='urdfdom urdf_parser: Attribute("...") by exact name; unknown attributes are silently ignored',
     bad={
         "robot.urdf": """
             <link name="tool"/>
@@ -34,9 +34,9 @@ from urdfctl.suggest import nearest
     },
 )
 def attribute_misspelt(project: Project) -> Iterator[Finding]:
-    """An attribute is spelt nearly like one that the element lacks.
+    """Misspelt attribute.
 
-    urdfdom ignores what it does not know, so nobody tells of the slip: where it may, it takes the default.
+    urdfdom silently ignores unknown attributes. It uses the default value if the attribute has one.
     """
     robot = robot_in(project)
     for tag, _, owner in read_tags(robot) if robot else ():

@@ -12,7 +12,7 @@ from urdfctl.rules.urdf.numbers import VECTOR, Field
 @rule(
     "UC126",
     severity=Severity.WARNING,
-    authority="sdformat src/JointAxis.cc: 'The norm of the xyz vector cannot be zero'; urdfdom takes it",
+    authority="sdformat src/JointAxis.cc: 'The norm of the xyz vector cannot be zero'; urdfdom accepts it",
     bad={
         "robot.urdf": """
             <link name="tool">
@@ -37,10 +37,10 @@ from urdfctl.rules.urdf.numbers import VECTOR, Field
     },
 )
 def axis_zero(project: Project) -> Iterator[Finding]:
-    """A joint that moves has the axis 0 0 0.
+    """Joint axis is 0 0 0.
 
-    urdfdom takes it, and reads an <axis> without `xyz` as just that (without <axis> it is 1 0 0). The joint has no
-    direction: it does not move, and Gazebo refuses the model.
+    urdfdom accepts it, and reads an <axis> without `xyz` as 0 0 0. Without <axis>, the default is 1 0 0. The joint has
+    no direction: it does not move, and Gazebo rejects the model.
     """
     robot = robot_in(project)
     for joint in robot.joints if robot else ():
@@ -51,7 +51,7 @@ def axis_zero(project: Project) -> Iterator[Finding]:
             continue
         text = axis.attributes.get("xyz")
         if text is None:
-            message = f"<axis> of {label('joint', joint.name)} has no 'xyz', and is read as 0 0 0"
+            message = f"<axis> of {label('joint', joint.name)} has no 'xyz' and is read as 0 0 0; add a direction"
             yield Finding(axis.at, message)
         elif is_known(text) and Field(axis, "xyz", text, VECTOR).values == [0.0, 0.0, 0.0]:
-            yield Finding(axis.at["xyz"], f"the axis of {label('joint', joint.name)} is zero; it needs a direction")
+            yield Finding(axis.at["xyz"], f"<axis> of {label('joint', joint.name)} is 0 0 0; give it a direction")

@@ -1,47 +1,48 @@
-"""The bodies that Gazebo makes of a robot: sdformat lumps links that fixed joints join, and drops what weighs nothing."""
+"""The bodies that Gazebo makes of a robot: sdformat lumps links with fixed joints, and drops bodies without mass."""
 
 from __future__ import annotations
 
 from urdfctl.model.robot import Inertial, Joint, Link, Robot
-from urdfctl.record import NamedTuple
 from urdfctl.rules.urdf.tree import WORLD, Tree, parent_of
+from urdfctl.startup.records import NamedTuple
 
 LEAST_MASS = 1e-6
-"""In kg; sdformat takes a smaller mass for none."""
+"""In kg; sdformat treats smaller masses as none."""
 _YES = ("true", "yes", "1")
 
 
 class Body(NamedTuple):
-    """Links that move as one: `head` hangs by `joint` on another body, and `links` are lumped into it.
-
-    `lost` tells how many joints that move vanish with the body: its own, and those below it.
-    """
+    """Links that move as one."""
 
     head: Link
+    """The link into which the others are lumped."""
     joint: Joint | None
+    """The joint that connects the head to another body; None for a root."""
     links: list[Link]
+    """All links of the body, including the head."""
     lost: int
+    """How many moving joints disappear with the body: its own and those below it."""
 
     @property
     def is_weightless(self) -> bool:
-        """Whether sdformat finds no mass in it."""
+        """Return whether sdformat finds no mass in the body."""
         return all(mass_of(link) <= LEAST_MASS for link in self.links)
 
 
 def inertial_of(link: Link) -> Inertial | None:
-    """The `<inertial>` that is read: the first one."""
+    """Return the `<inertial>` that is read: the first one."""
     return link.inertials[0] if link.inertials else None
 
 
 def mass_of(link: Link) -> float:
-    """In kg; 0 where a link has none that can be read. A negative one is refused, which is another matter."""
+    """Return the absolute mass of a link in kg; 0 if it cannot be read. UC135 reports negative masses."""
     inertial = inertial_of(link)
     mass = inertial.mass.value if inertial and inertial.mass else None
     return abs(mass) if mass is not None else 0.0
 
 
 def bodies(robot: Robot) -> list[Body]:
-    """The bodies of a robot, each before those below it."""
+    """Return the bodies of a robot, each before those below it."""
     tree, kept = Tree(robot), _kept_joints(robot)
     heads: dict[str, str] = {}
     joints: dict[str, Joint | None] = {}
@@ -67,7 +68,7 @@ def bodies(robot: Robot) -> list[Body]:
 
 
 def vanishing(robot: Robot) -> list[Body]:
-    """The weightless bodies that Gazebo drops, with joints that move or the link of a fixed joint that was to be kept."""
+    """Return the massless bodies that Gazebo drops, if they have moving joints or a fixed joint that is kept."""
     return [
         body
         for body in bodies(robot)
@@ -78,7 +79,7 @@ def vanishing(robot: Robot) -> list[Body]:
 
 
 def _kept_joints(robot: Robot) -> set[str]:
-    """The fixed joints that `<gazebo reference="...">` asks to keep."""
+    """The fixed joints that a `<gazebo reference="...">` keeps."""
     kept = set()
     for gazebo in robot.gazebos:
         for name in ("preserveFixedJoint", "disableFixedJointLumping"):

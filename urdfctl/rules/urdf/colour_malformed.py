@@ -30,10 +30,10 @@ BYTE = 255
     },
 )
 def colour_malformed(project: Project) -> Iterator[Finding]:
-    """A colour's `rgba` is not four numbers from 0 to 1.
+    """Colour is not four numbers from 0 to 1.
 
-    urdfdom prints an error and drops the colour. One of three numbers it replaces by its own without a word. Before
-    noetic it took numbers above 1, and the link is white then.
+    urdfdom prints an error and drops the colour. It silently replaces a colour of three numbers with its own. Before
+    noetic it accepted numbers above 1, and the link is then white.
     """
     robot = robot_in(project)
     for material in materials_of(robot) if robot else ():
@@ -43,14 +43,14 @@ def colour_malformed(project: Project) -> Iterator[Finding]:
             continue
         field, at = Field(colour, "rgba", text, RGBA), colour.at["rgba"]
         if set(refusing(field)) & set(project.distros):
-            yield Finding(at, f"'rgba' of {material.label} is '{field.shown}': it {fault_of(field)}")
+            yield Finding(at, f"'rgba' of {material.label} is '{field.shown}': {fault_of(field)}")
         elif any(not 0 <= value <= 1 for value in field.values):
-            message = f"'rgba' of {material.label} is '{text}'; each number is from 0 to 1"
+            message = f"'rgba' of {material.label} is '{text}'; each number must be from 0 to 1"
             yield Finding(at, message, fix=_fix(at, text, field.values))
 
 
 def _fix(at: Place, text: str, values: list[float]) -> Fix | None:
-    """The same colour, where it is given in bytes; opacity may be from 0 to 1 all the same."""
+    """Scale a colour from bytes (0 to 255) to 0 to 1; its opacity may already be from 0 to 1."""
     *colour, opacity = values
     if not all(value in range(BYTE + 1) for value in colour) or not 0 <= opacity <= BYTE:
         return None

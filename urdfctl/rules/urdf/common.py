@@ -1,4 +1,4 @@
-"""What the rules on the URDF itself share: whose robot it is, what parts are called, which are there twice."""
+"""Helpers shared by the URDF rules: ROS version, missing attributes, duplicate names, commanded joints."""
 
 from __future__ import annotations
 
@@ -7,41 +7,48 @@ from collections.abc import Iterable, Iterator
 from urdfctl.catalog.distros import ROS2
 from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Robot
+from urdfctl.names import enumerated
 from urdfctl.rule import Finding, Note, Project
-from urdfctl.rules.common import is_known
+from urdfctl.rules.common import in_words, is_known
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
 
+_MOST_NAMED = 3
+"""A message names up to this many missing attributes and counts the rest."""
+
 
 def known_part(text: str) -> str:
-    """What is known of a text of which some could not be worked out."""
+    """Return a text without the parts whose value is unknown."""
     return text.replace(UNKNOWN, "")
 
 
 def may_be_ros2(project: Project) -> bool:
-    """Whether the robot may be meant for ROS 2."""
+    """Return whether the robot may target ROS 2."""
     return bool(set(project.distros) & set(ROS2))
 
 
 def lacking(tag: Tag, attributes: Iterable[str]) -> str:
-    """The attributes that an element lacks, in words; empty where it has all."""
-    missing = [f"'{name}'" for name in attributes if name not in tag.attributes]
-    return " and no ".join(missing)
+    """Return the attributes that an element lacks, as they follow "has no" in a message; empty if it has all."""
+    missing = [name for name in attributes if name not in tag.attributes]
+    if len(missing) > _MOST_NAMED:
+        return in_words(missing, _MOST_NAMED)
+    return enumerated((f"'{name}'" for name in missing), "or")
 
 
 def duplicates(kind: str, parts: Iterable[tuple[str | None, Place]]) -> Iterator[Finding]:
-    """One finding for each part whose name an earlier one has."""
+    """Yield a finding for each part whose name an earlier part has."""
     first: dict[str, Place] = {}
     for name, at in parts:
         if name is None or not is_known(name):
             continue
         before = first.setdefault(name, at)
         if before is not at:
-            yield Finding(at["name"], f"there is already a {kind} '{name}'", (Note("it is here", before["name"]),))
+            note = Note("first defined here", before["name"])
+            yield Finding(at["name"], f"{kind} '{name}' is already defined; rename or remove one", (note,))
 
 
 def commanded_joints(robot: Robot) -> set[str]:
-    """The joints that a transmission of ROS 1 or a command interface of ROS 2 drives."""
+    """Return the names of the joints with a ROS 1 transmission or a ROS 2 command interface."""
     names = {joint.name for transmission in robot.transmissions for joint in transmission.joints}
     for component in robot.ros2_controls:
         names |= {part.name for part in component.parts if part.kind == "joint" and part.commands}

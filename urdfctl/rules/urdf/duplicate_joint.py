@@ -28,9 +28,9 @@ from urdfctl.rules.urdf.common import duplicates
     },
 )
 def duplicate_joint(project: Project) -> Iterator[Finding]:
-    """Two joints have the same name.
+    """Duplicate joint name.
 
-    urdfdom gives no model then.
+    urdfdom rejects the whole robot.
     """
     robot = robot_in(project)
     if robot is not None:

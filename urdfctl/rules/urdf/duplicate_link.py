@@ -27,9 +27,9 @@ from urdfctl.rules.urdf.common import duplicates
     },
 )
 def duplicate_link(project: Project) -> Iterator[Finding]:
-    """Two links have the same name.
+    """Duplicate link name.
 
-    urdfdom gives no model then.
+    urdfdom rejects the whole robot.
     """
     robot = robot_in(project)
     if robot is not None:

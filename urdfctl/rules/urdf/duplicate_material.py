@@ -28,10 +28,10 @@ from urdfctl.rules.urdf.common import duplicates
     },
 )
 def duplicate_material(project: Project) -> Iterator[Finding]:
-    """Two materials of the whole robot have the same name.
+    """Duplicate material name.
 
-    urdfdom gives no model then, even where both are the same colour; often a file of materials is included twice.
-    Materials within a <visual> may repeat a name.
+    urdfdom rejects the whole robot, even if both materials have the same colour. Often a file of materials is included
+    twice. Materials inside a <visual> may repeat a name.
     """
     robot = robot_in(project)
     if robot is None:

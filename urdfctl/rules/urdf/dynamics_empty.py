@@ -37,13 +37,13 @@ from urdfctl.rules.common import label, robot_in
     },
 )
 def dynamics_empty(project: Project) -> Iterator[Finding]:
-    """A joint's <dynamics> gives neither damping nor friction.
+    """<dynamics> without damping and friction.
 
-    urdfdom gives no model for the whole robot.
+    urdfdom rejects the whole robot.
     """
     robot = robot_in(project)
     for joint in robot.joints if robot else ():
         dynamics = next(joint.tag.named("dynamics"), None)
         if dynamics and not {"damping", "friction"} & set(dynamics.attributes):
-            message = f"<dynamics> of {label('joint', joint.name)} has neither 'damping' nor 'friction'"
-            yield Finding(dynamics.at, message)
+            problem = "has neither 'damping' nor 'friction'; add one or remove the element"
+            yield Finding(dynamics.at, f"<dynamics> of {label('joint', joint.name)} {problem}")

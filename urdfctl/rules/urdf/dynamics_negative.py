@@ -12,7 +12,7 @@ from urdfctl.rules.common import label, robot_in
 @rule(
     "UC129",
     severity=Severity.WARNING,
-    authority="wiki.ros.org urdf/XML/joint: damping and friction are physical values of the joint; urdfdom joint.cpp compares nothing",
+    authority="wiki.ros.org urdf/XML/joint: damping and friction are physical values of the joint; urdfdom joint.cpp does not check them",
     bad={
         "robot.urdf": """
             <link name="tool">
@@ -37,9 +37,9 @@ from urdfctl.rules.common import label, robot_in
     },
 )
 def dynamics_negative(project: Project) -> Iterator[Finding]:
-    """A joint's damping or friction is negative.
+    """Negative joint damping or friction.
 
-    urdfdom takes it. In a simulation such a joint speeds itself up until the robot flies apart.
+    urdfdom accepts it. In simulation, the joint accelerates itself until the robot flies apart.
     """
     robot = robot_in(project)
     for joint in robot.joints if robot else ():

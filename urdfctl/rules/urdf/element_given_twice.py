@@ -13,7 +13,7 @@ from urdfctl.rules.urdf.grammar import ONCE, read_tags
 @rule(
     "UC153",
     severity=Severity.WARNING,
-    authority="urdfdom urdf_parser/src/joint.cpp, link.cpp: FirstChildElement(...), and no further one",
+    authority="urdfdom urdf_parser/src/joint.cpp, link.cpp: only FirstChildElement(...) is read",
     whole_robot=True,
     bad={
         "robot.urdf": """
@@ -36,22 +36,22 @@ from urdfctl.rules.urdf.grammar import ONCE, read_tags
     },
 )
 def element_given_twice(project: Project) -> Iterator[Finding]:
-    """An element that is read once is given twice.
+    """Repeated element is ignored.
 
     urdfdom reads the first <inertial> of a link, the first <limit> of a joint, the first shape of a <geometry>, and so
-    on. The second one is ignored without a word. A link may have many visuals and collisions.
+    on. It silently ignores the others. A link may have several visuals and collisions.
     """
     robot = robot_in(project)
     for tag, children, owner in read_tags(robot) if robot else ():
         if tag.name == "geometry":
             for shape in children[1:]:
-                message = f"a <geometry> of {owner} holds one shape; <{shape.name}> is ignored"
-                yield Finding(shape.at, message, (Note(f"<{children[0].name}> is read", children[0].at),))
+                message = f"<{shape.name}> in a <geometry> of {owner} is ignored; a <geometry> has one shape"
+                yield Finding(shape.at, message, (Note(f"<{children[0].name}> is used", children[0].at),))
             continue
         once = ONCE.get(tag.name, ())
         first: dict[str, Tag] = {}
         for child in children if once else ():
             before = first.setdefault(child.name, child)
             if child.name in once and before is not child:
-                message = f"<{child.name}> of {owner} is given twice; the second one is ignored"
-                yield Finding(child.at, message, (Note("this one is read", before.at),))
+                message = f"<{child.name}> of {owner} is defined twice; the second one is ignored"
+                yield Finding(child.at, message, (Note("this one is used", before.at),))

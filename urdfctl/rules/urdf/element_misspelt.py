@@ -6,21 +6,21 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.model.parts import Tag
+from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import respelt, robot_in
 from urdfctl.rules.urdf.grammar import ELEMENTS, read_tags
-from urdfctl.suggest import nearest
 
 OF_OTHERS = frozenset(
     {"sensor", "self_collision_checking", "contact", "contact_coefficients", "linkage", "joints", "links"}
 )
-"""What other readers of URDF take, and what is near to none of URDF's own by meaning."""
+"""Elements that other URDF readers use, and elements that resemble a URDF element only in spelling."""
 
 
 @rule(
     "UC154",
     severity=Severity.WARNING,
-    authority='urdfdom urdf_parser: FirstChildElement("...") by exact names; unknown elements are ignored without a word',
+    authority='urdfdom urdf_parser: FirstChildElement("...") by exact name; unknown elements are silently ignored',
     bad={
         "robot.urdf": """
             <link name="tool">
@@ -42,10 +42,10 @@ OF_OTHERS = frozenset(
     },
 )
 def element_misspelt(project: Project) -> Iterator[Finding]:
-    """An element is spelt nearly like one of URDF's.
+    """Misspelt element.
 
-    urdfdom ignores what it does not know, so nobody tells of the slip: the part is just not there. Without any
-    `<ros2_control>` ROS 2's controller manager refuses the description.
+    urdfdom silently ignores unknown elements, so the part is missing. If the only `<ros2_control>` is misspelt, ROS 2's
+    controller manager rejects the description.
     """
     robot = robot_in(project)
     if robot is None:
@@ -64,7 +64,7 @@ def element_misspelt(project: Project) -> Iterator[Finding]:
 
 
 def _meant(tag: Tag, parent: str) -> tuple[str, ...]:
-    """The element that was most likely meant by one that is not read; none where it may be meant as it is."""
+    """The element that an unknown one most likely misspells; empty if it may be intended."""
     known = ELEMENTS[parent]
     if tag.name in known or tag.name in OF_OTHERS or ":" in tag.name:
         return ()

@@ -1,4 +1,4 @@
-"""UC1: the URDF itself, as urdfdom, KDL, sdformat and the engines take it."""
+"""UC1: URDF structure and values, as read by urdfdom, KDL, sdformat and the physics engines."""
 
 from __future__ import annotations
 

@@ -25,9 +25,9 @@ from urdfctl.rules.common import Names, is_known, replaced, whole_robot_in
     },
 )
 def gazebo_reference_unknown(project: Project) -> Iterator[Finding]:
-    """A <gazebo> element refers to no link and no joint of the robot.
+    """<gazebo> refers to an unknown link or joint.
 
-    Gazebo leaves its content out without a word: the sensor, the friction or the colour is just not there.
+    Gazebo silently drops the element's content: the sensor, the friction or the colour is missing.
     """
     robot = whole_robot_in(project)
     if robot is None:
@@ -41,4 +41,4 @@ def gazebo_reference_unknown(project: Project) -> Iterator[Finding]:
         hint = f"; did you mean '{meant}'?" if meant else ""
         at = gazebo.at["reference"]
         fix = replaced(at, reference, meant) if meant else None
-        yield Finding(at, f"<gazebo> refers to '{reference}', which is no link and no joint{hint}", fix=fix)
+        yield Finding(at, f"<gazebo> refers to '{reference}', which is not a link or joint of the robot{hint}", fix=fix)

@@ -40,9 +40,9 @@ REQUIRED = {"box": ("size",), "cylinder": ("length", "radius"), "sphere": ("radi
     },
 )
 def geometry_incomplete(project: Project) -> Iterator[Finding]:
-    """A shape lacks one of its measures, or a mesh its file.
+    """Shape without dimensions, or mesh without a file.
 
-    urdfdom prints an error, drops the visual or collision and what follows in the link, and goes on.
+    urdfdom prints an error, drops the visual or collision and everything after it in the link, and continues.
     """
     robot = robot_in(project)
     for link in robot.links if robot else ():
@@ -55,4 +55,4 @@ def geometry_incomplete(project: Project) -> Iterator[Finding]:
                 )
                 yield Finding(shape.at, message)
             elif shape is not None and shape.name == "mesh" and not shape.attributes["filename"]:
-                yield Finding(shape.at["filename"], f"the mesh of {label('link', link.name)} names no file")
+                yield Finding(shape.at["filename"], f"<mesh> of {label('link', link.name)} has an empty 'filename'")

@@ -38,15 +38,15 @@ from urdfctl.rules.common import label, robot_in
     },
 )
 def geometry_missing(project: Project) -> Iterator[Finding]:
-    """A <visual> or <collision> has no <geometry>, or one without a shape.
+    """<visual> or <collision> without a shape.
 
-    urdfdom prints an error, drops it and what follows in the link, and goes on.
+    urdfdom prints an error, drops it and everything after it in the link, and continues.
     """
     robot = robot_in(project)
     for link in robot.links if robot else ():
         for geometry in link.geometries:
             if geometry.shape is None:
                 message = (
-                    f"<{geometry.role}> of {label('link', link.name)} has no <geometry> with a shape, and is dropped"
+                    f"<{geometry.role}> of {label('link', link.name)} has no <geometry> with a shape; it is dropped"
                 )
                 yield Finding(geometry.at, message)

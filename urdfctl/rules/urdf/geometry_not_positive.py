@@ -14,13 +14,13 @@ MEASURES = {
     "sphere": (("radius", 1),),
     "mesh": (("scale", VECTOR),),
 }
-"""The attributes that give a shape's measures, and how many numbers each has."""
+"""The attributes with a shape's dimensions, and how many numbers each has."""
 
 
 @rule(
     "UC143",
     severity=Severity.WARNING,
-    authority="urdfdom urdf_parser/src/link.cpp compares nothing; sdformat src/Box.cc, src/Sphere.cc: sizes are positive",
+    authority="urdfdom urdf_parser/src/link.cpp does not check sizes; sdformat src/Box.cc, src/Sphere.cc: sizes must be positive",
     bad={
         "robot.urdf": """
             <link name="tool">
@@ -45,10 +45,10 @@ MEASURES = {
     },
 )
 def geometry_not_positive(project: Project) -> Iterator[Finding]:
-    """A measure of a shape is negative or 0.
+    """Shape dimension is zero or negative.
 
-    urdfdom takes it; what displays or simulates the shape refuses it, or shows and touches nothing. A mesh may have a
-    negative scale, which mirrors it.
+    urdfdom accepts it. Viewers and simulators reject the shape, or it is invisible and touches nothing. A mesh may have
+    a negative scale, which mirrors it.
     """
     robot = robot_in(project)
     for link in robot.links if robot else ():
@@ -59,4 +59,5 @@ def geometry_not_positive(project: Project) -> Iterator[Finding]:
                 values = Field(shape, name, text, size).values if shape else []
                 if any(value == 0 if name == "scale" else value <= 0 for value in values) and shape:
                     part = f"a <{geometry.role}> of {label('link', link.name)}"
-                    yield Finding(shape.at[name], f"'{name}' of <{shape.name}> in {part} is '{text}', not positive")
+                    must = "must not be 0" if name == "scale" else "must be positive"
+                    yield Finding(shape.at[name], f"'{name}' of <{shape.name}> in {part} {must}: '{text}'")

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.names import enumerated, nearest
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import label, respelt, robot_in
-from urdfctl.suggest import nearest
 
 SHAPES = ("box", "cylinder", "sphere", "mesh")
 
@@ -39,10 +39,10 @@ SHAPES = ("box", "cylinder", "sphere", "mesh")
     },
 )
 def geometry_unknown(project: Project) -> Iterator[Finding]:
-    """A shape is none of URDF's.
+    """Unknown shape.
 
-    urdfdom knows box, cylinder, sphere and mesh. At anything else it prints an error, drops the visual or collision and
-    what follows in the link, and goes on.
+    urdfdom knows box, cylinder, sphere and mesh. For any other shape it prints an error, drops the visual or collision
+    and everything after it in the link, and continues.
     """
     robot = robot_in(project)
     for link in robot.links if robot else ():
@@ -50,6 +50,6 @@ def geometry_unknown(project: Project) -> Iterator[Finding]:
             shape = geometry.shape
             if shape is not None and shape.name not in SHAPES:
                 meant = nearest(shape.name, SHAPES)
-                told = f"; did you mean '{meant}'?" if meant else f"; URDF knows {', '.join(SHAPES)}"
-                message = f"<{geometry.role}> of {label('link', link.name)} has the unknown shape <{shape.name}>{told}"
+                hint = f"did you mean '{meant}'?" if meant else f"use {enumerated(SHAPES, 'or')}"
+                message = f"<{geometry.role}> of {label('link', link.name)} has unknown shape <{shape.name}>; {hint}"
                 yield Finding(shape.at, message, fix=respelt(shape, meant))

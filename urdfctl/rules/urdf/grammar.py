@@ -1,14 +1,14 @@
-"""The elements and attributes of URDF that urdfdom reads, and the further ones that others read."""
+"""The URDF elements and attributes that urdfdom reads, and those that other tools read."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.memory import once_for_the_last
 from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Robot
-from urdfctl.record import NamedTuple
 from urdfctl.rules.common import label
+from urdfctl.startup.per_object import once_for_the_last
+from urdfctl.startup.records import NamedTuple
 
 ELEMENTS = {
     "robot": ("link", "joint", "material", "transmission", "gazebo", "ros2_control"),
@@ -30,7 +30,7 @@ ELEMENTS = {
         "dynamics",
     ),
 }
-"""By the element that they stand in."""
+"""Known child elements, by parent element."""
 
 ATTRIBUTES = {
     "link": ("name",),
@@ -54,27 +54,30 @@ ATTRIBUTES = {
     "mimic": ("joint", "multiplier", "offset"),
     "dynamics": ("damping", "friction"),
 }
-"""By the element that they belong to."""
+"""Known attributes, by element."""
 
 ONCE = {
     name: children
     for name, children in ELEMENTS.items()
     if name in ("inertial", "visual", "collision", "joint", "material")
 } | {"link": ("inertial",)}
-"""Children of which only the first is read, by their parent; of <geometry> only the first child whatsoever."""
+"""Children of which only the first is read, by parent element. Of <geometry>, only the first child is read."""
 
 
 class ReadTag(NamedTuple):
-    """An element that is read, the elements in it, and the link, joint or material that it is of."""
+    """An element that is read."""
 
     tag: Tag
+    """The element."""
     children: tuple[Tag, ...]
+    """Its child elements, known or not."""
     owner: str
+    """The link, joint or material it belongs to, as messages name it."""
 
 
 @once_for_the_last
 def read_tags(robot: Robot) -> tuple[ReadTag, ...]:
-    """The elements of links, joints and materials that are read."""
+    """Return the elements that are read in links, joints and materials."""
     return tuple(_walk(robot))
 
 

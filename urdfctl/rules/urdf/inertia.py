@@ -1,4 +1,4 @@
-"""What is physically possible of an inertia tensor."""
+"""Inertia tensors: the six moments and the principal moments."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Moments = tuple[float, float, float, float, float, float]
 
 
 def moments_of(inertial: Inertial | None) -> Moments | None:
-    """The six moments in kg m², as `ixx ixy ixz iyy iyz izz`; None where one cannot be read."""
+    """Return the six moments in kg m², as `ixx ixy ixz iyy iyz izz`; None if one cannot be read."""
     if inertial is None or inertial.inertia is None:
         return None
     values = [_value(inertial.inertia, name) for name in MOMENTS]
@@ -30,7 +30,7 @@ def _value(inertia: Mapping[str, Number], name: str) -> float | None:
 
 
 def principal_moments(moments: Moments) -> tuple[float, float, float]:
-    """The eigenvalues of the tensor, the least first."""
+    """Return the eigenvalues of the tensor, smallest first."""
     ixx, ixy, ixz, iyy, iyz, izz = moments
     scale = max(abs(value) for value in moments)
     if scale == 0:

@@ -42,10 +42,10 @@ TOLERANCE_ELSEWHERE = 1e-2
     },
 )
 def inertia_impossible(project: Project) -> Iterator[Finding]:
-    """An inertia is one that no body can have.
+    """Physically impossible inertia.
 
-    Its principal moments must not be negative, and none may be greater than the other two together. urdfdom compares
-    nothing; Gazebo refuses the robot from sdformat 9 on, and other engines become unstable.
+    No principal moment may be negative, or greater than the sum of the other two. urdfdom does not check this. Gazebo
+    rejects the robot from sdformat 9 on, and other engines become unstable.
     """
     robot = robot_in(project)
     if robot is None:
@@ -58,7 +58,7 @@ def inertia_impossible(project: Project) -> Iterator[Finding]:
             continue
         fault = _fault(moments, tolerance)
         if fault:
-            yield Finding(inertial.inertia_at, f"the inertia of {label('link', link.name)} is impossible: {fault}")
+            yield Finding(inertial.inertia_at, f"<inertia> of {label('link', link.name)} is impossible: {fault}")
 
 
 def _fault(moments: Moments, tolerance: float) -> str:
@@ -66,9 +66,11 @@ def _fault(moments: Moments, tolerance: float) -> str:
     aligned = not (moments[1] or moments[2] or moments[4])
     if least < -tolerance * max(abs(least), abs(most)):
         return (
-            f"the moment {least:g} is negative" if aligned else f"not positive definite, its least moment is {least:g}"
+            f"moment {least:g} is negative"
+            if aligned
+            else f"it is not positive definite, its smallest principal moment is {least:g}"
         )
     if least + middle < most * (1 - tolerance):
-        what = "the moment" if aligned else "the principal moment"
-        return f"{what} {most:g} is greater than the other two together, {least:g} and {middle:g}"
+        kind = "moment" if aligned else "principal moment"
+        return f"{kind} {most:g} is greater than the sum of the other two, {least:g} and {middle:g}"
     return ""

@@ -14,9 +14,9 @@ from urdfctl.rules.urdf.inertia import moments_of, principal_moments
 from urdfctl.rules.urdf.numbers import VECTOR, Field
 
 LARGEST_REACH = 10.0
-"""In m: no robot's link has its mass so far from its centre."""
+"""In m; no link of a robot has its mass this far from its centre."""
 LARGER, SMALLER = 10.0, 0.001
-"""How far the radius of gyration may be from a link's own size."""
+"""Limits of the ratio of a link's radius of gyration to its size."""
 
 
 @rule(
@@ -47,9 +47,9 @@ LARGER, SMALLER = 10.0, 0.001
     },
 )
 def inertia_out_of_proportion(project: Project) -> Iterator[Finding]:
-    """An inertia is out of all proportion to the link's mass and size.
+    """Inertia does not fit the link's mass and size.
 
-    Such a joint turns as if it were held, or trembles. Mostly the moments are in g mm² or a placeholder.
+    The joint turns as if it were held, or it trembles. Usually the moments are in g mm², or they are placeholders.
     """
     robot = robot_in(project)
     for link in robot.links if robot else ():
@@ -61,17 +61,14 @@ def inertia_out_of_proportion(project: Project) -> Iterator[Finding]:
         if most <= 0:
             continue
         reach, size = math.sqrt(most / mass), _size(link)
-        what = f"the inertia of {label('link', link.name)}, {most:g} kg m² at {mass:g} kg,"
-        if reach > LARGEST_REACH or (size and reach > LARGER * size):
-            told = f"; the link is {size:g} m large" if size else ""
-            yield Finding(inertial.inertia_at, f"{what} is that of a body {2 * reach:.3g} m wide{told}")
-        elif size and reach < SMALLER * size:
-            message = f"{what} is that of a body {2 * reach:.3g} m wide; the link is {size:g} m large"
-            yield Finding(inertial.inertia_at, message)
+        if reach > LARGEST_REACH or (size and (reach > LARGER * size or reach < SMALLER * size)):
+            body = f"a body {2 * reach:.3g} m wide ({most:g} kg m² at {mass:g} kg)"
+            actual = f", but the link is {size:g} m wide" if size else ""
+            yield Finding(inertial.inertia_at, f"<inertia> of {label('link', link.name)} fits {body}{actual}")
 
 
 def _size(link: Link) -> float | None:
-    """The greatest extent of a link in m, by its shapes; None where one is a mesh or cannot be read."""
+    """The largest dimension of a link's shapes in m; None if one is a mesh or cannot be read."""
     extents = []
     for geometry in link.geometries:
         shape = geometry.shape

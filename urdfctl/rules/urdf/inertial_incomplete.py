@@ -33,10 +33,10 @@ from urdfctl.rules.urdf.numbers import MOMENTS
     },
 )
 def inertial_incomplete(project: Project) -> Iterator[Finding]:
-    """An <inertial> lacks its mass, its inertia or one of the six moments.
+    """Incomplete <inertial>.
 
-    urdfdom prints an error, drops the whole <inertial> with the visuals and collisions of the link, and goes on. Gazebo
-    then drops the link.
+    An <inertial> needs a mass and all six moments of inertia. urdfdom prints an error, drops the <inertial> with the
+    visuals and collisions of the link, and continues. Gazebo then drops the link.
     """
     robot = robot_in(project)
     for link in robot.links if robot else ():
@@ -47,8 +47,8 @@ def inertial_incomplete(project: Project) -> Iterator[Finding]:
             element = next(inertial.named(name), None)
             if element is None:
                 if not project.complete:
-                    continue  # what could not be expanded may bring it
-                yield Finding(inertial.at, f"<inertial> of {label('link', link.name)} has no <{name}>, and is dropped")
+                    continue  # the part that could not be expanded may define it
+                yield Finding(inertial.at, f"<inertial> of {label('link', link.name)} has no <{name}>; it is dropped")
             elif missing := lacking(element, attributes):
                 message = f"<{name}> of {label('link', link.name)} has no {missing}; the whole <inertial> is dropped"
                 yield Finding(element.at, message)

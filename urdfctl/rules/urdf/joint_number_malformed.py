@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import label, replaced, robot_in, severity_where
-from urdfctl.rules.urdf.numbers import Numbers, fault_of, is_subnormal, mended, refusing
+from urdfctl.rules.urdf.numbers import Numbers, corrected, fault_of, is_subnormal, refusing
 
 
 @rule(
@@ -38,10 +38,10 @@ from urdfctl.rules.urdf.numbers import Numbers, fault_of, is_subnormal, mended, 
     },
 )
 def joint_number_malformed(project: Project) -> Iterator[Finding]:
-    """What a joint gives as a number or vector is not read as one.
+    """Malformed number or vector in a joint.
 
-    urdfdom gives no model for the whole robot. It reads finite decimals without units or spaces behind them, and vectors
-    of three with spaces, not tabs or commas, between. Up to lunar it took inf and nan, and no space before a number.
+    urdfdom rejects the whole robot. A number is a finite decimal without a unit or trailing space. A vector is three
+    numbers separated by spaces, not tabs or commas. Up to lunar, urdfdom accepted inf and nan, but no leading space.
     """
     robot = robot_in(project)
     if robot is None:
@@ -49,14 +49,16 @@ def joint_number_malformed(project: Project) -> Iterator[Finding]:
     numbers = Numbers(robot)
     for joint in robot.joints:
         for field in numbers.of_joint(joint):
-            what = f"{field.label} of {label('joint', joint.name)}"
+            field_label = f"{field.label} of {label('joint', joint.name)}"
             at = field.element.at
             refused = refusing(field)
             if set(refused) & set(project.distros):
-                better = mended(field)
-                fix = replaced(at[field.attribute], field.text, better[0], safe=better[1]) if better else None
-                message = f"{what} is '{field.shown}': it {fault_of(field)}"
+                correction = corrected(field)
+                fix = (
+                    replaced(at[field.attribute], field.text, correction[0], safe=correction[1]) if correction else None
+                )
+                message = f"{field_label} is '{field.shown}': {fault_of(field)}"
                 yield Finding(at[field.attribute], message, fix=fix, severity=severity_where(project, refused))
             elif is_subnormal(field) and project.may_be_simulated:
-                message = f"{what} is '{field.shown}': it is smaller than 2.2e-308, which Gazebo refuses; write 0"
+                message = f"{field_label} is '{field.shown}': Gazebo rejects numbers below 2.2e-308; write 0"
                 yield Finding(at[field.attribute], message, severity=Severity.WARNING)

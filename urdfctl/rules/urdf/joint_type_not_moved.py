@@ -12,7 +12,7 @@ from urdfctl.rules.common import label, robot_in
     "UC122",
     severity=Severity.WARNING,
     authority="kdl_parser kdl_parser.cpp: \"Converting unknown joint type of joint '...' into a fixed joint\"; "
-    "sdformat 12 src/parser_urdf.cc CreateJoint() makes no joint",
+    "sdformat 12 src/parser_urdf.cc CreateJoint() creates no joint",
     bad={
         "robot.urdf": """
             <link name="tool">
@@ -35,15 +35,16 @@ from urdfctl.rules.common import label, robot_in
     },
 )
 def joint_type_not_moved(project: Project) -> Iterator[Finding]:
-    """A joint is floating or planar, which urdfdom takes and hardly anything else.
+    """Floating or planar joint.
 
-    robot_state_publisher makes a fixed joint of it. Gazebo makes none, and from sdformat 12 on refuses the model.
+    urdfdom accepts these types, but most other tools do not. robot_state_publisher treats the joint as fixed. Gazebo
+    creates no joint, and rejects the model from sdformat 12 on.
     """
     robot = robot_in(project)
     for joint in robot.joints if robot else ():
         if joint.type in ("floating", "planar"):
-            message = f"{label('joint', joint.name)} is {joint.type}: robot_state_publisher holds it fixed"
+            message = f"{label('joint', joint.name)} is {joint.type}; robot_state_publisher treats it as fixed"
             if project.may_be_simulated:
-                message += ", and Gazebo makes no joint of it"
+                message += ", and Gazebo creates no joint for it"
             severity = None if project.may_be_simulated else Severity.INFO
             yield Finding(joint.at["type"], message, severity=severity)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.names import enumerated, nearest
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import is_known, label, replaced, robot_in
-from urdfctl.suggest import nearest
 
 TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
 OTHER_WORDS = {
@@ -46,10 +46,10 @@ OTHER_WORDS = {
     },
 )
 def joint_type_unknown(project: Project) -> Iterator[Finding]:
-    """A joint's type is none of URDF's.
+    """Unknown joint type.
 
-    urdfdom knows revolute, continuous, prismatic, fixed, floating and planar, in lower case, and gives no model for
-    anything else.
+    urdfdom knows revolute, continuous, prismatic, fixed, floating and planar, in lower case. It rejects the whole robot
+    for any other type.
     """
     robot = robot_in(project)
     for joint in robot.joints if robot else ():
@@ -59,10 +59,8 @@ def joint_type_unknown(project: Project) -> Iterator[Finding]:
         meant = OTHER_WORDS.get(written.strip().lower()) or nearest(written.strip(), (*TYPES, ""))
         if written.strip().lower() in TYPES:
             meant = written.strip().lower()
-        told = f"did you mean '{meant}'?" if meant else f"URDF knows {', '.join(TYPES)}"
+        hint = f"did you mean '{meant}'?" if meant else f"use {enumerated(TYPES, 'or')}"
         fix: Fix | None = None
         if meant:
             fix = replaced(joint.at["type"], written, meant, safe=written.strip().lower() == meant)
-        yield Finding(
-            joint.at["type"], f"{label('joint', joint.name)} has the unknown type '{written}'; {told}", fix=fix
-        )
+        yield Finding(joint.at["type"], f"{label('joint', joint.name)} has unknown type '{written}'; {hint}", fix=fix)

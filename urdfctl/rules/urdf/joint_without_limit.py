@@ -35,13 +35,13 @@ from urdfctl.rules.common import label, robot_in
     },
 )
 def joint_without_limit(project: Project) -> Iterator[Finding]:
-    """A revolute or prismatic joint has no <limit>.
+    """Revolute or prismatic joint without <limit>.
 
-    urdfdom gives no model for the whole robot. A joint that turns without end is continuous, and needs none.
+    urdfdom rejects the whole robot. A joint that turns without end is continuous and needs no <limit>.
     """
     robot = robot_in(project)
     for joint in robot.joints if robot else ():
         if joint.type in ("revolute", "prismatic") and joint.limit is None:
-            hint = "; without end it would be continuous" if joint.type == "revolute" else ""
-            message = f"{joint.type} {label('joint', joint.name)} has no <limit>{hint}"
+            hint = "; add one, or make the joint continuous" if joint.type == "revolute" else "; add one"
+            message = f"{label('joint', joint.name)} is {joint.type} but has no <limit>{hint}"
             yield Finding(joint.at, message)

@@ -31,14 +31,14 @@ from urdfctl.rules.common import robot_in
     },
 )
 def joint_without_name(project: Project) -> Iterator[Finding]:
-    """A joint has no name.
+    """Joint without a name.
 
-    urdfdom gives no model for the whole robot. An empty name it takes, but sdformat, and so Gazebo, does not.
+    urdfdom rejects the whole robot. It accepts an empty name, but sdformat, and so Gazebo, does not.
     """
     robot = robot_in(project)
     for joint in robot.joints if robot else ():
         if joint.name is None:
             yield Finding(joint.at, "<joint> has no 'name'")
         elif not joint.name:
-            message = "the name of <joint> is empty; Gazebo refuses it"
+            message = "<joint> has an empty 'name'; Gazebo rejects it"
             yield Finding(joint.at["name"], message, severity=Severity.WARNING)

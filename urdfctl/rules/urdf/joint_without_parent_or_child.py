@@ -31,9 +31,9 @@ from urdfctl.rules.common import label, robot_in
     },
 )
 def joint_without_parent_or_child(project: Project) -> Iterator[Finding]:
-    """A joint names no parent link, or no child link.
+    """Joint without a parent or child link.
 
-    urdfdom cannot build the tree and gives no model.
+    urdfdom cannot build the tree and rejects the whole robot.
     """
     robot = robot_in(project)
     for joint in robot.joints if robot else ():
@@ -41,5 +41,5 @@ def joint_without_parent_or_child(project: Project) -> Iterator[Finding]:
             if end is None:
                 yield Finding(joint.at, f'{label("joint", joint.name)} has no <{name} link="..."/>')
             elif not end.name:
-                what = "has no 'link'" if end.name is None else "names no link"
-                yield Finding(end.at, f"<{name}> of {label('joint', joint.name)} {what}")
+                problem = "has no 'link'" if end.name is None else "has an empty 'link'"
+                yield Finding(end.at, f"<{name}> of {label('joint', joint.name)} {problem}")

@@ -37,9 +37,9 @@ from urdfctl.rules.common import label, robot_in
     },
 )
 def joint_without_type(project: Project) -> Iterator[Finding]:
-    """A joint has no type.
+    """Joint without a type.
 
-    urdfdom gives no model for the whole robot.
+    urdfdom rejects the whole robot.
     """
     robot = robot_in(project)
     for joint in robot.joints if robot else ():

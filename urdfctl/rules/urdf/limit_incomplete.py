@@ -37,9 +37,10 @@ from urdfctl.rules.urdf.common import lacking
     },
 )
 def limit_incomplete(project: Project) -> Iterator[Finding]:
-    """A <limit> has no effort or no velocity.
+    """Joint limit without effort or velocity.
 
-    urdfdom wants both of every joint that has a <limit>, of fixed and continuous ones too, and gives no model without.
+    urdfdom requires both in every <limit>, even of fixed and continuous joints. Without them it rejects the whole
+    robot.
     """
     robot = robot_in(project)
     for joint in robot.joints if robot else ():

@@ -12,7 +12,7 @@ from urdfctl.rules.urdf.common import commanded_joints
 @rule(
     "UC132",
     severity=Severity.WARNING,
-    authority="urdfdom urdf_parser/src/joint.cpp parseJointLimits(): lower and upper are 0 where they are not written",
+    authority="urdfdom urdf_parser/src/joint.cpp parseJointLimits(): lower and upper default to 0",
     bad={
         "robot.urdf": """
             <link name="tool">
@@ -45,9 +45,9 @@ from urdfctl.rules.urdf.common import commanded_joints
     },
 )
 def limits_leave_no_range(project: Project) -> Iterator[Finding]:
-    """The limits of a joint that is commanded leave it no range.
+    """Commanded joint has no range of motion.
 
-    A revolute or prismatic joint whose <limit> has neither lower nor upper may be at 0 only. Everything loads, and the
+    A revolute or prismatic joint whose <limit> has neither lower nor upper can only be at 0. Everything loads, but the
     joint does not move.
     """
     robot = robot_in(project)
@@ -61,7 +61,7 @@ def limits_leave_no_range(project: Project) -> Iterator[Finding]:
         lower = 0.0 if limit.lower is None else limit.lower.value
         upper = 0.0 if limit.upper is None else limit.upper.value
         if lower is not None and lower == upper:
-            written = "has neither 'lower' nor 'upper', which are 0 then"
+            problem = "has neither 'lower' nor 'upper'; both default to 0"
             if limit.lower or limit.upper:
-                written = f"leaves it no range: 'lower' and 'upper' are both {lower:g}"
-            yield Finding(limit.at, f"<limit> of commanded {label('joint', joint.name)} {written}")
+                problem = f"leaves no range of motion: 'lower' and 'upper' are both {lower:g}"
+            yield Finding(limit.at, f"<limit> of commanded {label('joint', joint.name)} {problem}")

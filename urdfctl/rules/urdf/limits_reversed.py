@@ -11,7 +11,7 @@ from urdfctl.rules.common import label, robot_in
 @rule(
     "UC125",
     severity=Severity.WARNING,
-    authority="urdfdom urdf_parser/src/joint.cpp parseJointLimits() compares nothing; sdformat src/parser_urdf.cc: "
+    authority="urdfdom urdf_parser/src/joint.cpp parseJointLimits() does not compare them; sdformat src/parser_urdf.cc: "
     "'revolute joint [...] with limits: lowStop[..] > highStop[..], switching the two.'",
     bad={
         "robot.urdf": """
@@ -37,9 +37,9 @@ from urdfctl.rules.common import label, robot_in
     },
 )
 def limits_reversed(project: Project) -> Iterator[Finding]:
-    """A joint's lower limit is above its upper one.
+    """Lower joint limit above upper limit.
 
-    urdfdom takes it. Gazebo switches the two; elsewhere no position is within the limits, and the joint does not move.
+    urdfdom accepts it. Gazebo swaps the two limits. Elsewhere, no position is within them and the joint does not move.
     """
     robot = robot_in(project)
     for joint in robot.joints if robot else ():
@@ -61,6 +61,6 @@ def limits_reversed(project: Project) -> Iterator[Finding]:
             )
         ):
             edits = Edit(limit.lower.at.span, limit.upper.text), Edit(limit.upper.at.span, limit.lower.text)
-        unwritten = "" if limit.lower and limit.upper else " (0 where not written)"
-        message = f"'lower' of {label('joint', joint.name)} is {lower:g}, above 'upper', {upper:g}{unwritten}"
-        yield Finding(limit.at, message, fix=Fix("switch the two", edits) if edits else None)
+        default = "" if limit.lower and limit.upper else " (a missing limit is 0)"
+        message = f"'lower' of {label('joint', joint.name)} is {lower:g}, but 'upper' is {upper:g}{default}"
+        yield Finding(limit.at, message, fix=Fix("swap 'lower' and 'upper'", edits) if edits else None)

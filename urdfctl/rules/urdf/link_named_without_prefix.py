@@ -49,31 +49,30 @@ from urdfctl.source.opaque import UNKNOWN
     },
 )
 def link_named_without_prefix(project: Project) -> Iterator[Finding]:
-    """A macro gives its links a prefix, and one of its joints names a link without it.
+    """Joint of a macro names a link without the macro's prefix.
 
-    As long as the prefix is empty all is well. With any other one, the parent or child link is not there, and urdfdom
-    gives no model.
+    This works as long as the prefix is empty. With any other prefix, the parent or child link does not exist, and
+    urdfdom rejects the whole robot.
     """
     robot = robot_in(project) if project.library else None
     links = {link.name: link for link in robot.links} if robot else {}
     for joint in robot.joints if robot else ():
         ends = (joint.parent, joint.child)
-        for what, end, other in zip(("parent", "child"), ends, reversed(ends), strict=True):
+        for kind, end, other in zip(("parent", "child"), ends, reversed(ends), strict=True):
             meant = _prefixed(joint, end, other, links)
             if end is None or meant is None:
                 continue
             written = meant.at["name"].span.text
-            message = f"{what} link '{end.name}' of {label('joint', joint.at['name'].span.text)} lacks the prefix: "
-            note = Note("here the link is named", meant.at["name"])
-            yield Finding(
-                end.at, f"{message}the macro's link is '{written}'", (note,), replaced(end.at, end.name or "", written)
-            )
+            joint_label = label("joint", joint.at["name"].span.text)
+            message = f"{kind} link '{end.name}' of {joint_label} has no prefix; the macro's link is '{written}'"
+            note = Note("the link is defined here", meant.at["name"])
+            yield Finding(end.at, message, (note,), replaced(end.at, end.name or "", written))
 
 
 def _prefixed(
     joint: Joint, end: Reference | None, other: Reference | None, links: dict[str | None, Link]
 ) -> Link | None:
-    """The link of the same macro that a joint must mean; None where its end may be a link from outside."""
+    """The link of the same macro that a joint must mean; None if it may mean a link from outside."""
     if end is None or not end.name or not is_known(end.name) or end.name in links:
         return None
     link = links.get(UNKNOWN + end.name)

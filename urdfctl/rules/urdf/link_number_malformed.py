@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import label, replaced, robot_in
-from urdfctl.rules.urdf.numbers import Numbers, fault_of, is_subnormal, mended, refusing
+from urdfctl.rules.urdf.numbers import Numbers, corrected, fault_of, is_subnormal, refusing
 
 
 @rule(
@@ -38,11 +38,11 @@ from urdfctl.rules.urdf.numbers import Numbers, fault_of, is_subnormal, mended, 
     },
 )
 def link_number_malformed(project: Project) -> Iterator[Finding]:
-    """What a link gives as a number or vector is not read as one.
+    """Malformed number or vector in a link.
 
-    urdfdom prints an error and drops the <inertial>, <visual> or <collision>, and what follows in the link, but goes on:
-    first the inertial is read, then the visuals, then the collisions. It reads finite decimals without units or spaces
-    behind them, and vectors of three with spaces, not tabs or commas, between.
+    urdfdom prints an error, drops the <inertial>, <visual> or <collision> and everything after it in the link, and
+    continues. It reads the inertial first, then the visuals, then the collisions. A number is a finite decimal without
+    a unit or trailing space. A vector is three numbers separated by spaces, not tabs or commas.
     """
     robot = robot_in(project)
     if robot is None:
@@ -50,13 +50,15 @@ def link_number_malformed(project: Project) -> Iterator[Finding]:
     numbers = Numbers(robot)
     for link in robot.links:
         for field, part in numbers.of_link(link):
-            what = f"{field.label} of {label('link', link.name)}"
+            field_label = f"{field.label} of {label('link', link.name)}"
             at = field.element.at
             if set(refusing(field)) & set(project.distros):
-                better = mended(field)
-                fix = replaced(at[field.attribute], field.text, better[0], safe=better[1]) if better else None
-                message = f"{what} is '{field.shown}': it {fault_of(field)}; the <{part}> is dropped"
+                correction = corrected(field)
+                fix = (
+                    replaced(at[field.attribute], field.text, correction[0], safe=correction[1]) if correction else None
+                )
+                message = f"{field_label} is '{field.shown}', so the <{part}> is dropped: {fault_of(field)}"
                 yield Finding(at[field.attribute], message, fix=fix)
             elif is_subnormal(field) and project.may_be_simulated:
-                message = f"{what} is '{field.shown}': it is smaller than 2.2e-308, which Gazebo refuses; write 0"
+                message = f"{field_label} is '{field.shown}': Gazebo rejects numbers below 2.2e-308; write 0"
                 yield Finding(at[field.attribute], message)

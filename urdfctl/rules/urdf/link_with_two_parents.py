@@ -12,7 +12,7 @@ from urdfctl.rules.common import is_known, label, robot_in
 @rule(
     "UC107",
     severity=Severity.WARNING,
-    authority="urdfdom_headers urdf_model/model.h initTree(): child_link->setParent(parent_link), over whatever was there",
+    authority="urdfdom_headers urdf_model/model.h initTree(): child_link->setParent(parent_link) overwrites an earlier parent",
     whole_robot=True,
     bad={
         "robot.urdf": """
@@ -31,10 +31,10 @@ from urdfctl.rules.common import is_known, label, robot_in
     },
 )
 def link_with_two_parents(project: Project) -> Iterator[Finding]:
-    """A link is the child of two joints.
+    """Link is the child of two joints.
 
-    URDF describes trees. urdfdom says nothing and keeps one of the two as the link's parent; KDL and Gazebo then see the
-    link below both, or below one of them only.
+    A URDF describes a tree. urdfdom silently keeps one of the two joints as the link's parent. KDL and Gazebo then see
+    the link below both joints, or below only one of them.
     """
     robot = robot_in(project)
     first: dict[str, Joint] = {}
@@ -45,7 +45,6 @@ def link_with_two_parents(project: Project) -> Iterator[Finding]:
         other = first.setdefault(child.name, joint)
         if other is joint or other.name == joint.name or other.child is None:
             continue
-        message = (
-            f"link '{child.name}' is the child of {label('joint', joint.name)} and of {label('joint', other.name)}"
-        )
-        yield Finding(child.at, message, (Note("the first one is here", other.child.at),))
+        parents = f"{label('joint', joint.name)} and {label('joint', other.name)}"
+        message = f"link '{child.name}' is the child of both {parents}; a link has one parent"
+        yield Finding(child.at, message, (Note("the first joint names it here", other.child.at),))

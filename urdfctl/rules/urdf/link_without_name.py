@@ -26,13 +26,14 @@ from urdfctl.rules.common import robot_in
     },
 )
 def link_without_name(project: Project) -> Iterator[Finding]:
-    """A link has no name, or an empty one.
+    """Link without a name.
 
-    urdfdom keeps it under the empty name. No joint can name it, so it is a second root, and there is no model.
+    urdfdom keeps it under the empty name. No joint can refer to it, so it is a second root, and urdfdom rejects the
+    whole robot.
     """
     robot = robot_in(project)
     for link in robot.links if robot else ():
         if not link.name:
             severity = Severity.WARNING if robot and len(robot.links) == 1 else None
-            what = "<link> has no 'name'" if link.name is None else "the name of <link> is empty"
-            yield Finding(link.at["name"], f"{what}; no joint can refer to it", severity=severity)
+            problem = "has no 'name'" if link.name is None else "has an empty 'name'"
+            yield Finding(link.at["name"], f"<link> {problem}; no joint can refer to it", severity=severity)

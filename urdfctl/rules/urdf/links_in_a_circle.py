@@ -35,21 +35,21 @@ from urdfctl.rules.urdf.tree import Tree, parent_of
     },
 )
 def links_in_a_circle(project: Project) -> Iterator[Finding]:
-    """Links are each other's children in a circle.
+    """Links form a loop.
 
-    Where every link is a child there is no root, and urdfdom gives no model. A circle beside a sound tree it does not
-    notice: those links are then part of the model, and hang off nothing.
+    If every link is a child, there is no root, and urdfdom rejects the whole robot. It does not notice a loop beside a
+    valid tree: the links of the loop are then part of the model, but connected to nothing.
     """
     robot = whole_robot_in(project)
     if robot is None:
         return
     tree = Tree(robot)
     no_root = not tree.roots
-    for circle in tree.circles():
-        names = [parent_of(joint) for joint in circle]
-        what = f"link '{names[0]}' is its own child"
+    for loop in tree.circles():
+        names = [parent_of(joint) for joint in loop]
+        problem = f"link '{names[0]}' is its own child"
         if len(names) > 1:
-            what = f"links {in_words(names)} are children of each other in a circle"
-        told = "so the robot has no root" if no_root else "and nothing joins the circle to the rest of the robot"
-        at = circle[0].child.at if circle[0].child else circle[0].at
-        yield Finding(at, f"{what}, {told}", severity=None if no_root else Severity.WARNING)
+            problem = f"links {in_words(names)} form a loop"
+        effect = "so the robot has no root link" if no_root else "and nothing connects it to the rest of the robot"
+        at = loop[0].child.at if loop[0].child else loop[0].at
+        yield Finding(at, f"{problem}, {effect}", severity=None if no_root else Severity.WARNING)

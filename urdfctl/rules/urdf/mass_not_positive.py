@@ -36,10 +36,10 @@ from urdfctl.rules.urdf.bodies import LEAST_MASS, inertial_of, vanishing
     },
 )
 def mass_not_positive(project: Project) -> Iterator[Finding]:
-    """A mass is negative, or a link that moves weighs nothing.
+    """Negative mass, or moving link without mass.
 
-    Gazebo drops a moving link of no mass (less than 1e-6 kg is none) with everything below it, and refuses a robot with
-    a negative mass. A link of no mass that is fixed to one with mass does no harm.
+    Gazebo drops a moving link without mass (below 1e-6 kg) and everything below it. It rejects a robot with a negative
+    mass. A link without mass is harmless if it is fixed to a link with mass.
     """
     robot = whole_robot_in(project)
     if robot is None or not project.may_be_simulated:
@@ -51,8 +51,8 @@ def mass_not_positive(project: Project) -> Iterator[Finding]:
     vanished = {id(link) for body in vanishing(robot) for link in body.links} if suspects else set()
     for link, mass, value in suspects:
         if value < 0:
-            yield Finding(mass.at, f"the mass of {label('link', link.name)} is negative: {mass.text}")
+            yield Finding(mass.at, f"<mass> of {label('link', link.name)} is negative: {mass.text}")
         elif id(link) in vanished:
-            told = "nothing" if value == 0 else f"no more than {mass.text} kg"
-            message = f"{label('link', link.name)} moves and weighs {told}: Gazebo drops it, and what hangs on it"
+            amount = "no mass" if value == 0 else f"a mass of only {mass.text} kg"
+            message = f"{label('link', link.name)} moves but has {amount}; Gazebo drops it and everything below it"
             yield Finding(mass.at, message)

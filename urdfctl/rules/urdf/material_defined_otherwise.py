@@ -12,7 +12,7 @@ from urdfctl.rules.urdf.materials import Material, materials_of
 @rule(
     "UC148",
     severity=Severity.INFO,
-    authority="urdfdom urdf_parser/src/model.cpp assignMaterial(): a material that is known by its name replaces the visual's own",
+    authority="urdfdom urdf_parser/src/model.cpp assignMaterial(): a known material of the same name replaces the visual's own",
     whole_robot=True,
     bad={
         "robot.urdf": """
@@ -42,9 +42,9 @@ from urdfctl.rules.urdf.materials import Material, materials_of
     },
 )
 def material_defined_otherwise(project: Project) -> Iterator[Finding]:
-    """A visual defines a material that already looks otherwise.
+    """Material is already defined differently.
 
-    The first definition of a name holds for all: this one is not seen, and nothing is said.
+    The first definition of a name applies everywhere. This one is silently ignored.
     """
     robot = robot_in(project)
     first: dict[str, Material] = {}
@@ -54,5 +54,7 @@ def material_defined_otherwise(project: Project) -> Iterator[Finding]:
             continue
         before = first.setdefault(material.name, material)
         if material.link is not None and before.looks != looks:
-            message = f"{material.label} is defined otherwise before, and that definition holds"
-            yield Finding(material.tag.at["name"], message, (Note("it is here", before.tag.at["name"]),))
+            message = f"{material.label} is ignored: an earlier definition of this name looks different"
+            yield Finding(
+                material.tag.at["name"], message, (Note("the earlier definition is here", before.tag.at["name"]),)
+            )

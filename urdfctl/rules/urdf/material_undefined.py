@@ -42,10 +42,10 @@ from urdfctl.rules.urdf.materials import materials_of
     },
 )
 def material_undefined(project: Project) -> Iterator[Finding]:
-    """A visual's material is defined nowhere before it.
+    """Undefined material.
 
-    Materials of the robot are known everywhere, those that a visual defines in the links after it. urdfdom warns, and the
-    link has no colour.
+    A material of the robot is known everywhere. A material that a visual defines is known only after it. urdfdom prints
+    a warning, and the link has no colour.
     """
     robot = whole_robot_in(project)
     if robot is None:
@@ -60,7 +60,7 @@ def material_undefined(project: Project) -> Iterator[Finding]:
         elif name and name not in defined and is_known(name) and not material.tag.children:
             meant = None if name in names else names.meant_by(name)
             hint = f"; did you mean '{meant}'?" if meant else ""
-            told = " before it; it is defined further down" if name in names else hint
+            problem = "is used before it is defined" if name in names else f"is not defined{hint}"
             at = material.tag.at["name"]
             fix = replaced(at, name, meant) if meant else None
-            yield Finding(at, f"{material.label} is not defined{told}", fix=fix)
+            yield Finding(at, f"{material.label} {problem}", fix=fix)

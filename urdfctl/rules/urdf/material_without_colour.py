@@ -27,14 +27,14 @@ from urdfctl.rules.urdf.materials import materials_of
     },
 )
 def material_without_colour(project: Project) -> Iterator[Finding]:
-    """A material has neither a colour nor a texture.
+    """Material without a colour or texture.
 
-    One of the robot must have <color rgba="..."> or <texture filename="...">; urdfdom prints an error and keeps it without
-    looks. One of a visual may be a bare name, which refers to another.
+    A material of the robot needs <color rgba="..."> or <texture filename="...">. Without them, urdfdom prints an error
+    and keeps a material without an appearance. A material of a visual may be a bare name, which refers to another one.
     """
     robot = robot_in(project)
     for material in materials_of(robot) if robot else ():
         bare_reference = material.link is not None and not material.tag.children
         if not bare_reference and not material.colour and not material.texture:
-            message = f'{material.label} has neither a <color rgba="..."/> nor a <texture filename="..."/>'
+            message = f'{material.label} has neither <color rgba="..."/> nor <texture filename="..."/>'
             yield Finding(material.tag.at, message)

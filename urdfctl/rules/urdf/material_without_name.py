@@ -41,9 +41,10 @@ from urdfctl.source.span import SourceSpan
     },
 )
 def material_without_name(project: Project) -> Iterator[Finding]:
-    """A <material> has no name.
+    """Material without a name.
 
-    urdfdom prints an error and drops the visual that it belongs to, and what follows in the link. An empty name is taken.
+    urdfdom prints an error and drops the visual that contains it, and everything after it in the link. It accepts an
+    empty name.
     """
     robot = robot_in(project)
     if robot is None:
@@ -55,16 +56,16 @@ def material_without_name(project: Project) -> Iterator[Finding]:
         for visual in link.tag.named("visual"):
             material = _first_material(visual)
             if material is not None and "name" not in material.attributes:
-                message = f"<material> of {label('link', link.name)} has no 'name', and its <visual> is dropped"
+                message = f"<material> of {label('link', link.name)} has no 'name'; its <visual> is dropped"
                 yield Finding(material.at, message, fix=_fix(material))
 
 
 def _fix(material: Tag) -> Fix | None:
-    """An empty name, where the material needs none: it says itself what it looks like."""
+    """An empty name is enough for a material that defines its own appearance."""
     if not any(material.named("color")) and not any(material.named("texture")):
         return None
     at = material.at.source, material.at.start + len("<material")
-    return Fix('write <material name="">: it is used here only', (Edit(SourceSpan(*at, at[1]), ' name=""'),), safe=True)
+    return Fix('write <material name="">; it is used only here', (Edit(SourceSpan(*at, at[1]), ' name=""'),), safe=True)
 
 
 def _first_material(visual: Tag) -> Tag | None:

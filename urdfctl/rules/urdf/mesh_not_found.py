@@ -51,13 +51,13 @@ from urdfctl.rules.common import is_known, label, robot_in
     },
 )
 def mesh_not_found(project: Project) -> Iterator[Finding]:
-    """The file of a mesh does not exist.
+    """Mesh file does not exist.
 
-    urdfdom does not look. RViz shows nothing there, and Gazebo leaves the shape out: the link touches nothing. Of a folder
-    of which no mesh is there, the first one is told.
+    urdfdom does not open meshes. RViz shows nothing, and Gazebo leaves out the shape, so the link touches nothing. If
+    all meshes of a folder are missing, only the first one is reported.
     """
     robot = robot_in(project)
-    lost: dict[str, dict[str, Mesh]] = {}
+    missing: dict[str, dict[str, Mesh]] = {}
     existing = set()
     for mesh in robot.meshes if robot else ():
         folder = mesh.filename.rpartition("/")[0]
@@ -66,10 +66,13 @@ def mesh_not_found(project: Project) -> Iterator[Finding]:
         if mesh.file.exists:
             existing.add(folder)
         else:
-            lost.setdefault(folder, {}).setdefault(mesh.filename, mesh)
-    for folder, meshes in lost.items():
-        told = list(meshes.values())
-        more = "" if folder in existing or len(told) == 1 else f", nor any other of {len(told)} in its folder"
-        for mesh in told[:1] if more else told:
-            hint = f"; did you mean '{mesh.file.nearest}'?" if mesh.file and mesh.file.nearest and not more else ""
-            yield Finding(mesh.at, f"no such file: '{mesh.filename}', a mesh of {label('link', mesh.link)}{more}{hint}")
+            missing.setdefault(folder, {}).setdefault(mesh.filename, mesh)
+    for folder, by_name in missing.items():
+        meshes = list(by_name.values())
+        whole_folder = folder not in existing and len(meshes) > 1
+        more = f" (all {len(meshes)} meshes of its folder are missing)" if whole_folder else ""
+        for mesh in meshes[:1] if whole_folder else meshes:
+            nearest = mesh.file.nearest if mesh.file and not whole_folder else None
+            hint = f"; did you mean '{nearest}'?" if nearest else ""
+            problem = f"mesh of {label('link', mesh.link)} does not exist: '{mesh.filename}'"
+            yield Finding(mesh.at, f"{problem}{more}{hint}")

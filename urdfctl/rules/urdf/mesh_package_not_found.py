@@ -50,21 +50,22 @@ from urdfctl.rules.common import is_known, robot_in
     },
 )
 def mesh_package_not_found(project: Project) -> Iterator[Finding]:
-    """The package that a mesh's address names is not found.
+    """Mesh package was not found.
 
-    RViz shows nothing there, and Gazebo leaves the shape out. A package that is installed elsewhere is found in a sourced
-    environment, or by --package-path.
+    RViz shows nothing, and Gazebo leaves out the shape. For a package that is installed elsewhere, declare it in
+    package.xml, source its environment or use --package-path.
     """
     robot = robot_in(project)
-    count: dict[str, int] = {}
-    lost = [mesh for mesh in robot.meshes if mesh.file and not mesh.file.package_found] if robot else []
+    meshes_by_package: dict[str, int] = {}
+    files = ((mesh, mesh.file) for mesh in (robot.meshes if robot else ()))
+    lost = [mesh for mesh, file in files if file and not file.package_found and not file.package_declared]
     for mesh in lost:
         package = mesh.file.package if mesh.file else None
-        count[package or ""] = count.get(package or "", 0) + 1
+        meshes_by_package[package or ""] = meshes_by_package.get(package or "", 0) + 1
     for mesh in lost:
         package = (mesh.file.package if mesh.file else None) or ""
-        many = count.pop(package, 0)
-        if many and is_known(package):
+        meshes = meshes_by_package.pop(package, 0)
+        if meshes and is_known(package):
             hint = f"; did you mean '{mesh.file.nearest}'?" if mesh.file and mesh.file.nearest else ""
-            told = f" ({many} meshes)" if many > 1 else ""
-            yield Finding(mesh.at, f"package '{package}' of a mesh is not found{told}{hint}")
+            count = f" ({meshes} meshes)" if meshes > 1 else ""
+            yield Finding(mesh.at, f"mesh package '{package}' was not found in this workspace{count}{hint}")

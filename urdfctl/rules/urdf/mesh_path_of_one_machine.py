@@ -47,18 +47,19 @@ _OF_ONE_MACHINE = re.compile(r"(file:)?/|[A-Za-z]:[\\/]|~")
     },
 )
 def mesh_path_of_one_machine(project: Project) -> Iterator[Finding]:
-    """A mesh is named by an absolute path.
+    """Absolute mesh path.
 
-    It is found on the machine where it was written and on no other. RViz takes package:// and file:// addresses only.
+    The mesh is found only on the machine where the path was written. RViz accepts only package:// and file://
+    addresses.
     """
     robot = robot_in(project)
-    found = [
+    meshes = [
         mesh
         for mesh in (robot.meshes if robot else ())
         if _OF_ONE_MACHINE.match(mesh.filename) and is_known(mesh.filename) and mesh.at.span.text == mesh.filename
     ]
-    if found:
-        first = found[0]
-        more = f", and {len(found) - 1} more" if len(found) > 1 else ""
-        what = f"the mesh of {label('link', first.link)} is the absolute path '{first.filename}'{more}"
-        yield Finding(first.at, f"{what}; write package://PACKAGE/PATH", fix=in_packages(found))
+    if meshes:
+        first = meshes[0]
+        more = f" (and {len(meshes) - 1} more)" if len(meshes) > 1 else ""
+        problem = f"mesh of {label('link', first.link)} has the absolute path '{first.filename}'{more}"
+        yield Finding(first.at, f"{problem}; write package://PACKAGE/PATH", fix=in_packages(meshes))

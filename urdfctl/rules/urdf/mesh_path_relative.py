@@ -12,7 +12,7 @@ from urdfctl.rules.urdf.mesh_addresses import in_packages
 @rule(
     "UC152",
     severity=Severity.WARNING,
-    authority="resource_retriever asks libcurl for what is no package:// address: 'Could not load resource [...]'",
+    authority="resource_retriever passes any address but package:// to libcurl: 'Could not load resource [...]'",
     bad={
         "robot.urdf": """
             <link name="tool">
@@ -51,18 +51,18 @@ from urdfctl.rules.urdf.mesh_addresses import in_packages
     },
 )
 def mesh_path_relative(project: Project) -> Iterator[Finding]:
-    """A mesh is named by a relative path.
+    """Relative mesh path.
 
-    The description travels as a text, and nobody knows the folder that it came from: RViz shows no such mesh.
+    The description is passed on as text, without the folder that it came from, so RViz does not find the mesh.
     """
     robot = robot_in(project)
-    found = [
+    meshes = [
         mesh
         for mesh in (robot.meshes if robot else ())
         if mesh.filename and mesh.filename[0] not in "/~$" and ":" not in mesh.filename and is_known(mesh.filename)
     ]
-    if found:
-        first = found[0]
-        more = f", and {len(found) - 1} more" if len(found) > 1 else ""
-        what = f"the mesh of {label('link', first.link)} is the relative path '{first.filename}'{more}"
-        yield Finding(first.at, f"{what}; write package://PACKAGE/PATH", fix=in_packages(found))
+    if meshes:
+        first = meshes[0]
+        more = f" (and {len(meshes) - 1} more)" if len(meshes) > 1 else ""
+        problem = f"mesh of {label('link', first.link)} has the relative path '{first.filename}'{more}"
+        yield Finding(first.at, f"{problem}; write package://PACKAGE/PATH", fix=in_packages(meshes))

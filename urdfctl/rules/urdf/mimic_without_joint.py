@@ -37,16 +37,15 @@ from urdfctl.rules.common import label, robot_in
     },
 )
 def mimic_without_joint(project: Project) -> Iterator[Finding]:
-    """A <mimic> names no joint.
+    """<mimic> without a joint.
 
-    urdfdom gives no model for the whole robot. An empty name it takes, and the joint follows nothing.
+    urdfdom rejects the whole robot. It accepts an empty name, but the joint then follows nothing.
     """
     robot = robot_in(project)
     for joint in robot.joints if robot else ():
         if joint.mimic and joint.mimic.joint == "":
-            message = f"<mimic> of {label('joint', joint.name)} names no joint that it follows"
+            message = f"<mimic> of {label('joint', joint.name)} has an empty 'joint'; name the joint to follow"
             yield Finding(joint.mimic.at["joint"], message, severity=Severity.WARNING)
         elif joint.mimic and joint.mimic.joint is None:
-            yield Finding(
-                joint.mimic.at, f"<mimic> of {label('joint', joint.name)} has no 'joint': the joint that it follows"
-            )
+            message = f"<mimic> of {label('joint', joint.name)} has no 'joint'; name the joint to follow"
+            yield Finding(joint.mimic.at, message)

@@ -12,7 +12,7 @@ from urdfctl.rules.common import in_words, robot_in
 @rule(
     "UC118",
     severity=Severity.WARNING,
-    authority="urdfdom urdf_parser/src/joint.cpp parseJointMimic() takes any name, the joint's own too",
+    authority="urdfdom urdf_parser/src/joint.cpp parseJointMimic() accepts any name, even the joint's own",
     whole_robot=True,
     bad={
         "robot.urdf": """
@@ -38,9 +38,9 @@ from urdfctl.rules.common import in_words, robot_in
     },
 )
 def mimics_in_a_circle(project: Project) -> Iterator[Finding]:
-    """A joint mimics itself, directly or by way of others.
+    """Joint mimics itself, directly or through others.
 
-    Nothing leads such joints: joint_state_publisher and controllers find no value for them.
+    No joint leads the others, so joint_state_publisher and controllers find no value for them.
     """
     robot = robot_in(project)
     if robot is None:
@@ -48,13 +48,13 @@ def mimics_in_a_circle(project: Project) -> Iterator[Finding]:
     leaders = {joint.name: joint.mimic for joint in robot.joints if joint.name and joint.mimic}
     done: set[str] = set()
     for name in leaders:
-        way: dict[str, Mimic] = {}
+        path: dict[str, Mimic] = {}
         step = name
-        while step in leaders and step not in way and step not in done:
-            way[step] = leaders[step]
-            step = way[step].joint or ""
-        if step in way:
-            circle = list(way)[list(way).index(step) :]
-            told = "itself" if len(circle) == 1 else f"itself by way of {in_words(circle[1:])}"
-            yield Finding(way[step].at["joint"], f"joint '{step}' mimics {told}")
-        done.update(way)
+        while step in leaders and step not in path and step not in done:
+            path[step] = leaders[step]
+            step = path[step].joint or ""
+        if step in path:
+            loop = list(path)[list(path).index(step) :]
+            through = "" if len(loop) == 1 else f" through {in_words(loop[1:])}"
+            yield Finding(path[step].at["joint"], f"joint '{step}' mimics itself{through}")
+        done.update(path)

@@ -32,10 +32,10 @@ from urdfctl.rules.urdf.bodies import inertial_of, vanishing
     },
 )
 def moving_link_without_inertial(project: Project) -> Iterator[Finding]:
-    """A link that moves has no <inertial>, and none of the links that are fixed to it has one.
+    """Moving link without <inertial>.
 
-    Gazebo drops the link, its joint and everything below it, older versions without a word. Its control plugin then
-    knows no such joint. On real hardware nothing is lost.
+    No link that is fixed to it has an <inertial> either. Gazebo drops the link, its joint and everything below it;
+    older versions do so silently. Its control plugin then does not know the joint. Real hardware is not affected.
     """
     robot = whole_robot_in(project)
     if robot is None or not project.may_be_simulated:
@@ -44,11 +44,11 @@ def moving_link_without_inertial(project: Project) -> Iterator[Finding]:
         return
     lost = [body for body in vanishing(robot) if not any(inertial_of(link) for link in body.links)]
     if lost and not any(link.inertials for link in robot.links):
-        yield Finding(robot.at, "no link of the robot has an <inertial>: Gazebo drops all that moves")
+        yield Finding(robot.at, "no link of the robot has an <inertial>; Gazebo drops all moving links")
         return
     for body in lost:
-        told = f"with the {body.lost} joints from here on" if body.lost > 1 else "with its joint"
+        loss = f"and {body.lost} moving joints" if body.lost > 1 else "and its joint"
         joint = body.joint.name if body.joint else None
-        what = f"link '{body.head.name}' of joint '{joint}'" if joint else f"the root link '{body.head.name}'"
-        message = f"{what} has no <inertial>: Gazebo drops it, {told}"
+        link = f"link '{body.head.name}' of joint '{joint}'" if joint else f"root link '{body.head.name}'"
+        message = f"{link} has no <inertial>; Gazebo drops it {loss}"
         yield Finding(body.head.at["name"], message)

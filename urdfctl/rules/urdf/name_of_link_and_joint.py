@@ -32,10 +32,10 @@ from urdfctl.rules.urdf.tree import WORLD, parent_of
     },
 )
 def name_of_link_and_joint(project: Project) -> Iterator[Finding]:
-    """A joint has the name of a link.
+    """Joint has the same name as a link.
 
-    urdfdom takes it. Gazebo's sdformat keeps links and joints under one set of names, and refuses the model unless the
-    joint is a fixed one that vanishes.
+    urdfdom accepts it. In Gazebo's sdformat, links and joints share one set of names. It rejects the model, unless the
+    joint is fixed and disappears.
     """
     robot = robot_in(project)
     if robot is None or not project.may_be_simulated:
@@ -44,7 +44,7 @@ def name_of_link_and_joint(project: Project) -> Iterator[Finding]:
     for joint in robot.joints:
         link = links.get(joint.name)
         if joint.type == "fixed" and parent_of(joint) != WORLD:
-            continue  # it is lumped, and its name goes with it
+            continue  # sdformat lumps its links, and its name disappears
         if link is not None and joint.name and is_known(joint.name):
-            message = f"joint '{joint.name}' has the name of a link; Gazebo refuses that"
+            message = f"joint '{joint.name}' has the same name as a link, which Gazebo rejects; rename one of them"
             yield Finding(joint.at["name"], message, (Note("the link is here", link.at["name"]),))

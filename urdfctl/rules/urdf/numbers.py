@@ -1,4 +1,4 @@
-"""Which texts urdfdom reads as numbers and vectors, by version, and where in a joint or link it reads them."""
+"""Numbers and vectors in joints and links: where urdfdom reads them, and which texts each version accepts."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ALL, until
 from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Joint, Link, Robot
-from urdfctl.record import NamedTuple
 from urdfctl.rules.common import is_known, is_xacro
+from urdfctl.startup.records import NamedTuple
 
 LEXICAL_CAST = until("lunar")
-"""The distros whose urdfdom (up to 0.4) reads numbers by boost::lexical_cast: no blanks before them, but inf and nan."""
+"""Distros whose urdfdom (up to 0.4) uses boost::lexical_cast: it rejects leading blanks, and accepts inf and nan."""
 STREAM = tuple(distro for distro in ALL if distro not in LEXICAL_CAST)
-"""Those whose urdfdom (from 1.0 on) reads them from a stream: blanks before them, finite ones only."""
+"""Distros whose urdfdom (1.0 and later) reads a stream: it accepts leading blanks, and rejects inf and nan."""
 
 VECTOR = 3
 SMALLEST_NORMAL = 2.2250738585072014e-308
@@ -38,26 +38,30 @@ SHAPE_VECTORS = {"box": "size", "mesh": "scale"}
 
 
 class Field(NamedTuple):
-    """An attribute that urdfdom reads as `size` numbers, and its text as urdfdom gets it."""
+    """An attribute that urdfdom reads as one or more numbers."""
 
     element: Tag
+    """The element with the attribute."""
     attribute: str
+    """The attribute's name."""
     text: str
+    """The attribute's text, as urdfdom's XML reader returns it."""
     size: int
+    """How many numbers are expected."""
 
     @property
     def label(self) -> str:
-        """What a message calls it."""
+        """Return the attribute as messages name it: `'xyz' of <origin>`."""
         return f"'{self.attribute}' of <{self.element.name}>"
 
     @property
     def shown(self) -> str:
-        """Its text as a message shows it, on one line."""
+        """Return the text for messages, on one line."""
         return self.text.replace("\r", "").replace("\n", "\\n").replace("\t", "\\t")
 
     @property
     def values(self) -> list[float]:
-        """Its numbers, where all of its text is so many finite numbers; else none."""
+        """Return the numbers in the text; an empty list unless it is exactly `size` finite numbers."""
         pieces = self.text.split()
         if len(pieces) != self.size or not all(_DECIMAL.fullmatch(piece) for piece in pieces):
             return []
@@ -65,10 +69,10 @@ class Field(NamedTuple):
 
 
 def refusing(field: Field) -> tuple[str, ...]:
-    """The distros whose urdfdom does not read an attribute."""
+    """Return the distros whose urdfdom rejects the attribute."""
     if field.size == 1:
         return _refusing_number(field.text)
-    # vectors are split at blanks only: tabs and line ends stay in the pieces
+    # vectors are split at spaces only, so tabs and line breaks stay in the pieces
     pieces = [piece for piece in field.text.split(" ") if piece]
     if len(pieces) != field.size:
         return ALL
@@ -85,7 +89,7 @@ def _refusing_number(text: str) -> tuple[str, ...]:
 
 
 def fault_of(field: Field) -> str:
-    """What is wrong with an attribute that is refused, and what would be right."""
+    """Return why an attribute is rejected or what to change, as it follows a colon in a message."""
     return _fault_of_number(field.text) if field.size == 1 else _fault_of_vector(field)
 
 
@@ -93,30 +97,30 @@ def _fault_of_vector(field: Field) -> str:
     pieces = field.text.split()
     wrong = [piece for piece in pieces if not _DECIMAL.fullmatch(piece)]
     if "," in field.text:
-        return f"has commas; write {field.size} numbers with spaces between them"
+        return f"separate the {field.size} numbers with spaces, not commas"
     if len(pieces) != field.size:
-        return f"has {len(pieces)} numbers; {field.size} are read"
+        return f"expected {field.size} numbers, found {len(pieces)}"
     if wrong:
-        return f"holds '{wrong[0]}', which is not a number"
-    return "has a tab or line end; spaces stand between the numbers"
+        return f"'{wrong[0]}' is not a number"
+    return "separate the numbers with spaces, not tabs or line breaks"
 
 
 def _fault_of_number(text: str) -> str:
     if "${" in text or "$(" in text:
-        return "is a xacro expression, and nothing expands it in a plain URDF"
+        return "a xacro expression is not expanded in a plain URDF"
     if not text.strip():
-        return "is empty; a number is due"
+        return "expected a number"
     if _DECIMAL.fullmatch(text.strip()):
-        return "has a space or line end around the number"
+        return "remove the space or line break around the number"
     if _DECIMAL.fullmatch(text.replace(",", ".", 1)):
-        return "has a comma; the decimal mark is a point"
+        return "use a decimal point, not a comma"
     if _NOT_FINITE.fullmatch(text.strip()):
-        return "is not finite"
-    return "is not a number; plain decimals are read, without units or names"
+        return "expected a finite number"
+    return "expected a plain decimal number, without a unit or name"
 
 
-def mended(field: Field) -> tuple[str, bool] | None:
-    """The text that was surely meant (True) or most likely so; None where nobody can tell."""
+def corrected(field: Field) -> tuple[str, bool] | None:
+    """Return the corrected text, and True if it is certain; None if the text cannot be corrected."""
     pieces = field.text.split()
     if len(pieces) == field.size and all(_DECIMAL.fullmatch(piece) for piece in pieces):
         return " ".join(pieces), True
@@ -127,19 +131,21 @@ def mended(field: Field) -> tuple[str, bool] | None:
 
 
 def is_subnormal(field: Field) -> bool:
-    """Whether a number is so small that sdformat refuses what urdfdom took: below 2.2e-308."""
+    """Return whether a number is below 2.2e-308, which urdfdom accepts and sdformat rejects."""
     return any(0 < abs(value) < SMALLEST_NORMAL for value in field.values)
 
 
 class Numbers:
-    """Gives the attributes of one robot that are read as numbers and are not plainly some: of most nothing can be said,
-    and that is quickly seen."""
+    """Finds the attributes of one robot that are read as numbers but do not look like plain ones.
+
+    A quick pattern skips most attributes.
+    """
 
     def __init__(self, robot: Robot) -> None:
         self._raw = not is_xacro(robot) and bool(_BROKEN_ATTRIBUTE.search(robot.at.source.data))
 
     def of_joint(self, joint: Joint) -> Iterator[Field]:
-        """Those of a joint: urdfdom gives up the whole robot where it cannot read one."""
+        """Yield those of a joint. urdfdom rejects the whole robot if it cannot read one."""
         for element in _first_of_each(joint.tag):
             if element.name == "origin":
                 yield from self._pose(element)
@@ -149,7 +155,7 @@ class Numbers:
                 yield from self._of(element, JOINT_NUMBERS[element.name], 1)
 
     def of_link(self, link: Link) -> Iterator[tuple[Field, str]]:
-        """Those of a link's parts, each with the name of the part that urdfdom drops where it cannot read it."""
+        """Yield those of a link, each with the name of the part that urdfdom drops if it cannot read it."""
         inertial = next(link.tag.named("inertial"), None)
         if inertial is not None:
             for element in _first_of_each(inertial):
@@ -185,7 +191,7 @@ class Numbers:
                 yield Field(element, name, text, count)
 
     def _as_read(self, element: Tag, name: str, text: str) -> str:
-        """The text with its tabs and line ends: XML readers, and so xacro, make blanks of them, urdfdom's does not."""
+        """The text with its tabs and line breaks: xacro's XML reader turns them into spaces, urdfdom's does not."""
         if not self._raw or " " not in text:
             return text
         raw = element.at[name].span.text.replace("\r\n", "\n")
@@ -194,7 +200,7 @@ class Numbers:
 
 
 def _first_of_each(tag: Tag) -> Iterator[Tag]:
-    """The first child of each name: urdfdom does not look for a second one."""
+    """The first child of each name: urdfdom ignores the others."""
     seen = set()
     for child in tag.children:
         if child.name not in seen:

@@ -28,14 +28,15 @@ from urdfctl.rules.common import is_known, robot_in
     },
 )
 def reserved_name(project: Project) -> Iterator[Finding]:
-    """A link or joint has a name that begins and ends with two underscores.
+    """Reserved link or joint name.
 
-    sdformat keeps such names for itself, and Gazebo refuses the model.
+    sdformat reserves names that begin and end with two underscores, and Gazebo rejects the model.
     """
     robot = robot_in(project)
     if robot is None or not project.may_be_simulated:
         return
-    parts = [(part.name or "", part.at) for part in robot.links] + [(part.name or "", part.at) for part in robot.joints]
-    for name, at in parts:
+    parts = [("link", link.name or "", link.at) for link in robot.links]
+    parts += [("joint", joint.name or "", joint.at) for joint in robot.joints]
+    for kind, name, at in parts:
         if len(name) > 4 and name.startswith("__") and name.endswith("__") and is_known(name):  # noqa: PLR2004
-            yield Finding(at["name"], f"'{name}' is a name that Gazebo keeps for itself; take an underscore away")
+            yield Finding(at["name"], f"{kind} '{name}' has a name that Gazebo reserves; remove an underscore")

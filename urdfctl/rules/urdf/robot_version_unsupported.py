@@ -33,16 +33,16 @@ READING = since("galactic")
     },
 )
 def robot_version_unsupported(project: Project) -> Iterator[Finding]:
-    """A robot's `version` is not 1.0.
+    """Unsupported URDF version.
 
-    From galactic on urdfdom reads the attribute, which is the version of the format and not of the robot, and gives no
-    model for any other. Without the attribute it takes 1.0.
+    The attribute `version` is the version of the format, not of the robot. From galactic on, urdfdom rejects the robot
+    for any value but 1.0. Without the attribute it assumes 1.0.
     """
     robot = robot_in(project)
     if robot is None:
         return
     version = robot.version
     if version is not None and version != "1.0" and is_known(version):
-        message = f"'version' of <robot> is '{version}'; it is that of the format, and only '1.0' is supported"
+        message = f"'version' of <robot> must be '1.0', not '{version}'; it is the version of the URDF format"
         fix = replaced(robot.at["version"], version, "1.0")
         yield Finding(robot.at["version"], message, fix=fix, severity=severity_where(project, READING))

@@ -29,10 +29,10 @@ from urdfctl.rules.common import whole_robot_in
     },
 )
 def robot_without_links(project: Project) -> Iterator[Finding]:
-    """A robot has no link.
+    """Robot without links.
 
-    urdfdom gives no model for it. A xacro file without links is taken for a part that others include.
+    urdfdom rejects the robot. A xacro file without links is assumed to be a part that other files include.
     """
     robot = whole_robot_in(project)
     if robot is not None and not robot.links:
-        yield Finding(robot.at, "the robot has no <link>; it needs at least one")
+        yield Finding(robot.at, "the robot has no <link>; add at least one")

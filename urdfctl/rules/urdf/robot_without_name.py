@@ -29,9 +29,9 @@ from urdfctl.rules.common import whole_robot_in
     },
 )
 def robot_without_name(project: Project) -> Iterator[Finding]:
-    """A robot has no name.
+    """Robot without a name.
 
-    urdfdom gives no model then. An empty name it takes, but sdformat, and so Gazebo, does not.
+    urdfdom rejects the robot. It accepts an empty name, but sdformat, and so Gazebo, does not.
     """
     robot = whole_robot_in(project)
     if robot is None:
@@ -39,4 +39,4 @@ def robot_without_name(project: Project) -> Iterator[Finding]:
     if robot.name is None:
         yield Finding(robot.at, "<robot> has no 'name'")
     elif not robot.name:
-        yield Finding(robot.at["name"], "the robot's name is empty; Gazebo refuses it", severity=Severity.WARNING)
+        yield Finding(robot.at["name"], "<robot> has an empty 'name'; Gazebo rejects it", severity=Severity.WARNING)

@@ -29,10 +29,10 @@ from urdfctl.rule import Finding, Project, Severity, rule
     },
 )
 def root_element_not_robot(project: Project) -> Iterator[Finding]:
-    """The root element of a description is not <robot>.
+    """Root element is not <robot>.
 
-    urdfdom looks for <robot>, spelt just so, and finds no model in anything else.
+    urdfdom looks for exactly <robot>, and rejects a description with any other root element.
     """
     robot = project.robot
     if robot is not None and robot.element != "robot":
-        yield Finding(robot.at, f"the root element is <{robot.element}>; a description's is <robot>")
+        yield Finding(robot.at, f"root element is <{robot.element}>; it must be <robot>")

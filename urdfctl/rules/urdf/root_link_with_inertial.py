@@ -43,9 +43,9 @@ from urdfctl.rules.urdf.tree import Tree
     },
 )
 def root_link_with_inertial(project: Project) -> Iterator[Finding]:
-    """The root link has an <inertial>.
+    """Root link with <inertial>.
 
-    robot_state_publisher warns of it, and whoever computes dynamics by KDL loses this mass. For the rest it does no harm.
+    robot_state_publisher prints a warning, and dynamics computed with KDL ignore this mass. Nothing else is affected.
     """
     robot = whole_robot_in(project)
     if robot is None or not robot.joints:
@@ -53,6 +53,6 @@ def root_link_with_inertial(project: Project) -> Iterator[Finding]:
     roots = Tree(robot).roots
     if len(roots) == 1 and roots[0].inertials:
         root = roots[0]
-        message = f"the root link '{root.name}' has an <inertial>, which KDL leaves out"
-        fix = Fix(f"put a link without <inertial> above '{root.name}', joined by a fixed joint")
+        message = f"root link '{root.name}' has an <inertial>, which KDL ignores"
+        fix = Fix(f"add a root link without <inertial>, and connect '{root.name}' to it with a fixed joint")
         yield Finding(root.inertials[0].at, message, fix=fix)

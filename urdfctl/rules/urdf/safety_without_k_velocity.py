@@ -36,9 +36,9 @@ from urdfctl.rules.common import label, robot_in
     },
 )
 def safety_without_k_velocity(project: Project) -> Iterator[Finding]:
-    """A joint's <safety_controller> has no k_velocity.
+    """<safety_controller> without k_velocity.
 
-    urdfdom gives no model for the whole robot; the other attributes may be left out.
+    urdfdom rejects the whole robot. The other attributes are optional.
     """
     robot = robot_in(project)
     for joint in robot.joints if robot else ():

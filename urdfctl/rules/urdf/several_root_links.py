@@ -29,21 +29,22 @@ from urdfctl.rules.urdf.tree import Tree
     },
 )
 def several_root_links(project: Project) -> Iterator[Finding]:
-    """A link is the child of no joint, beside the one that is the root.
+    """More than one root link.
 
-    A robot is one tree with one root. urdfdom gives no model for two, however many joints are right.
+    A robot is one tree with one root link: the link that is not the child of any joint. urdfdom rejects a robot with
+    two, even if all its joints are valid.
     """
     robot = whole_robot_in(project)
     if robot is None:
         return
     tree = Tree(robot)
     if tree.has_unknown_ends:
-        return  # which link was meant is told there; urdfdom does not get as far as the root
+        return  # other rules report the unknown link; urdfdom fails there before it looks for the root
     roots = tree.roots
     if len(roots) < 2:  # noqa: PLR2004
         return
     main = max(roots, key=lambda link: len(tree.below(link.name or "")))
     for root in roots:
         if root is not main and root.name:
-            message = f"link '{root.name}' is the child of no joint, so it is a second root beside '{main.name}'"
-            yield Finding(root.at["name"], message, (Note(f"link '{main.name}' is a root too", main.at["name"]),))
+            message = f"link '{root.name}' is not the child of any joint, so it is a second root besides '{main.name}'"
+            yield Finding(root.at["name"], message, (Note(f"root link '{main.name}' is here", main.at["name"]),))

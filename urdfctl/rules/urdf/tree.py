@@ -1,4 +1,4 @@
-"""The tree that a robot's joints make of its links, as urdfdom builds it."""
+"""The tree of a robot's links and joints, as urdfdom builds it."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from collections.abc import Iterator
 from urdfctl.model.robot import Joint, Link, Robot
 
 WORLD = "world"
-"""The root link of this name is the ground that Gazebo fixes a robot to."""
+"""Gazebo treats a root link of this name as the ground."""
 
 
 class Tree:
-    """Links by name, each with the joint that it is the child of: the last one where there are several."""
+    """The links by name, each with its parent joint (the last one, if there are several) and child joints."""
 
     def __init__(self, robot: Robot) -> None:
         self.links: dict[str, Link] = {}
@@ -30,40 +30,40 @@ class Tree:
 
     @property
     def roots(self) -> list[Link]:
-        """The links that no joint has as its child."""
+        """Return the links that are not the child of any joint."""
         return [link for name, link in self.links.items() if name not in self.parents]
 
     def below(self, name: str) -> set[str]:
-        """The names of a link and of all links below it."""
-        found, pending = {name}, [name]
+        """Return the names of a link and of all links below it."""
+        names, pending = {name}, [name]
         while pending:
             for joint in self.children.get(pending.pop(), ()):
                 child = child_of(joint)
-                if child not in found:
-                    found.add(child)
+                if child not in names:
+                    names.add(child)
                     pending.append(child)
-        return found
+        return names
 
     def circles(self) -> Iterator[list[Joint]]:
-        """The joints of each circle, from parents to children."""
+        """Yield the joints of each loop, from parents to children."""
         done: set[str] = set()
         for name in self.links:
-            way: dict[str, Joint] = {}
+            path: dict[str, Joint] = {}
             step = name
-            while step in self.parents and step not in way and step not in done:
-                way[step] = self.parents[step]
-                step = parent_of(way[step])
-            if step in way:
-                joints = list(way.values())[list(way).index(step) :]
+            while step in self.parents and step not in path and step not in done:
+                path[step] = self.parents[step]
+                step = parent_of(path[step])
+            if step in path:
+                joints = list(path.values())[list(path).index(step) :]
                 yield joints[::-1]
-            done.update(way)
+            done.update(path)
 
 
 def parent_of(joint: Joint) -> str:
-    """The name of a joint's parent link; empty where there is none."""
+    """Return the name of a joint's parent link; empty if it has none."""
     return (joint.parent.name if joint.parent else None) or ""
 
 
 def child_of(joint: Joint) -> str:
-    """The name of a joint's child link; empty where there is none."""
+    """Return the name of a joint's child link; empty if it has none."""
     return (joint.child.name if joint.child else None) or ""

@@ -34,9 +34,9 @@ from urdfctl.rules.urdf.tree import child_of
     },
 )
 def unknown_link(project: Project) -> Iterator[Finding]:
-    """A joint's parent or child is no link of the robot.
+    """Unknown parent or child link.
 
-    urdfdom cannot build the tree and gives no model. Names are compared letter by letter, with their case and spaces.
+    urdfdom cannot build the tree and rejects the whole robot. Names must match exactly, including case and spaces.
     """
     robot = whole_robot_in(project)
     if robot is None:
@@ -45,14 +45,14 @@ def unknown_link(project: Project) -> Iterator[Finding]:
     places = {link.name: link.at for link in robot.links}
     children = {child_of(joint) for joint in robot.joints}
     for joint in robot.joints:
-        for what, end in (("parent", joint.parent), ("child", joint.child)):
+        for kind, end in (("parent", joint.parent), ("child", joint.child)):
             if end is None or not end.name or end.name in links or not is_known(end.name):
                 continue
             meant = links.meant_by(end.name)
-            message = f"{what} link '{end.name}' of {label('joint', joint.name)} is not defined"
-            if meant and what == "child" and meant not in children and _agrees(joint.name or "", end.name, meant):
-                at, note = places[meant]["name"], Note(f"the joint names '{end.name}'", end.at)
-                message += f"; is '{meant}', which is no joint's child, meant to be it?"
+            message = f"{kind} link '{end.name}' of {label('joint', joint.name)} is not defined"
+            if meant and kind == "child" and meant not in children and _agrees(joint.name or "", end.name, meant):
+                at, note = places[meant]["name"], Note(f"the joint names '{end.name}' here", end.at)
+                message += f"; is link '{meant}', which has no parent joint, misspelt?"
                 yield Finding(at, message, (note,), replaced(at, meant, end.name))
                 continue
             fix = replaced(end.at, end.name, meant) if meant else None
@@ -60,6 +60,6 @@ def unknown_link(project: Project) -> Iterator[Finding]:
 
 
 def _agrees(joint: str, written: str, link: str) -> bool:
-    """Whether a joint's name speaks for the link that it names, and not for the one that is defined."""
+    """Whether a joint's name matches the link that it names, but not the link that is defined."""
     stem = joint.removesuffix("_joint").removeprefix("joint_")
     return stem in written and stem not in link

@@ -12,7 +12,7 @@ from urdfctl.rules.urdf.common import known_part
 @rule(
     "UC117",
     severity=Severity.WARNING,
-    authority="urdfdom urdf_parser/src/joint.cpp parseJointMimic() takes any name; joint_state_publisher and ros2_control look it up",
+    authority="urdfdom urdf_parser/src/joint.cpp parseJointMimic() accepts any name; joint_state_publisher and ros2_control look it up",
     bad={
         "robot.urdf": """
             <link name="finger"/>
@@ -37,23 +37,23 @@ from urdfctl.rules.urdf.common import known_part
     },
 )
 def unknown_mimic_joint(project: Project) -> Iterator[Finding]:
-    """A joint mimics one that the robot does not have.
+    """Joint mimics an unknown joint.
 
-    urdfdom does not look. Whoever moves the joint finds nothing to follow: it stays where it is, or ros2_control refuses
-    the description.
+    urdfdom does not check it. The joint has nothing to follow: it stays where it is, or ros2_control rejects the
+    description.
     """
     robot = robot_in(project) if project.library else whole_robot_in(project)
     if robot is None or not (project.complete or project.library):
         return
     names = [joint.name or "" for joint in robot.joints]
     if not all(known_part(name) for name in names):
-        return  # a library's joint of any name
+        return  # a joint of the library may have any name
     joints = Names(names)
     for joint in robot.joints:
         mimic = joint.mimic
         if mimic is None or not mimic.joint or mimic.joint in joints or not known_part(mimic.joint):
             continue
         meant = joints.meant_by(mimic.joint)
-        message = f"{label('joint', joint.name)} mimics '{mimic.joint}', which is no joint"
+        message = f"{label('joint', joint.name)} mimics unknown joint '{mimic.joint}'"
         fix = replaced(mimic.at["joint"], mimic.joint, meant) if meant and is_known(meant) else None
         yield Finding(mimic.at["joint"], message + (f"; did you mean '{meant}'?" if meant else ""), fix=fix)

@@ -13,7 +13,7 @@ from urdfctl.rules.urdf.common import commanded_joints
 @rule(
     "UC131",
     severity=Severity.WARNING,
-    authority="joint_limits_interface bounds every command by the URDF's velocity; "
+    authority="joint_limits_interface limits every command to the URDF's velocity; "
     "ros2_control_demos#787: carlikebot's steering did not move in Gazebo",
     bad={
         "robot.urdf": """
@@ -47,11 +47,11 @@ from urdfctl.rules.urdf.common import commanded_joints
     },
 )
 def velocity_limit_zero(project: Project) -> Iterator[Finding]:
-    """A joint that is commanded has the velocity limit 0.
+    """Commanded joint has a velocity limit of 0.
 
-    Everything loads, and the joint never moves: no message tells why. An effort limit of 0 is another matter: many
-    well-kept robots have it, and position control does not ask for it. In a macro library nobody can see what commands
-    the joint; there it is one with an effort and a range.
+    Everything loads, but the joint never moves, and no message says why. An effort limit of 0 is not reported: many
+    well-kept robots have one, and position control does not use it. In a macro library it is unknown which joints are
+    commanded, so joints with an effort and a range are reported.
     """
     robot = robot_in(project)
     if robot is None:
@@ -62,14 +62,14 @@ def velocity_limit_zero(project: Project) -> Iterator[Finding]:
         if not velocity or velocity.value != 0 or not joint.moves:
             continue
         if joint.name in commanded and not joint.mimic:
-            message = f"the velocity limit of {label('joint', joint.name)} is 0, so it never moves, and it is commanded"
+            message = f"velocity limit of commanded {label('joint', joint.name)} is 0, so the joint never moves"
             yield Finding(velocity.at, message)
         elif project.library and joint.limit and _may_move(joint.limit):
-            message = f"the velocity limit of {label('joint', joint.name)} is 0: where it is commanded it never moves"
+            message = f"velocity limit of {label('joint', joint.name)} is 0; if commanded, the joint never moves"
             yield Finding(velocity.at, message)
 
 
 def _may_move(limit: Limit) -> bool:
-    """Whether the rest of a limit is that of a joint that is driven: it has an effort and a range."""
+    """Whether the limit looks like that of a driven joint: it has an effort and a range."""
     effort, lower, upper = (number.value if number else None for number in (limit.effort, limit.lower, limit.upper))
     return bool(effort) and lower is not None and upper is not None and lower < upper

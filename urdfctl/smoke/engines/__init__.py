@@ -1,4 +1,4 @@
-"""The physics engines that move a robot, each behind one small interface, and which of them are installed."""
+"""The physics engines, all behind one small interface, and which of them are installed."""
 
 from __future__ import annotations
 
@@ -7,24 +7,28 @@ from importlib import import_module
 from importlib.util import find_spec
 from typing import Protocol
 
-from urdfctl.record import NamedTuple
+from urdfctl.startup.records import NamedTuple
 
 STEP = 0.001
-"""Seconds of one step of simulation."""
+"""The duration of one simulation step, in s."""
 SLIDES, GRIPS = 0.1, 1.0
-"""The friction of what slides on the ground, as casters do, and of wheels."""
+"""The friction of parts that slide on the ground, like casters, and of wheels."""
 _MODULES = {"pybullet": "bullet", "mujoco": "mujoco_engine"}
 NAMES = tuple(_MODULES)
 
 
 class Refused(Exception):
-    """An engine does not take a robot; the text says why, in its own words."""
+    """An engine rejects a robot; the text quotes the engine."""
 
 
 class Setup(NamedTuple):
-    """What an engine is given: the URDF's text, its root link, whether that is fixed, the robot's movable joints with
-    the position of each at spawn, the links that gravity passes over, and those that are wheels; `gui` shows a
-    window."""
+    """The input of an engine.
+
+    `urdf` is the text of the URDF. `root` is its root link, and `fixed` whether that is fixed to the world. `start`
+    holds the movable joints with their positions at spawn. `weightless` are the links without gravity, and `wheels` the
+    links of wheels.
+    `gui` shows a window.
+    """
 
     urdf: str
     root: str
@@ -36,7 +40,7 @@ class Setup(NamedTuple):
 
 
 class Standing(NamedTuple):
-    """Where the base is, in m, and how it is turned, in rad."""
+    """The place of the base in m, and its rotation in rad."""
 
     x: float
     y: float
@@ -47,38 +51,38 @@ class Standing(NamedTuple):
 
 
 class Engine(Protocol):
-    """A robot in a simulation. A command holds until the next one of its joint."""
+    """A robot in a simulation. A command holds until the next one for the same joint."""
 
     def position(self, joint: str) -> float:
-        """Where a joint is, in rad or m."""
+        """Return the position of a joint, in rad or m."""
         raise NotImplementedError
 
     def velocity(self, joint: str) -> float:
-        """How fast it moves, in rad/s or m/s."""
+        """Return the velocity of a joint, in rad/s or m/s."""
         raise NotImplementedError
 
     def to_position(self, joint: str, position: float, effort: float, velocity: float) -> None:
-        """Drive a joint to a position, with no more than some effort and velocity."""
+        """Drive a joint to a position, with a maximum effort and velocity."""
         raise NotImplementedError
 
     def at_velocity(self, joint: str, velocity: float, effort: float) -> None:
-        """Turn a joint at a velocity, with no more than some effort."""
+        """Drive a joint at a velocity, with a maximum effort."""
         raise NotImplementedError
 
     def with_effort(self, joint: str, effort: float) -> None:
-        """Push a joint, in N m or N."""
+        """Push a joint with an effort, in N m or N."""
         raise NotImplementedError
 
     def step(self) -> None:
-        """Let STEP seconds pass."""
+        """Simulate STEP seconds."""
         raise NotImplementedError
 
     def standing(self) -> Standing:
-        """Where the base is."""
+        """Return the place and rotation of the base."""
         raise NotImplementedError
 
     def touching(self) -> set[str]:
-        """The links that touch the ground."""
+        """Return the links that touch the ground."""
         raise NotImplementedError
 
     def close(self) -> None:
@@ -87,11 +91,11 @@ class Engine(Protocol):
 
 
 def installed() -> tuple[str, ...]:
-    """The engines that are installed, the one to be preferred first."""
+    """Return the engines that are installed, the preferred one first."""
     return tuple(name for name in NAMES if find_spec(name) is not None)
 
 
-def opened(name: str, setup: Setup) -> Engine:
-    """A robot in an engine. Refused where it does not take it."""
-    made: Engine = import_module(f"{__name__}.{_MODULES[name]}").opened(setup)
-    return made
+def open_engine(name: str, setup: Setup) -> Engine:
+    """Return a robot in an engine. Raise Refused if the engine rejects it."""
+    engine: Engine = import_module(f"{__name__}.{_MODULES[name]}").open_engine(setup)
+    return engine

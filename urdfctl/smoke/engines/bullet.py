@@ -1,4 +1,4 @@
-"""pybullet: the engine for what rolls, and the faster one to start."""
+"""pybullet: the preferred engine for wheeled robots, and the one that starts faster."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ import os
 import tempfile
 import time
 
-from urdfctl.hints import Any
 from urdfctl.smoke.engines import GRIPS, SLIDES, STEP, Refused, Setup, Standing
+from urdfctl.startup.hints import Any
 
 MOST_JOINTS = 127
-"""More degrees of freedom it cannot take."""
+"""The maximum number of degrees of freedom."""
 _FREELY = 1e4
 
 
@@ -23,16 +23,16 @@ class Bullet:
         self._links: dict[int, str] = {}
         self._root = physics.getBodyInfo(robot, physicsClientId=client)[0].decode("utf-8", "replace")
         for index in range(physics.getNumJoints(robot, physicsClientId=client)):
-            about = physics.getJointInfo(robot, index, physicsClientId=client)
-            self._links[index] = about[12].decode("utf-8", "replace")
-            if about[2] in (physics.JOINT_REVOLUTE, physics.JOINT_PRISMATIC):
-                self._joints[about[1].decode("utf-8", "replace")] = index
+            info = physics.getJointInfo(robot, index, physicsClientId=client)
+            self._links[index] = info[12].decode("utf-8", "replace")
+            if info[2] in (physics.JOINT_REVOLUTE, physics.JOINT_PRISMATIC):
+                self._joints[info[1].decode("utf-8", "replace")] = index
         self._pushed: dict[int, float] = {}
         self._pause = 0.0
         self._carried: dict[int, float] = {}
 
     def prepare(self, setup: Setup) -> None:
-        """Put the joints where they start, and take away what pybullet adds of its own: motors, damping, bounds."""
+        """Set the start positions, and remove what pybullet adds by default: motors, damping, velocity limits."""
         physics, robot, client = self._physics, self._robot, self._client
         self._pause = STEP if setup.gui else 0.0
         for index in (-1, *self._links):
@@ -56,7 +56,7 @@ class Bullet:
             self._put_down()
 
     def _put_down(self) -> None:
-        """So that its lowest point is a millimetre above the ground."""
+        """Place the robot so that its lowest point is 1 mm above the ground."""
         physics, robot, client = self._physics, self._robot, self._client
         bounds = [
             physics.getAABB(robot, index, physicsClientId=client)[0][2]
@@ -79,17 +79,17 @@ class Bullet:
         )
 
     def position(self, joint: str) -> float:
-        """Where a joint is, in rad or m."""
+        """Return the position of a joint, in rad or m."""
         state = self._physics.getJointState(self._robot, self._joints[joint], physicsClientId=self._client)
         return float(state[0])
 
     def velocity(self, joint: str) -> float:
-        """How fast it moves, in rad/s or m/s."""
+        """Return the velocity of a joint, in rad/s or m/s."""
         state = self._physics.getJointState(self._robot, self._joints[joint], physicsClientId=self._client)
         return float(state[1])
 
     def to_position(self, joint: str, position: float, effort: float, velocity: float) -> None:
-        """Drive a joint to a position, with no more than some effort and velocity."""
+        """Drive a joint to a position, with a maximum effort and velocity."""
         index = self._joints[joint]
         self._pushed.pop(index, None)
         self._physics.setJointMotorControl2(
@@ -103,19 +103,19 @@ class Bullet:
         )
 
     def at_velocity(self, joint: str, velocity: float, effort: float) -> None:
-        """Turn a joint at a velocity, with no more than some effort."""
+        """Drive a joint at a velocity, with a maximum effort."""
         self._pushed.pop(self._joints[joint], None)
         self._motor(self._joints[joint], velocity, effort)
 
     def with_effort(self, joint: str, effort: float) -> None:
-        """Push a joint, in N m or N."""
+        """Push a joint with an effort, in N m or N."""
         index = self._joints[joint]
         if index not in self._pushed:
             self._motor(index, 0.0, 0.0)
         self._pushed[index] = effort
 
     def step(self) -> None:
-        """Let STEP seconds pass. An effort pushes for one step only, in pybullet, so it is given again."""
+        """Simulate STEP seconds. In pybullet an effort lasts for one step, so it is applied at each step."""
         physics, robot, client = self._physics, self._robot, self._client
         if self._pushed:
             physics.setJointMotorControlArray(
@@ -134,12 +134,12 @@ class Bullet:
             time.sleep(self._pause)
 
     def standing(self) -> Standing:
-        """Where the base is."""
+        """Return the place and rotation of the base."""
         place, turn = self._physics.getBasePositionAndOrientation(self._robot, physicsClientId=self._client)
         return Standing(*place, *self._physics.getEulerFromQuaternion(turn))
 
     def touching(self) -> set[str]:
-        """The links that touch the ground."""
+        """Return the links that touch the ground."""
         contacts = self._physics.getContactPoints(self._robot, self._plane, physicsClientId=self._client)
         return {self._links.get(contact[3], self._root) for contact in contacts or ()}
 
@@ -148,10 +148,10 @@ class Bullet:
         self._physics.disconnect(physicsClientId=self._client)
 
 
-def opened(setup: Setup) -> Bullet:
-    """A robot in pybullet. Refused where it cannot take it."""
+def open_engine(setup: Setup) -> Bullet:
+    """Return a robot in pybullet. Raise Refused if pybullet rejects it."""
     if len(setup.start) > MOST_JOINTS:
-        raise Refused(f"pybullet takes {MOST_JOINTS} joints that move, and it has {len(setup.start)}")
+        raise Refused(f"it has {len(setup.start)} movable joints, and the limit is {MOST_JOINTS}")
     import pybullet
 
     client = pybullet.connect(pybullet.GUI if setup.gui else pybullet.DIRECT)
@@ -162,7 +162,7 @@ def opened(setup: Setup) -> Bullet:
         shape = pybullet.createCollisionShape(pybullet.GEOM_PLANE, physicsClientId=client)
         plane = pybullet.createMultiBody(0, shape, physicsClientId=client)
         pybullet.changeDynamics(plane, -1, lateralFriction=1.0, physicsClientId=client)
-    # a file of its own each time: pybullet remembers files by their names
+    # a new file name each time: pybullet caches files by name
     with tempfile.TemporaryDirectory(prefix="urdfctl-") as folder:
         path = os.path.join(folder, "robot.urdf")
         with open(path, "w", encoding="utf-8") as file:
@@ -172,7 +172,7 @@ def opened(setup: Setup) -> Bullet:
             robot = pybullet.loadURDF(path, useFixedBase=setup.fixed, flags=flags, physicsClientId=client)
         except pybullet.error as error:
             pybullet.disconnect(physicsClientId=client)
-            raise Refused(f"pybullet says: {error}") from None
-    made = Bullet(pybullet, client, robot, plane)
-    made.prepare(setup)
-    return made
+            raise Refused(str(error)) from None
+    engine = Bullet(pybullet, client, robot, plane)
+    engine.prepare(setup)
+    return engine

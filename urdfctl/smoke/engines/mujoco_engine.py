@@ -1,21 +1,21 @@
-"""MuJoCo: the second engine; it takes any number of joints, never dies, and names what it does not like.
+"""MuJoCo: the second engine. It accepts any number of joints, never crashes, and names the element that it rejects.
 
-It has no motors of its own for a URDF: a joint is driven by what moves its own inertia to where it should be, with the
-weight on it carried, as far as its effort goes.
+It has no motors for a URDF. A joint is driven by the effort that accelerates its own inertia and carries its weight, up
+to its effort limit.
 """
 
 from __future__ import annotations
 
 import math
 
-from urdfctl.hints import Any
 from urdfctl.smoke.engines import GRIPS, SLIDES, STEP, Refused, Setup, Standing
 from urdfctl.smoke.prepare import quoted
+from urdfctl.startup.hints import Any
 
 STIFF = 60.0
-"""How fast a driven joint goes where it should, in 1/s."""
+"""The rate at which a driven joint approaches its target position, in 1/s."""
 GRIP = 10.0
-"""How stiffly a velocity is held: the joint by itself comes nearly there in a step."""
+"""The stiffness of holding a velocity: a free joint nearly reaches it in one step."""
 _GROUND = "urdfctl:ground"
 _COMPILER = (
     '<mujoco><compiler balanceinertia="true" boundmass="1e-6" boundinertia="1e-9" discardvisual="true" '
@@ -34,14 +34,14 @@ class Mujoco:
         moving = [n for n in names if not names[n].startswith(_GROUND)]
         self._places = {names[n]: int(model.jnt_qposadr[n]) for n in moving}
         self._ways = {names[n]: int(model.jnt_dofadr[n]) for n in moving}
-        # rows of the lower half of the mass matrix, each ending on the diagonal
+        # the rows of the lower half of the mass matrix, each of which ends on the diagonal
         ends = {name: int(model.M_rowadr[way]) + int(model.M_rownnz[way]) - 1 for name, way in self._ways.items()}
         self._diagonal = ends
         self._damping = {name: float(model.dof_damping[way]) for name, way in self._ways.items()}
         self._commands: dict[str, tuple[str, float, float, float]] = {}
 
     def prepare(self, setup: Setup) -> None:
-        """Put the joints where they start, and the robot on the ground."""
+        """Set the start positions, and place the robot on the ground."""
         for name, position in setup.start.items():
             if name in self._places:
                 self._data.qpos[self._places[name]] = position
@@ -63,27 +63,27 @@ class Mujoco:
         self._library.mj_forward(model, data)
 
     def position(self, joint: str) -> float:
-        """Where a joint is, in rad or m."""
+        """Return the position of a joint, in rad or m."""
         return float(self._data.qpos[self._places[joint]])
 
     def velocity(self, joint: str) -> float:
-        """How fast it moves, in rad/s or m/s."""
+        """Return the velocity of a joint, in rad/s or m/s."""
         return float(self._data.qvel[self._ways[joint]])
 
     def to_position(self, joint: str, position: float, effort: float, velocity: float) -> None:
-        """Drive a joint to a position, with no more than some effort and velocity."""
+        """Drive a joint to a position, with a maximum effort and velocity."""
         self._commands[joint] = "position", position, effort, velocity
 
     def at_velocity(self, joint: str, velocity: float, effort: float) -> None:
-        """Turn a joint at a velocity, with no more than some effort."""
+        """Drive a joint at a velocity, with a maximum effort."""
         self._commands[joint] = "velocity", velocity, effort, math.inf
 
     def with_effort(self, joint: str, effort: float) -> None:
-        """Push a joint, in N m or N."""
+        """Push a joint with an effort, in N m or N."""
         self._commands[joint] = "effort", effort, math.inf, math.inf
 
     def step(self) -> None:
-        """Let STEP seconds pass."""
+        """Simulate STEP seconds."""
         model, data = self._model, self._data
         for joint, (kind, value, effort, most) in self._commands.items():
             way = self._ways[joint]
@@ -98,7 +98,7 @@ class Mujoco:
         self._library.mj_step(model, data)
 
     def _servo(self, joint: str, wanted: float, effort: float) -> tuple[float, float]:
-        """What turns a joint at a velocity: an effort, and a damping that the engine takes care to be stable with."""
+        """The effort and the damping that drive a joint at a velocity; the engine keeps damping stable."""
         data, way = self._data, self._ways[joint]
         grip = float(data.M[self._diagonal[joint]]) / STEP * GRIP
         weight = float(data.qfrc_bias[way])
@@ -110,32 +110,32 @@ class Mujoco:
         return grip * wanted + weight, grip
 
     def standing(self) -> Standing:
-        """Where the base is."""
+        """Return the place and rotation of the base."""
         x, y, z = (float(part) for part in self._data.xpos[self._root])
         turn = self._data.xmat[self._root].reshape(3, 3)
         roll = math.atan2(turn[2, 1], turn[2, 2])
         pitch = math.asin(max(-1.0, min(1.0, -turn[2, 0])))
-        return Standing(x, y, z, roll, pitch, math.atan2(turn[1, 0], turn[0, 0]))
+        return Standing(x=x, y=y, z=z, roll=roll, pitch=pitch, yaw=math.atan2(turn[1, 0], turn[0, 0]))
 
     def touching(self) -> set[str]:
-        """The links that touch the ground."""
+        """Return the links that touch the ground."""
         library, model = self._library, self._model
-        found = set()
+        touching = set()
         for contact in self._data.contact:
             bodies = [int(model.geom_bodyid[shape]) for shape in contact.geom]
             if 0 in bodies:
-                found |= {library.mj_id2name(model, library.mjtObj.mjOBJ_BODY, body) for body in bodies if body}
-        return found
+                touching |= {library.mj_id2name(model, library.mjtObj.mjOBJ_BODY, body) for body in bodies if body}
+        return touching
 
     def close(self) -> None:
-        """Nothing is open."""
+        """Do nothing: MuJoCo keeps nothing open."""
 
 
-def opened(setup: Setup) -> Mujoco:
-    """A robot in MuJoCo. Refused where it does not take it, with the element that it names."""
+def open_engine(setup: Setup) -> Mujoco:
+    """Return a robot in MuJoCo. Raise Refused with the element that MuJoCo names if it rejects the robot."""
     import mujoco
 
-    # by itself it writes MUJOCO_LOG.TXT where the user stands
+    # by default it writes MUJOCO_LOG.TXT to the working directory
     mujoco.set_mju_user_warning(lambda _: None)
     above = f'<link name="{_GROUND}"/><joint name="{_GROUND}" type="fixed"><parent link="{_GROUND}"/>'
     above += f"<child link={quoted(setup.root)}/></joint>"
@@ -143,7 +143,7 @@ def opened(setup: Setup) -> Mujoco:
     try:
         spec = mujoco.MjSpec.from_string(text)
         spec.option.timestep = STEP
-        spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC  # the other one lets wheels slip sideways
+        spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC  # the pyramidal cone lets wheels slip sideways
         if not setup.fixed:
             _set_free(mujoco, spec.body(setup.root))
             spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_PLANE, size=[0, 0, 1])
@@ -157,14 +157,14 @@ def opened(setup: Setup) -> Mujoco:
             spec.body(name).gravcomp = 1.0
         model = spec.compile()
     except (ValueError, AttributeError) as error:
-        raise Refused(f"MuJoCo says: {str(error).strip()}") from None
-    made = Mujoco(mujoco, model, mujoco.MjData(model), setup.root)
-    made.prepare(setup)
-    return made
+        raise Refused(str(error).strip()) from None
+    engine = Mujoco(mujoco, model, mujoco.MjData(model), setup.root)
+    engine.prepare(setup)
+    return engine
 
 
 def _set_free(library: Any, body: Any) -> None:
-    """Let a body go anywhere: three slides come first in its coordinates, then a ball."""
+    """Let a body move freely: its coordinates begin with three slide joints, followed by a ball joint."""
     for axis, way in zip("xyz", ((1, 0, 0), (0, 1, 0), (0, 0, 1)), strict=True):
         body.add_joint(name=f"{_GROUND}:{axis}", type=library.mjtJoint.mjJNT_SLIDE, axis=way)
     body.add_joint(name=f"{_GROUND}:turn", type=library.mjtJoint.mjJNT_BALL)

@@ -1,1 +1,1 @@
-"""Launch files of ROS 2, in Python, XML and YAML, as the same terms: what they would do, without doing it."""
+"""ROS 2 launch files in Python, XML and YAML, read into the same terms without running them."""

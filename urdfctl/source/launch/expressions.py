@@ -1,4 +1,4 @@
-"""What an expression of a launch file in Python stands for."""
+"""Evaluate the expressions of a launch file in Python."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ import ast
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
-from urdfctl.hints import TYPE_CHECKING, Any
-from urdfctl.source.launch.operations import binary, compared, item_of, method, shown, text_at, truth
+from urdfctl.source.launch.frames import Frame, add, append, bound, extend
+from urdfctl.source.launch.operations import binary, compared, item_of, method, shown, slice_of, text_at, truth
 from urdfctl.source.launch.terms import (
     MOST_ITEMS,
     Called,
@@ -29,26 +29,46 @@ from urdfctl.source.launch.terms import (
     perhaps,
 )
 from urdfctl.source.opaque import UNKNOWN
-from urdfctl.source.span import Place
-
-if TYPE_CHECKING:
-    from urdfctl.source.launch.python import Run, Surroundings, _Frame
+from urdfctl.source.span import BOM, Place, SourceText
+from urdfctl.startup.hints import Any
 
 _SHARE = frozenset({"get_package_share_directory", "get_package_share_path"})
+_FINDING = frozenset({"FindPackageShare", "FindPackage", "FindPackagePrefix"})
 _PATHS = frozenset({"Path", "PosixPath", "str", "fspath", "abspath", "realpath", "expanduser", "normpath"})
 _ENVIRONMENT = frozenset({"os.getenv", "os.environ.get"})
 _GROWING = frozenset({"add_action", "add_entity"})
+_LOADING = frozenset({"yaml.safe_load", "yaml.load", "yaml.full_load"})
 _LISTS = frozenset({"list", "tuple", "sorted"})
+_MOST_STEPS = 100_000
+_MOST_DEPTH = 100
+_MOST_CALLS = 20
 
 
 class Evaluation:
-    """Evaluates expressions in a frame; `frame` is that of the function that is being followed."""
+    """Evaluates expressions of one launch file to terms, within limits of steps and nesting.
 
-    def __init__(self, run: Run, surroundings: Surroundings) -> None:
-        self.run = run
-        self.surroundings = surroundings
-        self.frame: _Frame | None = None
-        self._kinds: dict[type[ast.expr], Callable[[Any, _Frame], Term]] = {
+    source: the file.
+    frame: the frame of the current function call; None outside of calls.
+    context: the launch context of the current call of an OpaqueFunction; None outside of one.
+    find, environ, yaml: see `python.Surroundings`.
+    outer: the evaluation of the file that imports this one; None for a launch file.
+    member: returns what a full name means in the modules of the workspace; None if it is not there.
+    """
+
+    def __init__(
+        self, source: SourceText, find: Callable[[str, Place], str | None], environ: Mapping[str, str]
+    ) -> None:
+        self.source = source
+        self.frame: Frame | None = None
+        self.context: Context | None = None
+        self.outer: Evaluation | None = None
+        self.member: Callable[[str], Term | None] = lambda _: None
+        self.yaml: Callable[[str], Term | None] = lambda _: None
+        self._find = find
+        self._environ = environ
+        self.steps = 0
+        self.depth = 0
+        self._kinds: dict[type[ast.expr], Callable[[Any, Frame], Term]] = {
             ast.Constant: self._constant,
             ast.Name: self._name,
             ast.Attribute: self._attribute,
@@ -72,14 +92,36 @@ class Evaluation:
             ast.NamedExpr: self._named,
         }
 
-    def of(self, node: ast.expr, frame: _Frame) -> Term:
-        """What an expression stands for."""
-        kind = self._kinds.get(type(node))
-        return kind(node, frame) if kind else Missing(self.run.at(node))
+    def at(self, node: ast.expr | ast.stmt) -> Place:
+        """Return the place of a node, from its first to its last byte."""
+        starts = self.source.line_starts()
+        bom = len(BOM) if self.source.data.startswith(BOM) else 0
+
+        def offset(line: int, column: int) -> int:
+            return starts[min(line, len(starts)) - 1] + column + (bom if line == 1 else 0)
+
+        end = offset(node.end_lineno or node.lineno, node.end_col_offset or node.col_offset)
+        return Place(self.source, offset(node.lineno, node.col_offset), end=end)
+
+    def may_go_on(self) -> bool:
+        """Count a step, and return whether the limits of steps and of nesting allow it."""
+        self.steps += 1
+        return self.steps < _MOST_STEPS and self.depth < _MOST_DEPTH
+
+    def value(self, node: ast.expr, frame: Frame) -> Term:
+        """Return the term of an expression."""
+        if not self.may_go_on():
+            return Missing(self.at(node))
+        evaluate = self._kinds.get(type(node))
+        self.depth += 1
+        try:
+            return evaluate(node, frame) if evaluate else Missing(self.at(node))
+        finally:
+            self.depth -= 1
 
     @staticmethod
     def listed(term: Term) -> list[Term] | None:
-        """What a loop over a term goes through; None where that is not known."""
+        """Return the items that a loop over a term visits; None if unknown."""
         if isinstance(term, Items):
             return list(term.values)
         if isinstance(term, Table):
@@ -87,83 +129,144 @@ class Evaluation:
             return keys if term.whole else [*keys, Perhaps(Missing(term.at), term.at)]
         return None
 
+    def bind(self, target: ast.expr, value: Term, frame: Frame) -> None:
+        """Assign a term to the target of an assignment or a loop."""
+        if isinstance(target, ast.Name):
+            frame.names[target.id] = value
+        elif isinstance(target, (ast.Tuple, ast.List)):
+            items = self.listed(value)
+            known = items is not None and len(items) == len(target.elts)
+            for index, element in enumerate(target.elts):
+                self.bind(element, items[index] if items and known else Missing(self.at(target)), frame)
+        elif isinstance(target, ast.Subscript):
+            table = self.value(target.value, frame)
+            if isinstance(table, Table):
+                key = self.value(target.slice, frame)
+                table.put(key, value if frame.sure else one_of([value, Missing(self.at(target))], self.at(target)))
+        elif isinstance(target, ast.Starred):
+            self.bind(target.value, Missing(self.at(target)), frame)
+
+    # -- functions ---------------------------------------------------------------------------------------------------
+
+    def function(
+        self, name: str, node: ast.FunctionDef | ast.Lambda, frame: Frame, body: Callable[[Frame], Term]
+    ) -> Function:
+        """Return the term of a function that the file defines.
+
+        frame: the frame in which it is defined.
+        body: returns what the function's body returns in the frame of a call.
+        """
+        given = node.args
+        defaults = [self.value(default, frame) for default in given.defaults]
+        keyword_defaults = [None if default is None else self.value(default, frame) for default in given.kw_defaults]
+        at = self.at(node)
+
+        def call(arguments: Sequence[Term], keywords: Mapping[str, Term], context: Context | None) -> Term:
+            names = bound(given, arguments, keywords, at)
+            positional = [*given.posonlyargs, *given.args]
+            for parameter, default in zip(positional[len(positional) - len(defaults) :], defaults, strict=True):
+                names.setdefault(parameter.arg, default)
+            for parameter, keyword_default in zip(given.kwonlyargs, keyword_defaults, strict=True):
+                names.setdefault(parameter.arg, keyword_default or Missing(at))
+            for parameter in positional:
+                names.setdefault(parameter.arg, Missing(at))
+            return self._call_in(Frame(names, frame), body, context, at)
+
+        return Function(name, call, at)
+
+    def _call_in(self, frame: Frame, body: Callable[[Frame], Term], context: Context | None, at: Place) -> Term:
+        outer = self.context
+        self.context = context or outer
+        caller, self.frame = self.frame, frame
+        frame.calls = caller.calls + 1 if caller else 0
+        frame.sure = context is not None or caller is None or caller.sure
+        try:
+            return body(frame) if frame.calls <= _MOST_CALLS else Missing(at)
+        finally:
+            self.context, self.frame = outer, caller
+
     # -- literals ----------------------------------------------------------------------------------------------------
 
-    def _constant(self, node: ast.Constant, _: _Frame) -> Term:
-        at = self.run.at(node)
+    def _constant(self, node: ast.Constant, _: Frame) -> Term:
+        at = self.at(node)
         value = node.value
         if isinstance(value, str):
             return text_at(value, _inside(at, value))
         return Constant(value, at) if value is None or isinstance(value, (bool, int, float)) else Missing(at)
 
-    def _list(self, node: ast.List | ast.Tuple | ast.Set, frame: _Frame) -> Term:
-        return Items(list(self._spread(node.elts, frame)), self.run.at(node))
+    def _list(self, node: ast.List | ast.Tuple | ast.Set, frame: Frame) -> Term:
+        return Items(list(self._spread(node.elts, frame)), self.at(node))
 
-    def _spread(self, nodes: Sequence[ast.expr], frame: _Frame) -> Iterator[Term]:
+    def _spread(self, nodes: Sequence[ast.expr], frame: Frame) -> Iterator[Term]:
         for node in nodes[:MOST_ITEMS]:
             if isinstance(node, ast.Starred):
-                value = self.run.value(node.value, frame)
+                value = self.value(node.value, frame)
                 listed = self.listed(value)
                 yield from listed if listed is not None else [Perhaps(Missing(value.at), value.at)]
             else:
-                yield self.run.value(node, frame)
+                yield self.value(node, frame)
 
-    def _dict(self, node: ast.Dict, frame: _Frame) -> Term:
-        table = Table(self.run.at(node))
+    def _dict(self, node: ast.Dict, frame: Frame) -> Term:
+        table = Table(self.at(node))
         for key, item in zip(node.keys, node.values, strict=True):
-            value = self.run.value(item, frame)
+            value = self.value(item, frame)
             if key is not None:
-                table.put(self.run.value(key, frame), value)
+                table.put(self.value(key, frame), value)
             elif isinstance(value, Table):
                 table.take(value)
             else:
                 table.whole = False
         return table
 
-    def _joined(self, node: ast.JoinedStr, frame: _Frame) -> Term:
+    def _joined(self, node: ast.JoinedStr, frame: Frame) -> Term:
         texts = []
         for part in node.values:
             if isinstance(part, ast.FormattedValue):
                 plain = part.format_spec is None and part.conversion in {-1, ord("s")}
-                texts.append(shown(self.run.value(part.value, frame)) if plain else UNKNOWN)
+                texts.append(shown(self.value(part.value, frame)) if plain else UNKNOWN)
             elif isinstance(part, ast.Constant):
                 texts.append(str(part.value))
-        return text_at("".join(texts), self.run.at(node))
+        return text_at("".join(texts), self.at(node))
 
-    def _lambda(self, node: ast.Lambda, frame: _Frame) -> Term:
-        return self.run.function("lambda", node, node.args, frame)
+    def _lambda(self, node: ast.Lambda, frame: Frame) -> Term:
+        return self.function("lambda", node, frame, lambda inner: self.value(node.body, inner))
 
     # -- names -------------------------------------------------------------------------------------------------------
 
-    def _name(self, node: ast.Name, frame: _Frame) -> Term:
-        at = self.run.at(node)
+    def _name(self, node: ast.Name, frame: Frame) -> Term:
+        at = self.at(node)
         if node.id == "__file__":
-            return Constant(os.path.abspath(self.run.source.path), at)
-        found = frame.find(node.id)
-        return Name(node.id, at) if found is None else found
+            return Constant(os.path.abspath(self.source.path), at)
+        term = frame.find(node.id)
+        return Name(node.id, at) if term is None else term
 
-    def _named(self, node: ast.NamedExpr, frame: _Frame) -> Term:
-        value = self.run.value(node.value, frame)
-        self.run.bind(node.target, value, frame)
+    def _named(self, node: ast.NamedExpr, frame: Frame) -> Term:
+        value = self.value(node.value, frame)
+        self.bind(node.target, value, frame)
         return value
 
-    def _attribute(self, node: ast.Attribute, frame: _Frame) -> Term:
-        of = self.run.value(node.value, frame)
-        at = self.run.at(node)
+    def _attribute(self, node: ast.Attribute, frame: Frame) -> Term:
+        of = self.value(node.value, frame)
+        at = self.at(node)
+        if isinstance(of, Name) and (of.path, node.attr) == ("sys", "argv"):
+            return Items([Constant(word, at) for word in ("ros2", "launch", self.source.path)], at)
         if isinstance(of, Name):
-            return Name(f"{of.path}.{node.attr}", at)
+            path = f"{of.path}.{node.attr}"
+            return self.member(path) or Name(path, at)
         if isinstance(of, Constant) and isinstance(of.value, str):
             if node.attr == "parent":
                 return Constant(os.path.dirname(of.value), at)
             return Constant(os.path.basename(of.value), at) if node.attr == "name" else Missing(at)
         return Member(of, node.attr, at)
 
-    def _subscript(self, node: ast.Subscript, frame: _Frame) -> Term:
-        of = self.run.value(node.value, frame)
-        at = self.run.at(node)
+    def _subscript(self, node: ast.Subscript, frame: Frame) -> Term:
+        of = self.value(node.value, frame)
+        at = self.at(node)
         if isinstance(node.slice, ast.Slice):
-            return Missing(at)
-        key = self.run.value(node.slice, frame)
+            part = node.slice
+            bounds = [self.value(bound, frame) if bound else None for bound in (part.lower, part.upper)]
+            return Missing(at) if part.step else slice_of(of, bounds[0], bounds[1], at)
+        key = self.value(node.slice, frame)
         if isinstance(of, Name) and of.path == "os.environ":
             return self._environment([key], at)
         if isinstance(of, Member) and of.name == "launch_configurations":
@@ -174,24 +277,24 @@ class Evaluation:
 
     # -- operators ---------------------------------------------------------------------------------------------------
 
-    def _binary(self, node: ast.BinOp, frame: _Frame) -> Term:
-        left = self.run.value(node.left, frame)
-        return binary(node.op, left, self.run.value(node.right, frame), self.run.at(node))
+    def _binary(self, node: ast.BinOp, frame: Frame) -> Term:
+        left = self.value(node.left, frame)
+        return binary(node.op, left, self.value(node.right, frame), self.at(node))
 
-    def _bool(self, node: ast.BoolOp, frame: _Frame) -> Term:
+    def _bool(self, node: ast.BoolOp, frame: Frame) -> Term:
         decisive = isinstance(node.op, ast.Or)
         doubtful: list[Term] = []
         for part in node.values:
-            value = self.run.value(part, frame)
+            value = self.value(part, frame)
             held = truth(value)
             if held is None:
                 doubtful.append(value)
             elif held is decisive or part is node.values[-1]:
-                return one_of([*doubtful, value], self.run.at(node)) if doubtful else value
-        return one_of(doubtful, self.run.at(node)) if doubtful else Missing(self.run.at(node))
+                return one_of([*doubtful, value], self.at(node)) if doubtful else value
+        return one_of(doubtful, self.at(node)) if doubtful else Missing(self.at(node))
 
-    def _unary(self, node: ast.UnaryOp, frame: _Frame) -> Term:
-        value, at = self.run.value(node.operand, frame), self.run.at(node)
+    def _unary(self, node: ast.UnaryOp, frame: Frame) -> Term:
+        value, at = self.value(node.operand, frame), self.at(node)
         if isinstance(node.op, ast.Not):
             held = truth(value)
             return Missing(at) if held is None else Constant(not held, at)
@@ -200,87 +303,91 @@ class Evaluation:
             return Constant(-number, at)
         return Missing(at)
 
-    def _compare(self, node: ast.Compare, frame: _Frame) -> Term:
-        at = self.run.at(node)
+    def _compare(self, node: ast.Compare, frame: Frame) -> Term:
+        at = self.at(node)
         if len(node.ops) != 1:
             return Missing(at)
-        left = self.run.value(node.left, frame)
-        return compared(node.ops[0], left, self.run.value(node.comparators[0], frame), at)
+        left = self.value(node.left, frame)
+        return compared(node.ops[0], left, self.value(node.comparators[0], frame), at)
 
-    def _either(self, node: ast.IfExp, frame: _Frame) -> Term:
-        held = truth(self.run.value(node.test, frame))
+    def _either(self, node: ast.IfExp, frame: Frame) -> Term:
+        held = truth(self.value(node.test, frame))
         if held is not None:
-            return self.run.value(node.body if held else node.orelse, frame)
-        return one_of([self.run.value(node.body, frame), self.run.value(node.orelse, frame)], self.run.at(node))
+            return self.value(node.body if held else node.orelse, frame)
+        return one_of([self.value(node.body, frame), self.value(node.orelse, frame)], self.at(node))
 
     # -- comprehensions ----------------------------------------------------------------------------------------------
 
-    def _comprehension(self, node: ast.ListComp | ast.GeneratorExp | ast.SetComp, frame: _Frame) -> Term:
-        made: list[Term] = []
+    def _comprehension(self, node: ast.ListComp | ast.GeneratorExp | ast.SetComp, frame: Frame) -> Term:
+        items: list[Term] = []
         for sure in self._rounds(node.generators, frame):
-            value = self.run.value(node.elt, frame)
-            made.append(value if sure else perhaps(value))
-        return Items(made[:MOST_ITEMS], self.run.at(node))
+            value = self.value(node.elt, frame)
+            items.append(value if sure else perhaps(value))
+        return Items(items[:MOST_ITEMS], self.at(node))
 
-    def _dict_comprehension(self, node: ast.DictComp, frame: _Frame) -> Term:
-        table = Table(self.run.at(node))
+    def _dict_comprehension(self, node: ast.DictComp, frame: Frame) -> Term:
+        table = Table(self.at(node))
         for sure in self._rounds(node.generators, frame):
-            key, value = self.run.value(node.key, frame), self.run.value(node.value, frame)
+            key, value = self.value(node.key, frame), self.value(node.value, frame)
             table.put(key, value if sure else perhaps(value))
         return table
 
-    def _rounds(self, generators: Sequence[ast.comprehension], frame: _Frame, *, sure: bool = True) -> Iterator[bool]:
-        """Bind the names of each round, and tell whether it surely takes place."""
+    def _rounds(self, generators: Sequence[ast.comprehension], frame: Frame, *, sure: bool = True) -> Iterator[bool]:
+        """Bind the names of each round of a comprehension, and yield whether the round is known to take place."""
         if not generators:
             yield sure
             return
         first, *rest = generators
-        items = self.listed(self.run.value(first.iter, frame))
+        items = self.listed(self.value(first.iter, frame))
         if items is None:
-            items = [Perhaps(Missing(self.run.at(first.iter)), self.run.at(first.iter))]
+            items = [Perhaps(Missing(self.at(first.iter)), self.at(first.iter))]
         for item in items:
-            if not self.run.may_go_on():
+            if not self.may_go_on():
                 return
-            self.run.bind(first.target, item.term if isinstance(item, Perhaps) else item, frame)
-            tests = [truth(self.run.value(test, frame)) for test in first.ifs]
+            self.bind(first.target, item.term if isinstance(item, Perhaps) else item, frame)
+            tests = [truth(self.value(test, frame)) for test in first.ifs]
             if False not in tests:
                 certain = sure and None not in tests and not isinstance(item, Perhaps)
                 yield from self._rounds(rest, frame, sure=certain)
 
     # -- calls -------------------------------------------------------------------------------------------------------
 
-    def _call(self, node: ast.Call, frame: _Frame) -> Term:
-        at = self.run.at(node)
+    def _call(self, node: ast.Call, frame: Frame) -> Term:
+        at = self.at(node)
         arguments = list(self._spread(node.args, frame))
         keywords: dict[str, Term] = {}
         for keyword in node.keywords:
-            value = self.run.value(keyword.value, frame)
+            value = self.value(keyword.value, frame)
             if keyword.arg is not None:
                 keywords[keyword.arg] = value
             elif isinstance(value, Table):
                 keywords.update(value.entries)
         if isinstance(node.func, ast.Attribute):
-            of = self.run.value(node.func.value, frame)
+            of = self.value(node.func.value, frame)
             if not isinstance(of, Name):
                 return self._method(of, node.func.attr, (arguments, keywords), at, frame)
-            return self._named_call(f"{of.path}.{node.func.attr}", arguments, keywords, at)
-        function = self.run.value(node.func, frame)
+            path = f"{of.path}.{node.func.attr}"
+            own = self.member(path)
+            if isinstance(own, Function):
+                return own.call(arguments, keywords, None)
+            return self._named_call(path, arguments, keywords, at)
+        function = self.value(node.func, frame)
         if isinstance(function, Function):
             return function.call(arguments, keywords, None)
         if isinstance(function, Name):
             return self._named_call(function.path, arguments, keywords, at)
         return Missing(at)
 
-    def _named_call(self, name: str, arguments: list[Term], keywords: Mapping[str, Term], at: Place) -> Term:
-        """A call of something imported, or built in."""
+    def _named_call(  # noqa: PLR0911 (one return per function)
+        self, name: str, arguments: list[Term], keywords: Mapping[str, Term], at: Place
+    ) -> Term:
+        """The term of a call of an imported or built-in function."""
         short = name.rpartition(".")[2]
         first = arguments[0] if arguments else None
         if short in _SHARE and first is None:
             first = keywords.get("package_name")
         if short in _SHARE and first is not None:
-            package = known_text(first)
-            found = self.surroundings.find(package, first.at) if package else None
-            return Constant(found or (outside(package) if package else UNKNOWN), at)
+            return self._share(first, at)
         if name == "os.path.join":
             return text_at(os.path.join("", *map(shown, arguments)), at)
         if short == "dirname" and isinstance(first, Constant) and isinstance(first.value, str):
@@ -293,7 +400,9 @@ class Evaluation:
         if name in _ENVIRONMENT:
             return self._environment(arguments, at)
         if short == "process_doc" and isinstance(first, Called):
-            first.added.extend(one for one in (keywords.get("mappings"), *arguments[1:]) if one)
+            first.added.extend(mappings for mappings in (keywords.get("mappings"), *arguments[1:]) if mappings)
+        if name in _LOADING and isinstance(first, Called):
+            return self._yaml(first, at)
         if name == "dict":
             table = Table(at)
             for key, value in keywords.items():
@@ -301,18 +410,33 @@ class Evaluation:
             return table
         return Called(name, at, arguments, keywords)
 
+    def _yaml(self, file: Called, at: Place) -> Term:
+        """The content of a YAML file that is opened, or whose text is read."""
+        if file.short in {"read", "read_text"} and isinstance(file.of, Called):
+            file = file.of
+        path = known_text(file.given("file", 0)) if file.short == "open" else None
+        return (self.yaml(path) if path else None) or Missing(at)
+
+    def _share(self, package: Term, at: Place) -> Term:
+        """The share folder of a package."""
+        name = known_text(package)
+        folder = self._find(name, package.at) if name else None
+        return Constant(folder or (outside(name) if name else UNKNOWN), at)
+
     def _environment(self, arguments: Sequence[Term], at: Place) -> Term:
         name = known_text(arguments[0]) if arguments else None
-        if name is not None and name in self.surroundings.environ:
-            return Constant(self.surroundings.environ[name], at)
+        if name is not None and name in self._environ:
+            return Constant(self._environ[name], at)
         return arguments[1] if name is not None and len(arguments) > 1 else Constant(UNKNOWN, at)
 
     def _method(
-        self, of: Term, name: str, given: tuple[list[Term], Mapping[str, Term]], at: Place, frame: _Frame
+        self, of: Term, name: str, given: tuple[list[Term], Mapping[str, Term]], at: Place, frame: Frame
     ) -> Term:
         arguments, keywords = given
         if name == "perform":
             return self._performed(of, at)
+        if name == "find" and isinstance(of, Called) and of.short in _FINDING and arguments:
+            return self._share(arguments[0], at)
         if name == "perform_substitution" and arguments:
             return self._performed(arguments[0], at)
         if isinstance(of, Items):
@@ -320,23 +444,23 @@ class Evaluation:
         if isinstance(of, Member) and of.name == "launch_configurations" and name == "get" and arguments:
             return self._performed(Called("LaunchConfiguration", at, arguments), at)
         if name in _GROWING and isinstance(of, (Called, OneOf)) and arguments:
-            for one in of.options if isinstance(of, OneOf) else (of,):
-                if isinstance(one, Called):
-                    self.run.add(one, arguments[0], frame)
+            for option in of.options if isinstance(of, OneOf) else (of,):
+                if isinstance(option, Called):
+                    add(option, arguments[0], frame)
             return Constant(None, at)
-        found = method(of, name, arguments, keywords, at)
-        if found is not None:
-            return found
+        result = method(of, name, arguments, keywords, at)
+        if result is not None:
+            return result
         called = Called(name, at, arguments, keywords)
         called.of = of
         return called
 
-    def _of_list(self, of: Items, name: str, arguments: Sequence[Term], at: Place, frame: _Frame) -> Term:
+    def _of_list(self, of: Items, name: str, arguments: Sequence[Term], at: Place, frame: Frame) -> Term:
         if name in {"append", "extend", "insert"} and arguments:
             if name == "extend":
-                self.run.extend(of, arguments[0], frame)
+                extend(of, arguments[0], frame)
             else:
-                self.run.append(of, arguments[-1], frame)
+                append(of, arguments[-1], frame)
             return Constant(None, at)
         if name == "copy":
             return Items(of.values, at)
@@ -347,23 +471,26 @@ class Evaluation:
         return Missing(at)
 
     @staticmethod
-    def _removed(of: Items, item: Term, frame: _Frame) -> None:
-        """Take an item out of a list; where it is not known which, each may be gone."""
-        place = next((index for index, value in enumerate(of.values) if is_same(value, item)), None)
-        if place is None:
+    def _removed(of: Items, item: Term, frame: Frame) -> None:
+        """Remove an item from a list; if it is unknown which item, all become optional."""
+        index = next((index for index, value in enumerate(of.values) if is_same(value, item)), None)
+        if index is None:
             of.values[:] = [perhaps(value) for value in of.values]
         elif frame.sure:
-            del of.values[place]
+            del of.values[index]
         else:
-            of.values[place] = perhaps(of.values[place])
+            of.values[index] = perhaps(of.values[index])
 
     def _performed(self, of: Term, at: Place) -> Term:
-        context: Context | None = self.run.context
+        evaluation: Evaluation | None = self
+        while evaluation is not None and evaluation.context is None:
+            evaluation = evaluation.outer
+        context = evaluation.context if evaluation else None
         return Constant(context.perform(of) if context else UNKNOWN, at)
 
 
 def _inside(at: Place, text: str) -> Place:
-    """Where a text stands between its quotes; the whole literal where it is not written so."""
+    """The place of a literal's text without its quotes; the whole literal if the text is written differently."""
     span = at.span
     literal = span.source.data[span.start : span.end]
     if len(literal) > 1 and literal[:1] in {b"'", b'"'} and literal[1:-1] == text.encode("utf-8", "replace"):

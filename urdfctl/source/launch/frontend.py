@@ -1,11 +1,10 @@
-"""Launch files of ROS 2 in XML and YAML, as the terms that the same file in Python would build."""
+"""Read ROS 2 launch files in XML and YAML into the terms of an equivalent file in Python."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping
 
-from urdfctl.record import NamedTuple
 from urdfctl.source.dom import Element
 from urdfctl.source.launch.terms import Called, Constant, Items, Missing, Table, Term
 from urdfctl.source.span import Place
@@ -13,6 +12,7 @@ from urdfctl.source.yaml import Mapping as YamlMap
 from urdfctl.source.yaml import Node as YamlNode
 from urdfctl.source.yaml import Scalar, YamlFile
 from urdfctl.source.yaml import Sequence as YamlList
+from urdfctl.startup.records import NamedTuple
 
 _MOST_DEPTH = 30
 _QUOTED = r"(?s)^(['\"])(.*)\1$"
@@ -32,7 +32,7 @@ _SUBSTITUTIONS: dict[str, tuple[str, int]] = {
     "equals": ("EqualsSubstitution", 2),
     "not-equals": ("NotEqualsSubstitution", 2),
 }
-"""The substitutions that XML and YAML know, by their names in Python, and how many arguments they take."""
+"""The substitutions of XML and YAML: the class in Python, and the maximum number of arguments."""
 _OF_NODES = {"package": "pkg", "executable": "exec", "name": "name", "namespace": "namespace"}
 _WHOLE = {"eval": "PythonExpression", "command": "Command"}
 _PLAIN = {"log", "set_env", "unset_env", "append_env", "reset_env", "shutdown"} | {
@@ -47,7 +47,12 @@ _FOR_ALL = {
 
 
 class Entity(NamedTuple):
-    """An element of XML, or a map of YAML: its tag, the texts of its attributes, and what stands in it."""
+    """An element of XML or a map of YAML.
+
+    tag: name of the element or key of the map.
+    attributes: texts by name.
+    children: the elements or maps in it.
+    """
 
     tag: str
     at: Place
@@ -55,17 +60,17 @@ class Entity(NamedTuple):
     children: tuple[Entity, ...]
 
     def named(self, *tags: str) -> Iterator[Entity]:
-        """The children of some tags."""
+        """Return the children with one of these tags."""
         return (child for child in self.children if child.tag in tags)
 
 
 def of_xml(root: Element) -> Term:
-    """What a launch file in XML builds."""
+    """Return the launch description of a file in XML."""
     return _description(_of_element(root))
 
 
 def of_yaml(file: YamlFile) -> Term | None:
-    """What a launch file in YAML builds; None where it is none."""
+    """Return the launch description of a file in YAML; None if it is not a launch file."""
     root = file.documents[0] if file.documents else None
     launch = root.get("launch") if isinstance(root, YamlMap) else None
     if not isinstance(launch, YamlList):
@@ -110,7 +115,7 @@ def _of_entry(tag: str, at: Place, value: YamlNode, depth: int) -> Entity:
 
 
 def _actions(parent: Entity) -> Term:
-    made: list[Term] = []
+    actions: list[Term] = []
     for child in parent.children:
         tag = child.tag.replace("-", "_")
         term: Term
@@ -123,27 +128,30 @@ def _actions(parent: Entity) -> Term:
         else:
             term = Missing(child.at)
         if isinstance(term, Called):
-            for word, condition in (("if", "IfCondition"), ("unless", "UnlessCondition")):
-                if word in child.attributes:
-                    term.keywords["condition"] = Called(condition, child.at, [_text(child, word)])
-        made.append(term)
-    return Items(made, parent.at)
+            for attribute, condition in (("if", "IfCondition"), ("unless", "UnlessCondition")):
+                if attribute in child.attributes:
+                    term.keywords["condition"] = Called(condition, child.at, [_text(child, attribute)])
+        actions.append(term)
+    return Items(actions, parent.at)
 
 
 def _text(entity: Entity, *names: str) -> Term:
-    """The text of the first attribute that is there; one that is not known where none is."""
-    found = next((entity.attributes[name] for name in names if name in entity.attributes), None)
-    return substituted(found) if found is not None else Missing(entity.at)
+    """The text of the first of these attributes that the entity has; unknown if it has none."""
+    attribute = next((entity.attributes[name] for name in names if name in entity.attributes), None)
+    return substituted(attribute) if attribute is not None else Missing(entity.at)
 
 
-def _made(name: str, entity: Entity, attributes: Mapping[str, str]) -> Called:
-    """A call with keywords from those attributes that are there."""
-    given = {key: _text(entity, word) for key, word in attributes.items() if word in entity.attributes}
-    return Called(name, entity.at, (), given)
+def _called(name: str, entity: Entity, attributes: Mapping[str, str]) -> Called:
+    """A call with the keywords whose attributes the entity has.
+
+    attributes: keywords in Python with the attribute's name.
+    """
+    keywords = {keyword: _text(entity, name) for keyword, name in attributes.items() if name in entity.attributes}
+    return Called(name, entity.at, (), keywords)
 
 
 def _node(entity: Entity) -> Called:
-    term = _made("Node", entity, _OF_NODES)
+    term = _called("Node", entity, _OF_NODES)
     if "args" in entity.attributes:
         term.keywords["arguments"] = words_of(entity.attributes["args"])
     parameters = [_parameter(child) for child in entity.named("param")]
@@ -159,14 +167,15 @@ def _node(entity: Entity) -> Called:
 
 def _parameter(entity: Entity) -> Term:
     if "from" in entity.attributes:
-        return Called("ParameterFile", entity.attributes["from"].at, [_text(entity, "from")])
+        given = {name: _text(entity, name) for name in ("allow_substs",) if name in entity.attributes}
+        return Called("ParameterFile", entity.attributes["from"].at, [_text(entity, "from")], given)
     table = Table(entity.at)
     table.put(entity.attributes.get("name") or Missing(entity.at), _text(entity, "value"))
     return table
 
 
 def _executable(entity: Entity) -> Called:
-    term = _made("ExecuteProcess", entity, {"shell": "shell"})
+    term = _called("ExecuteProcess", entity, {"shell": "shell"})
     if "cmd" in entity.attributes:
         term.keywords["cmd"] = words_of(entity.attributes["cmd"])
     return term
@@ -180,7 +189,7 @@ def _include(entity: Entity) -> Called:
 
 
 def _group(entity: Entity) -> Called:
-    term = _made("GroupAction", entity, {"scoped": "scoped"})
+    term = _called("GroupAction", entity, {"scoped": "scoped"})
     term.keywords["actions"] = _actions(entity)
     return term
 
@@ -190,15 +199,15 @@ def _timer(entity: Entity) -> Called:
 
 
 _ACTIONS: dict[str, Callable[[Entity], Called]] = {
-    "arg": lambda entity: _made("DeclareLaunchArgument", entity, {"name": "name", "default_value": "default"}),
-    "let": lambda entity: _made("SetLaunchConfiguration", entity, {"name": "name", "value": "value"}),
+    "arg": lambda entity: _called("DeclareLaunchArgument", entity, {"name": "name", "default_value": "default"}),
+    "let": lambda entity: _called("SetLaunchConfiguration", entity, {"name": "name", "value": "value"}),
     "node": _node,
     "executable": _executable,
     "include": _include,
     "group": _group,
     "timer": _timer,
     "ros_timer": _timer,
-    "push_ros_namespace": lambda entity: _made("PushRosNamespace", entity, {"namespace": "namespace"}),
+    "push_ros_namespace": lambda entity: _called("PushRosNamespace", entity, {"namespace": "namespace"}),
 }
 
 
@@ -206,7 +215,7 @@ _ACTIONS: dict[str, Callable[[Entity], Called]] = {
 
 
 def words_of(text: Constant) -> Term:
-    """The words of an attribute that is a command line, each with its place: blanks in quotes do not part them."""
+    """Return the words of an attribute that is a command line, each with its place. Quoted blanks do not end a word."""
     whole = text.text or ""
     words: list[Term] = []
     start = depth = 0
@@ -224,7 +233,7 @@ def words_of(text: Constant) -> Term:
 
 
 def substituted(text: Constant, depth: int = 0) -> Term:
-    """A text with its `$(...)` as substitutions."""
+    """Return a text with each `$(...)` as the term of a substitution."""
     whole = text.text or ""
     if "$(" not in whole:
         return text
@@ -256,7 +265,7 @@ def _substitution(inside: str, at: Place, depth: int) -> Term:
     name, _, rest = inside.strip().partition(" ")
     if name in _WHOLE:
         given = rest.strip()
-        if name == "command":  # what follows the quotes tells what becomes of warnings
+        if name == "command":  # after the quotes: what to do with output on stderr
             given = re.sub(r"(['\"])\s+(?:warn|fail|ignore|capture)$", r"\1", given)
         quoted = re.fullmatch(r"'(.*)'|\"(.*)\"", given, re.DOTALL)
         text = (quoted.group(1) if quoted.group(1) is not None else quoted.group(2)) if quoted else given
@@ -271,7 +280,7 @@ def _substitution(inside: str, at: Place, depth: int) -> Term:
 
 
 def _arguments(text: str) -> Iterator[str]:
-    """The arguments of a substitution: words, in quotes or not, which may hold further ones."""
+    """The arguments of a substitution: words, quoted or not, which can contain further substitutions."""
     start, depth, quote = 0, 0, ""
     for index, char in enumerate(f"{text} "):
         if quote:

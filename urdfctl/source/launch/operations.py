@@ -1,4 +1,4 @@
-"""What Python's operators and methods make of terms; whatever is not sure to be harmless gives what cannot be told."""
+"""Python's operators and methods on terms. Operations that are not known to be safe give an unknown term."""
 
 from __future__ import annotations
 
@@ -27,24 +27,42 @@ from urdfctl.source.span import Place
 
 _WITHOUT_ARGUMENTS = frozenset("lower upper strip lstrip rstrip title capitalize as_posix absolute resolve".split())
 _TESTS = frozenset("startswith endswith".split())
+_DEEPEST = 4
 _PATTERN = r"%[sd]|%%"
 _FIELD = r"\{\{|\}\}|\{([^{}]*)\}"
 
 
 def text_at(text: str, at: Place) -> Term:
-    """A text, unless it grew beyond any that a launch file has."""
+    """Return a text as a term; unknown if it is longer than any text in a real launch file."""
     return Constant(text, at) if len(text) <= MOST_CHARACTERS else Missing(at)
 
 
 def shown(term: Term) -> str:
-    """What `str()` gives for a term; UNKNOWN where that cannot be told."""
+    """Return `str()` of a term; UNKNOWN if it is unknown."""
     if isinstance(term, Constant):
         return str(term.value)
+    if isinstance(term, (Items, Table)):
+        text = _written(term)
+        return text if UNKNOWN not in text and len(text) <= MOST_CHARACTERS else UNKNOWN
+    return UNKNOWN
+
+
+def _written(term: Term, depth: int = 0) -> str:
+    """`repr()` of a term; contains UNKNOWN if it is unknown."""
+    if isinstance(term, Constant):
+        return repr(term.value)
+    if depth > _DEEPEST:
+        return UNKNOWN
+    if isinstance(term, Items):
+        return f"[{', '.join(_written(value, depth + 1) for value in term.values)}]"
+    if isinstance(term, Table) and term.whole:
+        parts = (f"{key!r}: {_written(value, depth + 1)}" for key, value in term.entries.items())
+        return f"{{{', '.join(parts)}}}"
     return UNKNOWN
 
 
 def truth(term: Term) -> bool | None:
-    """Whether Python takes a term for true; None where that cannot be told."""
+    """Return `bool()` of a term; None if it is unknown."""
     if isinstance(term, Constant):
         return None if isinstance(term.value, str) and UNKNOWN in term.value else bool(term.value)
     if isinstance(term, Items):
@@ -55,11 +73,11 @@ def truth(term: Term) -> bool | None:
 
 
 def added(left: Term, right: Term, at: Place) -> Term:
-    """`left + right`: texts, numbers and lists; an unknown piece of a text stays one."""
+    """Return `left + right` for texts, numbers and lists. An unknown operand gives a text that is partly unknown."""
     if isinstance(left, Items) and isinstance(right, Items):
         return Items([*left.values, *right.values][:MOST_ITEMS], at)
     if isinstance(left, Items) or isinstance(right, Items):
-        known = [one for one in (left, right) if isinstance(one, Items)]
+        known = [operand for operand in (left, right) if isinstance(operand, Items)]
         return Items([*known[0].values, Perhaps(Missing(at), at)], at)
     if isinstance(left, Constant) and isinstance(right, Constant):
         if isinstance(left.value, (int, float)) and isinstance(right.value, (int, float)):
@@ -67,7 +85,7 @@ def added(left: Term, right: Term, at: Place) -> Term:
         if isinstance(left.value, str) and isinstance(right.value, str):
             return text_at(left.value + right.value, at)
         return Missing(at)
-    if any(isinstance(one, Constant) and isinstance(one.value, str) for one in (left, right)):
+    if any(isinstance(operand, Constant) and isinstance(operand.value, str) for operand in (left, right)):
         if isinstance(left, Called) or isinstance(right, Called):
             return Items([left, right], at)  # newer distros: a substitution and a text
         return text_at(shown(left) + shown(right), at)
@@ -75,7 +93,7 @@ def added(left: Term, right: Term, at: Place) -> Term:
 
 
 def binary(operator: ast.operator, left: Term, right: Term, at: Place) -> Term:
-    """What an operator gives."""
+    """Return the result of a binary operator."""
     if isinstance(operator, ast.Add):
         return added(left, right, at)
     if isinstance(operator, ast.BitOr) and isinstance(left, Table) and isinstance(right, Table):
@@ -92,7 +110,7 @@ def binary(operator: ast.operator, left: Term, right: Term, at: Place) -> Term:
 
 
 def _below(left: Term, right: Term, at: Place) -> Term:
-    """A path below another: of a folder's text, or of a substitution."""
+    """The result of `left / right`, where `left` is a path or a substitution."""
     if isinstance(left, Constant) and isinstance(left.value, str):
         return text_at(os.path.join(left.value, shown(right)), at)
     if isinstance(left, Called):
@@ -101,7 +119,7 @@ def _below(left: Term, right: Term, at: Place) -> Term:
 
 
 def _filled(pattern: str, values: Sequence[Term], at: Place) -> Term:
-    """`'%s' % values`."""
+    """The result of `pattern % values`."""
     rest = iter(values)
 
     def value(match: re.Match[str]) -> str:
@@ -111,7 +129,7 @@ def _filled(pattern: str, values: Sequence[Term], at: Place) -> Term:
 
 
 def compared(operator: ast.cmpop, left: Term, right: Term, at: Place) -> Term:
-    """`==`, `!=`, `is`, `is not`, `in` and `not in`; no other comparison is worked out."""
+    """Return the result of a comparison."""
     if isinstance(operator, (ast.Eq, ast.Is, ast.NotEq, ast.IsNot)):
         equal = _equal(left, right)
         wanted = isinstance(operator, (ast.Eq, ast.Is))
@@ -119,15 +137,27 @@ def compared(operator: ast.cmpop, left: Term, right: Term, at: Place) -> Term:
     if isinstance(operator, (ast.In, ast.NotIn)):
         held = _holds(right, left)
         return Missing(at) if held is None else Constant(held is isinstance(operator, ast.In), at)
-    return Missing(at)
+    lesser = isinstance(operator, (ast.Lt, ast.LtE))
+    first, second = (left, right) if lesser else (right, left)
+    below = _is_below(first, second, equal=isinstance(operator, (ast.LtE, ast.GtE)))
+    return Missing(at) if below is None else Constant(below, at)
+
+
+def _is_below(left: Term, right: Term, *, equal: bool) -> bool | None:
+    """Whether a number is less than another one, or equal to it; None if they are not known numbers."""
+    if isinstance(left, Constant) and isinstance(right, Constant):
+        first, second = left.value, right.value
+        if isinstance(first, (int, float)) and isinstance(second, (int, float)):
+            return first < second or (equal and first == second)
+    return None
 
 
 def _equal(left: Term, right: Term) -> bool | None:
     if isinstance(left, Constant) and isinstance(right, Constant):
         unknown = UNKNOWN in shown(left) or UNKNOWN in shown(right)
         return None if unknown else left.value == right.value
-    if any(isinstance(one, Constant) and one.value is None for one in (left, right)):
-        return None if any(isinstance(one, (Missing, OneOf)) for one in (left, right)) else False
+    if any(isinstance(operand, Constant) and operand.value is None for operand in (left, right)):
+        return None if any(isinstance(operand, (Missing, OneOf)) for operand in (left, right)) else False
     return None
 
 
@@ -146,7 +176,7 @@ def _holds(container: Term, item: Term) -> bool | None:
 
 
 def item_of(of: Term, key: Term, at: Place) -> Term:
-    """`of[key]`."""
+    """Return `of[key]`."""
     if isinstance(of, Table) and isinstance(key, Constant) and isinstance(key.value, str):
         return of.entries.get(key.value) or Missing(at)
     if isinstance(of, Items) and isinstance(key, Constant) and isinstance(key.value, int):
@@ -155,19 +185,32 @@ def item_of(of: Term, key: Term, at: Place) -> Term:
     return Missing(at)
 
 
+def slice_of(of: Term, start: Term | None, end: Term | None, at: Place) -> Term:
+    """Return `of[start:end]` of a text or a list without optional items."""
+    given = [part.value if isinstance(part, Constant) else part for part in (start, end)]
+    bounds = [bound if isinstance(bound, int) else None for bound in given]
+    if bounds != given:
+        return Missing(at)
+    whole = slice(*bounds)
+    if isinstance(of, Items) and not any(isinstance(value, Perhaps) for value in of.values):
+        return Items(of.values[whole], at)
+    text = known_text(of)
+    return Missing(at) if text is None else Constant(text[whole], at)
+
+
 def method(of: Term, name: str, arguments: Sequence[Term], keywords: Mapping[str, Term], at: Place) -> Term | None:
-    """What a method of a text or dict gives; None where it is neither."""
+    """Return the result of a method of a text or a dict; None if the term is neither."""
     if isinstance(of, Constant) and isinstance(of.value, str):
         return _of_text(of.value, name, arguments, keywords, at)
     if isinstance(of, Table):
         return _of_table(of, name, arguments, at)
     if isinstance(of, OneOf) and len(of.options) * len(arguments) < MOST_ITEMS:
-        found = [method(option, name, arguments, keywords, at) for option in of.options]
-        return one_of([one for one in found if one], at) if all(found) else Missing(at)
+        results = [method(option, name, arguments, keywords, at) for option in of.options]
+        return one_of([result for result in results if result], at) if all(results) else Missing(at)
     return None
 
 
-def _of_text(  # noqa: PLR0911 (one for each method)
+def _of_text(  # noqa: PLR0911 (one return per method)
     text: str, name: str, arguments: Sequence[Term], keywords: Mapping[str, Term], at: Place
 ) -> Term:
     if name == "format":
@@ -183,7 +226,7 @@ def _of_text(  # noqa: PLR0911 (one for each method)
     if UNKNOWN in text:
         return Constant(UNKNOWN, at)
     given = [known_text(argument) for argument in arguments]
-    known = [one for one in given if one is not None]
+    known = [argument for argument in given if argument is not None]
     if len(known) != len(given):
         return Missing(at)
     if name in _WITHOUT_ARGUMENTS and not known:

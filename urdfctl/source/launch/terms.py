@@ -1,12 +1,12 @@
-"""What the expressions of a launch file stand for, as far as that can be told without running anything."""
+"""Terms: the values of a launch file's expressions, as far as they are known without running it."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
-from urdfctl.record import NamedTuple
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
+from urdfctl.startup.records import NamedTuple
 
 Plain = str | int | float | bool | None
 
@@ -16,25 +16,25 @@ _MOST_OPTIONS = 8
 
 
 class Constant(NamedTuple):
-    """A text, a number, a truth or None, with the place where it is written. A text may hold UNKNOWN."""
+    """A string, a number, a bool or None, with its place. A string can contain UNKNOWN."""
 
     value: Plain
     at: Place
 
     @property
     def text(self) -> str | None:
-        """The text; None where it is none."""
+        """The text; None if the value is not a string."""
         return self.value if isinstance(self.value, str) else None
 
 
 class Missing(NamedTuple):
-    """What cannot be told."""
+    """An unknown value."""
 
     at: Place
 
 
 class Items:
-    """A list or tuple, which methods may lengthen."""
+    """A list or tuple. Methods can add items later."""
 
     __slots__ = ("at", "values")
 
@@ -44,7 +44,12 @@ class Items:
 
 
 class Table:
-    """A dict whose keys are texts; not `whole` where some key is not known."""
+    """A dict with strings as keys.
+
+    entries: the values by key.
+    keys: the places of the keys.
+    whole: False if there may be further keys, which are unknown.
+    """
 
     __slots__ = ("at", "entries", "keys", "whole")
 
@@ -64,21 +69,27 @@ class Table:
             self.keys[text] = key.at
 
     def take(self, other: Table) -> None:
-        """Set all entries of another one."""
+        """Set all entries of another dict."""
         self.entries.update(other.entries)
         self.keys.update(other.keys)
         self.whole = self.whole and other.whole
 
 
 class Name(NamedTuple):
-    """Something that is imported, by its full name: `launch_ros.actions.Node`."""
+    """An imported or built-in name; `path` is the full name, e.g. `launch_ros.actions.Node`."""
 
     path: str
     at: Place
 
 
 class Called:
-    """A call that is not made: of something imported, or of a method `of` a term. Later calls may add to it."""
+    """A recorded call of an imported name, or of a method. The call is not executed.
+
+    name: full name of the function or class, or name of the method.
+    arguments, keywords: the positional and keyword arguments.
+    of: the term whose method is called; None for a function.
+    added: terms that later calls add, such as actions of a launch description.
+    """
 
     __slots__ = ("added", "arguments", "at", "keywords", "name", "of")
 
@@ -98,11 +109,11 @@ class Called:
         return self.name.rpartition(".")[2]
 
     def given(self, keyword: str, position: int | None = None) -> Term | None:
-        """An argument by its keyword, else by its position."""
-        found = self.keywords.get(keyword)
-        if found is None and position is not None and position < len(self.arguments):
-            found = self.arguments[position]
-        return None if isinstance(found, Constant) and found.value is None else found
+        """Return an argument by its keyword, otherwise by its position; None if it is not given, or is `None`."""
+        argument = self.keywords.get(keyword)
+        if argument is None and position is not None and position < len(self.arguments):
+            argument = self.arguments[position]
+        return None if isinstance(argument, Constant) and argument.value is None else argument
 
 
 class Member(NamedTuple):
@@ -114,7 +125,7 @@ class Member(NamedTuple):
 
 
 class Function(NamedTuple):
-    """A function of the file: `call` gives what it returns for some arguments."""
+    """A function that the file defines; `call` returns its result for arguments, keywords and a launch context."""
 
     name: str
     call: Callable[[Sequence[Term], Mapping[str, Term], Context | None], Term]
@@ -122,14 +133,14 @@ class Function(NamedTuple):
 
 
 class OneOf(NamedTuple):
-    """One of several terms: which one is not known."""
+    """One of several terms; it is unknown which."""
 
     options: tuple[Term, ...]
     at: Place
 
 
 class Perhaps(NamedTuple):
-    """A term that may be there or not."""
+    """An optional item: the term may be present or absent."""
 
     term: Term
     at: Place
@@ -139,49 +150,49 @@ Term = Constant | Missing | Items | Table | Name | Called | Member | Function | 
 
 
 class Context(NamedTuple):
-    """A launch as it runs: what a substitution stands for in it."""
+    """A launch context; `perform` returns the text of a substitution."""
 
     perform: Callable[[Term], str]
 
 
 def one_of(options: Sequence[Term], at: Place) -> Term:
-    """A term that is one of several; what they all are where they do not differ."""
-    flat: list[Term] = []
+    """Return a term that is one of several; the term itself if all are the same, unknown if there are too many."""
+    distinct: list[Term] = []
     for option in options:
-        for one in option.options if isinstance(option, OneOf) else (option,):
-            if not any(is_same(one, known) for known in flat):
-                flat.append(one)
-    if len(flat) == 1:
-        return flat[0]
-    return OneOf(tuple(flat), at) if 1 < len(flat) <= _MOST_OPTIONS else Missing(at)
+        for term in option.options if isinstance(option, OneOf) else (option,):
+            if not any(is_same(term, known) for known in distinct):
+                distinct.append(term)
+    if len(distinct) == 1:
+        return distinct[0]
+    return OneOf(tuple(distinct), at) if 1 < len(distinct) <= _MOST_OPTIONS else Missing(at)
 
 
-def is_same(one: Term, other: Term) -> bool:
-    """Whether two terms are surely the same."""
-    if isinstance(one, Constant) and isinstance(other, Constant):
-        return type(one.value) is type(other.value) and one.value == other.value and UNKNOWN not in str(one.value)
-    return one is other or (isinstance(one, Missing) and isinstance(other, Missing))
+def is_same(left: Term, right: Term) -> bool:
+    """Return whether two terms are known to have the same value; two unknown terms count as the same."""
+    if isinstance(left, Constant) and isinstance(right, Constant):
+        return type(left.value) is type(right.value) and left.value == right.value and UNKNOWN not in str(left.value)
+    return left is right or (isinstance(left, Missing) and isinstance(right, Missing))
 
 
 def perhaps(term: Term) -> Term:
-    """A term that may be there or not."""
+    """Return a term as an optional item."""
     return term if isinstance(term, Perhaps) else Perhaps(term, term.at)
 
 
 def known_text(term: Term | None) -> str | None:
-    """The text that a term is; None where it is none, or not all known."""
+    """Return the text of a term; None if it is not a string or not fully known."""
     text = term.text if isinstance(term, Constant) else None
     return None if text is None or UNKNOWN in text else text
 
 
 def outside(package: str) -> str:
-    """The folder of a package that is not among the sources: not known, but for its name."""
+    """Return the path that represents the unknown folder of a package that is not among the sources."""
     return f"{UNKNOWN}({package})"
 
 
 def flattened(term: Term | None, depth: int = 0) -> Iterator[Term]:
-    """The items of lists in lists."""
-    if isinstance(term, Items) and depth < 20:  # noqa: PLR2004 (a list may hold itself)
+    """Yield the items of nested lists."""
+    if isinstance(term, Items) and depth < 20:  # noqa: PLR2004 (a list can contain itself)
         for value in term.values:
             yield from flattened(value, depth + 1)
     elif term is not None:

@@ -1,0 +1,75 @@
+"""Hostile input at full size takes little processor time. The default tests count its work, at small sizes."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from pathlib import Path
+
+import pytest
+from expansion import expanded, laid_out, robot
+from test_hostile_readers import READERS, REPEATED
+from test_log_digest import HOSTILE, log
+
+from urdfctl.discover.gitignore import patterns_of
+from urdfctl.errors import UserError
+from urdfctl.source.problem import ReadError
+from urdfctl.source.span import SourceText
+from urdfctl.source.suppressions import suppressions
+from urdfctl.source.yaml import read_yaml
+
+QUOTES = "'a" * 4001
+
+
+def seconds(act: Callable[[], object]) -> float:
+    """Return the processor time of an act."""
+    started = time.process_time()
+    act()
+    return time.process_time() - started
+
+
+@pytest.mark.parametrize(("name", "piece", "size"), REPEATED)
+def test_what_is_repeated_very_often_is_read_or_refused_soon(name: str, piece: str, size: int, tmp_path: Path) -> None:
+    def read() -> None:
+        with suppress(UserError, ReadError):
+            READERS[name]((piece * (size // len(piece))).encode(), tmp_path)
+
+    assert seconds(read) < 5
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_a_hostile_log_is_read_soon(name: str) -> None:
+    data = HOSTILE[name](20_000)
+    assert seconds(lambda: log(data)) < 5
+
+
+@pytest.mark.parametrize("text", ["urdfctl: ignore[UC2]\n", "<!-- urdfctl: ignore[UC2]\n", "-->urdfctl: ignore[UC2]\n"])
+def test_many_comments_are_searched_soon(text: str) -> None:
+    source = SourceText("/r.urdf", text.encode() * 20_000)
+    assert seconds(lambda: suppressions(source)) < 2
+
+
+def test_many_stars_of_a_gitignore_are_matched_soon() -> None:
+    [pattern] = patterns_of("/" + "**/a*a*a*a*b/" * 20 + "c")
+    assert seconds(lambda: pattern.matches(["a" * 200] * 200, is_folder=False)) < 5
+
+
+def test_aliases_of_aliases_are_refused_soon() -> None:
+    levels = "".join(f"l{n}: &l{n} [{', '.join([f'*l{n - 1}'] * 10)}]\n" for n in range(1, 30))
+    assert seconds(lambda: read_yaml(SourceText("/c.yaml", f"l0: &l0 [x]\n{levels}".encode()))) < 1
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        f"<a>{'$a' * 200_000}</a>",
+        f'<xacro:macro name="m" params="a:={"x" * 5000}\' b"><a/></xacro:macro><last/>',
+        f'<xacro:macro name="m" params="a:={QUOTES}&quot; b"><a/></xacro:macro>',
+        f'<xacro:macro name="m" params="{"a " * 20_000}"><a/></xacro:macro>',
+    ],
+    ids=["dollars", "an unbalanced quote", "many quotes", "params without end"],
+)
+def test_a_long_text_in_xacro_is_expanded_or_refused_soon(body: str, tmp_path: Path) -> None:
+    path = laid_out(tmp_path, {"r.xacro": robot(body)})
+    assert seconds(lambda: expanded(path)) < 2

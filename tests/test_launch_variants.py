@@ -1,0 +1,121 @@
+"""A launch file that needs arguments is started with those for which files exist."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from folder import Folder
+
+from urdfctl.config.settings import Settings
+from urdfctl.load.loader import Loader
+from urdfctl.load.target import Target
+
+NEEDS_MODEL = """\
+<launch>
+  <arg name="model" {}/>
+  <arg name="name" default="$(arg model)"/>
+  <arg name="simulated" default="false"/>
+  <arg name="real" default="false"/>
+  {}
+</launch>
+"""
+DESCRIPTION = '<param name="$(arg name)/robot_description" command="xacro $(dirname)/$(arg model).urdf.xacro"/>'
+CONTROLLERS = '<rosparam if="$(arg {})" file="$(dirname)/{}.yaml" ns="$(arg name)"/>'
+ROBOT = '<robot name="r"><link name="base"/></robot>'
+
+
+def variants(folder: Folder, text: str, **others: str) -> list[dict[str, str]]:
+    """The arguments of each variant of a launch file beside two robots."""
+    robots = {f"{name}.urdf.xacro": ROBOT for name in ("small", "large")}
+    folder.write({**robots, **others, "l.launch": text})
+    targets = Loader(Settings()).variants(Target(str(folder.path / "l.launch")))
+    assert all(target.guessed is bool(target.arguments) for target in targets)
+    return [dict(target.arguments) for target in targets]
+
+
+@pytest.mark.parametrize("default", ["", 'default=""'])
+def test_values_come_from_the_files_that_exist(folder: Folder, default: str) -> None:
+    found = variants(folder, NEEDS_MODEL.format(default, DESCRIPTION))
+    assert found == [{"model": "large"}, {"model": "small"}]
+
+
+def test_a_launch_file_with_a_robot_needs_none(folder: Folder) -> None:
+    assert variants(folder, NEEDS_MODEL.format('default="small"', DESCRIPTION)) == [{}]
+
+
+def test_without_any_file_nothing_is_guessed(folder: Folder) -> None:
+    text = NEEDS_MODEL.format("", DESCRIPTION.replace("$(arg model)", "$(arg model)_arm"))
+    assert variants(folder, text) == [{}]
+
+
+def test_what_is_off_by_default_is_switched_on_where_it_starts_controllers(folder: Folder) -> None:
+    inside = DESCRIPTION + CONTROLLERS.format("simulated", "a") + CONTROLLERS.format("real", "b")
+    assert variants(folder, NEEDS_MODEL.format("", inside)) == [
+        {"model": "large", "simulated": "true"},
+        {"model": "small", "simulated": "true"},
+        {"model": "large", "real": "true"},
+    ]
+
+
+def test_a_value_for_which_a_loaded_file_is_missing_is_none(folder: Folder) -> None:
+    inside = DESCRIPTION + '<rosparam file="$(dirname)/$(arg model).yaml"/>'
+    assert variants(folder, NEEDS_MODEL.format("", inside), **{"small.yaml": "a: 1\n"}) == [{"model": "small"}]
+
+
+def test_a_robot_may_be_off_by_default(folder: Folder) -> None:
+    inside = f'<group if="$(arg real)">{DESCRIPTION}</group>'
+    assert variants(folder, NEEDS_MODEL.format("", inside)) == [
+        {"model": "large", "real": "true"},
+        {"model": "small", "real": "true"},
+    ]
+
+
+def test_a_target_with_arguments_is_left_as_it_is(folder: Folder) -> None:
+    folder.write({"l.launch": NEEDS_MODEL.format("", DESCRIPTION)})
+    target = Target(str(folder.path / "l.launch"), (("model", "small"),))
+    assert Loader(Settings()).variants(target) == [target]
+
+
+def test_a_launch_file_in_python_needs_arguments_too(folder: Folder) -> None:
+    text = """
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import Command, LaunchConfiguration, ThisLaunchFileDir
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    file = [ThisLaunchFileDir(), '/', LaunchConfiguration('model'), '.urdf.xacro']
+    node = Node(package='robot_state_publisher', executable='robot_state_publisher',
+                parameters=[{'robot_description': Command(['xacro ', *file])}])
+    return LaunchDescription([DeclareLaunchArgument('model'), node])
+"""
+    folder.write({"small.urdf.xacro": ROBOT, "l.launch.py": text})
+    (target,) = Loader(Settings()).variants(Target(str(folder.path / "l.launch.py")))
+    assert target.arguments == (("model", "small"),)
+
+
+def test_of_files_chosen_by_another_argument_the_one_that_fits_the_robot_is_loaded(folder: Folder) -> None:
+    joint = '<joint name="{0}" type="fixed"><parent link="base"/><child link="{0}"/></joint><link name="{0}"/>'
+    arms = {"small": ["a"], "large": ["a", "b"]}
+    for name, joints in arms.items():
+        inside = "".join(map(joint.format, joints))
+        folder.write({f"{name}.urdf.xacro": f'<robot name="r"><link name="base"/>{inside}</robot>'})
+        folder.write({f"{len(joints)}dof.yaml": f"arm: {{type: a/B, joints: {joints}}}\n"})
+    dof = '<arg name="dof" default="2"/><rosparam file="$(dirname)/$(arg dof)dof.yaml" ns="$(arg name)"/>'
+    folder.write({"l.launch": NEEDS_MODEL.format("", DESCRIPTION + dof)})
+    loader = Loader(Settings())
+    for target in loader.variants(Target(str(folder.path / "l.launch"))):
+        controllers = loader.load(target).project.controllers
+        expected = f"{len(arms[dict(target.arguments)['model']])}dof.yaml"
+        assert controllers is not None
+        assert [Path(file.path).name for file in controllers.files] == [expected]
+
+
+@pytest.mark.parametrize(("needed", "exists"), [('<arg name="model" default=""/>', None), ("", False)])
+def test_a_file_whose_name_needs_an_argument_is_not_missing(folder: Folder, needed: str, exists: bool | None) -> None:
+    path = "$(dirname)/$(arg model).yaml" if needed else "$(dirname)/.yaml"
+    folder.write({"l.launch": f'<launch>{needed}<rosparam file="{path}"/></launch>'})
+    launch = Loader(Settings()).load(Target(str(folder.path / "l.launch"))).project.launch
+    assert launch is not None
+    assert [reference.file.exists for reference in launch.references] == [exists]

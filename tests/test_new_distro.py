@@ -1,0 +1,75 @@
+"""A distro that is added to the table is checked by every rule that holds from some distro on."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+
+from folder import CHECKOUT, environment
+
+CODE = r"""
+import json, sys, types
+from pathlib import Path
+
+import urdfctl.catalog
+
+path = Path(urdfctl.catalog.__file__).with_name("distros.py")
+line = '    Distro("rolling", 2, maintained=True),\n'
+source = path.read_text(encoding="utf-8")
+assert line in source
+module = types.ModuleType("urdfctl.catalog.distros")
+sys.modules[module.__name__] = module
+exec(compile(source.replace(line, line.replace("rolling", "meteor") + line), str(path), "exec"), module.__dict__)
+
+from urdfctl.rules import all_rules
+from urdfctl.control.spawner_options import DISTROS as OPTIONS
+
+rules = [rule.code for rule in all_rules() if "rolling" in rule.distros and "meteor" not in rule.distros]
+options = [option for option, distros in OPTIONS.items() if "rolling" in distros and "meteor" not in distros]
+
+import os, tempfile
+from urdfctl.config.settings import Settings
+from urdfctl.lint.selection import Selection
+from urdfctl.lint.target import lint_target
+from urdfctl.load.loader import Loader
+from urdfctl.load.target import Target
+from urdfctl.rules.examples import companions, options_of, unmarked
+
+def codes(rule, distro):
+    files, _ = unmarked(rule.bad)
+    options, arguments = options_of(rule)
+    settings = Settings(**{**options, "workspace": os.getcwd(), "distro": distro})
+    controllers, launch = companions(files)
+    target = Target(next(iter(files)), arguments, controllers=controllers, launch=launch)
+    result = lint_target(Loader(settings), target, Selection()).result
+    return sorted({finding.code for finding in result.outcome.diagnostics if finding.code[:3] != "UC7"})
+
+different = {}
+for rule in all_rules():
+    if "rolling" not in rule.distros or rule.of_smoke or not rule.bad:
+        continue
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        files, _ = unmarked(rule.bad)
+        for name, text in files.items():
+            Path(name).parent.mkdir(parents=True, exist_ok=True)
+            Path(name).write_text(text, encoding="utf-8")
+        found = codes(rule, "meteor"), codes(rule, "rolling")
+        if found[0] != found[1]:
+            different[rule.code] = found
+        os.chdir("/")
+print(json.dumps({"rules": rules, "options": options, "different": different}))
+"""
+
+
+def test_a_distro_in_the_table_is_checked_by_every_rule_that_should_cover_it() -> None:
+    ran = subprocess.run(
+        [sys.executable, "-c", CODE],
+        env=environment({"PYTHONPATH": str(CHECKOUT)}),
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert ran.returncode == 0, ran.stderr
+    assert json.loads(ran.stdout) == {"rules": [], "options": [], "different": {}}

@@ -1,0 +1,242 @@
+"""Controllers, hardware and parameters that the workspace's packages define are known."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from folder import Folder
+from robots import findings
+
+from urdfctl.catalog.catalog import CATALOG
+from urdfctl.catalog.definitions import definition_of
+from urdfctl.catalog.reading import read_parameters
+from urdfctl.load.target import Target
+from urdfctl.source.span import SourceText
+from urdfctl.source.yaml import read_yaml
+
+
+def parameters(text: str) -> dict[str, Any]:
+    found = definition_of(read_yaml(SourceText("x.yaml", text.encode())))
+    return {} if found is None else dict(found.parameters)
+
+
+def test_a_definition_is_read_with_types_defaults_and_validators() -> None:
+    text = """
+    arm_controller:
+      joints: {type: string_array, default_value: [], read_only: true, validation: {unique<>: null, not_empty<>: []}}
+      rate: {type: double, description: Hz, validation: {gt<>: [0.0], "own_package::even": null}}
+      mode: {type: string, default_value: fast, validation: {one_of<>: [[fast, slow]]}}
+      share: {type: double, default_value: 0.5, validation: {bounds<>: [0.0, 1.0]}}
+      count: {type: int, default_value: 1, validation: {gt_eq: 1}}
+      point: {type: double_array_fixed_3, default_value: [0.0, 0.0, 0.0]}
+      gains:
+        __map_joints:
+          p: {type: double, default_value: 0.0}
+      free: {type: none}
+    """
+    assert parameters(text) == {
+        "joints": {"type": "string_array", "default": [], "validators": {"unique": True, "not_empty": True}},
+        "rate": {"type": "double", "required": True, "validators": {"gt": 0.0}},
+        "mode": {"type": "string", "default": "fast", "validators": {"one_of": ["fast", "slow"]}},
+        "share": {"type": "double", "default": 0.5, "validators": {"bounds": [0.0, 1.0]}},
+        "count": {"type": "int", "default": 1, "validators": {"gt_eq": 1}},
+        "point": {"type": "double_array", "default": [0.0, 0.0, 0.0], "validators": {"size_lt": 4}},
+        "gains.<joints>.p": {"type": "double", "default": 0.0},
+        "free": {"type": "none"},
+    }
+
+
+@pytest.mark.parametrize(
+    "text", ["", "- a", "a: 1", "a: {b: 1}", "a: {b: {type: pkg/Class}}", "a: {}\nb: {}", "a: {type: {type: 1}}", "{"]
+)
+def test_other_files_are_no_definition(text: str) -> None:
+    assert parameters(text) == {}
+
+
+def test_the_definition_of_a_known_controller_gives_the_parameters_of_the_catalogue() -> None:
+    text = """
+    passthrough_controller:
+      interfaces:
+        type: string_array
+        description: "Names of the interfaces to command"
+        default_value: []
+        validation:
+          not_empty<>: []
+          unique<>: null
+    """
+    known = CATALOG.controller("passthrough_controller/PassthroughController", "jazzy")
+    assert known is not None
+    assert read_parameters(parameters(text), "jazzy") == dict(known.parameters)
+
+
+@pytest.mark.parametrize("name", CATALOG.known_types("rolling"))
+def test_a_definition_written_from_the_catalogue_is_read_as_the_catalogue(name: str) -> None:
+    known = CATALOG.controller(name, "rolling")
+    assert known is not None
+    plain = {
+        each: parameter
+        for each, parameter in known.parameters.items()
+        if len(parameter.types) == 1 and not parameter.required | bool(parameter.useful) | parameter.floats_only
+    }
+    tree: dict[str, Any] = {}
+    for each, parameter in plain.items():
+        node = tree
+        for part in each.replace("<", "__map_").replace(">", "").split("."):
+            node = node.setdefault(part, {})
+        lists = {
+            key: [value] if isinstance(value, list) and "of" in key else value
+            for key, value in parameter.validators.items()
+        }
+        node |= {"type": parameter.type, "validation": {f"{key}<>": value for key, value in lists.items()}}
+        if parameter.default is not None:
+            node["default_value"] = parameter.default
+    import yaml
+
+    read = read_parameters(parameters(yaml.safe_dump({"x": tree})), "rolling") if tree else {}
+    for each, parameter in plain.items():
+        if parameter.default is not None:
+            assert (read[each].type, repr(read[each].default)) == (parameter.type, repr(parameter.default))
+            assert read[each].validators == parameter.validators
+
+
+# -- packages ---------------------------------------------------------------------------------------------------------
+
+MANIFEST = "<package format='3'><name>{}</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
+PLUGINS = """<library path="ours">
+  <class name="our_controllers/ArmController" type="our_controllers::ArmController"
+         base_class_type="controller_interface::ControllerInterface"/>
+  <class name="our_controllers/LegController" type="our_controllers::LegController"
+         base_class_type="controller_interface::ControllerInterface"/>
+  <class name="our_controllers/ArmHardware" type="our_controllers::ArmHardware"
+         base_class_type="hardware_interface::SystemInterface"/>
+</library>"""
+CMAKE = """project(our_controllers)
+generate_parameter_library(arm_parameters src/arm.yaml)
+pluginlib_export_plugin_description_file(controller_interface plugins/ours.xml)
+"""
+CODE = """#include "arm_parameters.hpp"
+class ArmController : public controller_interface::ControllerInterface {}; // declare_parameter("x") is gone
+"""
+DEFINITION = """arm:
+  joints: {type: string_array, validation: {not_empty<>: null}}
+  speed: {type: double, default_value: 1.0, validation: {gt<>: [0.0]}}
+"""
+OURS = {
+    ".git/HEAD": "",
+    "ours/package.xml": MANIFEST.format("our_controllers"),
+    "ours/CMakeLists.txt": CMAKE,
+    "ours/plugins/ours.xml": PLUGINS,
+    "ours/src/arm.yaml": DEFINITION,
+    "ours/src/arm.cpp": CODE,
+}
+
+
+def controllers(kind: str, settings: str) -> str:
+    return (
+        f"controller_manager:\n  ros__parameters:\n    update_rate: 100\n    arm: {{type: {kind}}}\n"
+        f"arm:\n  ros__parameters: {settings}\n"
+    )
+
+
+def said(folder: Folder, kind: str, settings: str, **changes: str) -> list[tuple[str, str, str]]:
+    folder.write({**OURS, **{name.replace("__", "/"): text for name, text in changes.items()}})
+    folder.write({"robot/package.xml": MANIFEST.format("robot"), "robot/c.yaml": controllers(kind, settings)})
+    found = findings(Target("robot/c.yaml"), distro="jazzy")
+    return [(one.severity.value, one.code, one.message) for one in found if one.code != "UC426"]
+
+
+ARM = "our_controllers/ArmController"
+
+
+def test_a_controller_that_a_package_exports_is_checked_with_its_definition(folder: Folder) -> None:
+    assert said(folder, ARM, "{joints: [a], speed: 2.0}") == []
+    assert said(folder, ARM, "{joints: [a], speed: 0.0}") == [("error", "UC433", "'speed' must be > 0.0, not 0.0")]
+    assert [one[:2] for one in said(folder, ARM, "{speed: 1.0}")] == [("error", "UC431")]
+    assert [one[:2] for one in said(folder, ARM, "{joints: [a], speed: fast}")] == [("error", "UC432")]
+    assert said(folder, ARM, "{joints: [a], other: 1}") == [
+        ("warning", "UC430", "'arm' has no parameter 'other'; it is ignored")
+    ]
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        CODE + 'void f() { auto_declare<double>("other", 1.0); }',
+        CODE.replace("controller_interface::ControllerInterface", "arm_base::Base"),
+        '#include "arm_parameters.hpp"\nclass ArmController;',
+    ],
+)
+def test_a_controller_that_may_read_more_is_checked_for_what_is_sure(folder: Folder, code: str) -> None:
+    changed = {"ours/src/arm.cpp": code}
+    assert said(folder, ARM, "{joints: [a], other: 1}", **changed) == []
+    assert [one[1] for one in said(folder, ARM, "{joints: [a], speed: 0.0}", **changed)] == ["UC433"]
+
+
+def test_parameters_without_a_definition_are_said_to_be_unchecked_once(folder: Folder) -> None:
+    why = "package 'our_controllers' of this workspace does not define them as data"
+    message = f"parameters of controller type 'our_controllers/LegController' are not checked: {why}"
+    assert said(folder, "our_controllers/LegController", "{x: 1}") == [("info", "UC424", message)]
+    prefixed = CODE + "auto x = std::make_shared<ParamListener>(get_node(), prefix);"
+    assert [one[1] for one in said(folder, ARM, "{x: 1}", **{"ours/src/arm.cpp": prefixed})] == ["UC424"]
+
+
+def test_a_misspelt_own_controller_is_an_error(folder: Folder) -> None:
+    message = "controller type 'our_controllers/ArmControler' is unknown; did you mean 'our_controllers/ArmController'?"
+    assert said(folder, "our_controllers/ArmControler", "{x: 1}") == [("error", "UC421", message)]
+
+
+def test_a_type_that_resembles_a_known_one_is_right_if_a_package_exports_it(folder: Folder) -> None:
+    own = PLUGINS.replace("our_controllers/ArmController", "joint_trajectory_controller/JointTrajectoryControler")
+    kind = "joint_trajectory_controller/JointTrajectoryControler"
+    assert said(folder, kind, "{joints: [a]}", **{"ours/plugins/ours.xml": own}) == []
+    assert [one[1] for one in said(folder, kind, "{joints: [a]}")] == ["UC421"]
+
+
+HARDWARE = """<robot name="r"><link name="a"/><ros2_control name="c" type="system">
+<hardware><plugin>{}</plugin></hardware></ros2_control></robot>"""
+
+
+@pytest.mark.parametrize("exported", ["manifest", "build file", "form"])
+def test_hardware_that_a_package_exports_is_known_however_it_is_exported(folder: Folder, exported: str) -> None:
+    kind = "mock_component/GenericSystem"
+    robot = {".git/HEAD": "", "r/package.xml": MANIFEST.format("r"), "r/r.urdf": HARDWARE.format(kind)}
+    folder.write(robot)
+    assert [one.code for one in findings("r/r.urdf", ("UC353",), distro="jazzy")] == ["UC353"]
+    plugins = PLUGINS.replace("our_controllers/ArmHardware", kind)
+    manifest = MANIFEST.format("ours")
+    export = "<export><hardware_interface plugin='${prefix}/p/ours.xml'/></export></package>"
+    by = {
+        "manifest": {"o/package.xml": manifest.replace("</package>", export), "o/p/ours.xml": plugins},
+        "build file": {
+            "o/package.xml": manifest,
+            "o/CMakeLists.txt": "pluginlib_export_plugin_description_file(hardware_interface p/ours.xml)",
+            "o/p/ours.xml": plugins,
+        },
+        "form": {"o/package.xml": manifest, "o/ours.xml": plugins},
+    }
+    folder.write(by[exported])
+    assert findings("r/r.urdf", ("UC353",), distro="jazzy") == []
+
+
+def test_misspelt_own_hardware_is_an_error(folder: Folder) -> None:
+    folder.write(
+        {**OURS, "r/package.xml": MANIFEST.format("r"), "r/r.urdf": HARDWARE.format("our_controllers/ArmHardwar")}
+    )
+    [found] = findings("r/r.urdf", ("UC353",), distro="jazzy")
+    assert "did you mean 'our_controllers/ArmHardware'?" in found.message
+
+
+SIMULATED = """<robot name="r"><link name="a"/><gazebo><plugin name="p" filename="libgazebo_ros_control.so">
+<robotSimType>{0}</robotSimType></plugin></gazebo></robot>"""
+SIMULATION = (
+    '<library path="o"><class name="{0}" type="o::Sim" base_class_type="gazebo_ros_control::RobotHWSim"/></library>'
+)
+
+
+def test_a_simulation_of_ros1_that_a_package_exports_is_known(folder: Folder) -> None:
+    kind = "gazebo_ros_control/DefaultRobotHWSm"
+    folder.write({".git/HEAD": "", "r/package.xml": MANIFEST.format("r"), "r/r.urdf": SIMULATED.format(kind)})
+    assert [one.code for one in findings("r/r.urdf", ("UC526",), distro="noetic")] == ["UC526"]
+    folder.write({"o/package.xml": MANIFEST.format("o"), "o/plugins.xml": SIMULATION.format(kind)})
+    assert findings("r/r.urdf", ("UC526",), distro="noetic") == []

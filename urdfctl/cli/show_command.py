@@ -1,0 +1,94 @@
+"""`urdfctl show`: what is started together, and what is left out."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+
+from urdfctl.cli.lint_request import LintRequest
+from urdfctl.cli.lint_run import LintRun, lint_files
+from urdfctl.cli.targets import discovered
+from urdfctl.cli.words import check_jobs, configured, output_of, settings_to_check, split_arguments
+from urdfctl.cli.writing import print_text, write_file
+from urdfctl.diagnostic import Severity
+from urdfctl.errors import UserError
+from urdfctl.lint.results import TargetResult
+from urdfctl.lint.selection import Selection
+from urdfctl.load.bringup import Bringup
+from urdfctl.report.common import as_json, is_robot, shown, visible
+from urdfctl.report.json_report import target_document
+from urdfctl.startup.hints import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfctl.cli.options import ShowOptions
+
+FORMATS = ("text", "json")
+_NO_RULE = Selection(select=("UC000",))
+_WIDTH = 12
+
+
+def run_show(options: ShowOptions) -> int:
+    """Print what is started together, and return the exit status: 0, or 2 if there is nothing to show."""
+    check_jobs(options.jobs)
+    words = options.paths or []
+    config = configured(words, options)
+    settings = settings_to_check(config, options, split_arguments(words)[0])
+    outputs = [output_of(text, FORMATS) for text in options.formats or ("text",)]
+    paths, arguments = split_arguments(words)
+    request = LintRequest(
+        words=tuple(words),
+        selection=_NO_RULE,
+        outputs=(),
+        fail_on=Severity.ERROR,
+        exit_zero=True,
+        jobs=options.jobs,
+        config=config,
+    )
+    run = lint_files(discovered(paths, config), tuple(arguments.items()), settings, request)
+    if not run.targets:
+        raise UserError(f"no robot, controller file or launch file in {', '.join(paths) or 'this folder'}")
+    for name, file in outputs:
+        text = _json(run) if name == "json" else "".join(f"{visible(line)}\n" for line in _lines(run))
+        if file is not None:
+            write_file(file, text, force=True)
+        else:
+            print_text(text)
+    return 0
+
+
+def _json(run: LintRun) -> str:
+    targets = [target_document(target) for target in run.robots]
+    return as_json({"version": 1, "targets": targets, "unused": [shown(one.path) for one in run.unused]}, 1) + "\n"
+
+
+def _lines(run: LintRun) -> Iterator[str]:
+    """A tree: launch files with what they start, then robots that no launch file starts, then unused files."""
+    for target in sorted(run.robots, key=lambda target: (target.launch is None, target.launch or "", target.path)):
+        yield shown(target.launch) if target.launch else f"{_described(target)}  (no launch file starts it)"
+        yield from (f"  {name:{_WIDTH}}{value}" for name, value in _facts(target) if value)
+    for target in run.unused:
+        yield f"{shown(target.path)}  (no robot uses it)"
+
+
+def _facts(target: TargetResult) -> Iterator[tuple[str, str]]:
+    bringup = target.bringup or Bringup()
+    yield "arguments", " ".join(f"{name}:={value}" for name, value in bringup.arguments)
+    if target.launch and is_robot(target):
+        yield "description", _described(target)
+    yield "namespace", bringup.namespace or ""
+    yield "controllers", ", ".join(map(shown, target.controllers))
+    yield "spawned", ", ".join(bringup.spawned)
+    yield "includes", ", ".join(map(shown, bringup.includes))
+    yield "moveit", "move_group" if bringup.moveit else ""
+    yield "simulator", target.simulator or ", ".join(bringup.simulators)
+    distro = target.distro or (f"ROS {target.ros}" if target.ros else "unknown")
+    yield "distro", f"{distro}, from {target.distro_from}" if target.distro_from else distro
+    if not bringup.complete:
+        yield "unknown", "some of what the launch file starts could not be determined"
+    if not target.complete:
+        yield "incomplete", "not all of the description could be expanded"
+
+
+def _described(target: TargetResult) -> str:
+    words = [shown(target.path), *(f"{name}:={value}" for name, value in target.arguments)]
+    return " ".join(words).replace(os.sep, "/")

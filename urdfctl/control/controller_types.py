@@ -1,0 +1,126 @@
+"""Controller types: which are known, which one a misspelt type means, and which distros have each."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS1, ROS2, generation
+from urdfctl.catalog.entries import Replacement
+from urdfctl.control.readers import controllers_in, is_of_ros2, type_of
+from urdfctl.model.controllers import Controller
+from urdfctl.model.parameters import Value
+from urdfctl.model.project import Project
+from urdfctl.names import nearest
+from urdfctl.startup.per_object import once_for_the_last
+from urdfctl.startup.records import NamedTuple
+
+_ALIKE = 0.9
+
+
+class Typed(NamedTuple):
+    """A controller with the type given in its file."""
+
+    controller: Controller
+    type: str
+    at: Value
+    """The value that gives the type."""
+    distros: tuple[str, ...]
+    """The distros that may load it: those of the project, of the controller's ROS generation."""
+    known_in: tuple[str, ...]
+    """The distros that have the type, of both generations."""
+
+    @property
+    def ros(self) -> int:
+        """The ROS generation of the controller, 1 or 2."""
+        return generation(self.distros[0])
+
+
+@once_for_the_last
+def typed(project: Project) -> tuple[Typed, ...]:
+    """Return the controllers with a literal type in their file."""
+    controllers = []
+    for controller in controllers_in(project).controllers:
+        kind = type_of(controller)
+        family = ROS2 if is_of_ros2(project, controller) else ROS1
+        distros = tuple(distro for distro in project.distros if distro in family)
+        if kind is not None and controller.type is not None and distros:
+            known_in = distros if kind in project.own.controllers else project.catalog.distros_of(kind)
+            controllers.append(Typed(controller, kind, controller.type, distros, known_in))
+    return tuple(controllers)
+
+
+@once_for_the_last
+def _known(project: Project) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """The types that come with ros_control and with ros2_control themselves, by generation."""
+    return tuple(tuple(_own_types(project, family)) for family in (ROS1, ROS2))  # type: ignore[return-value]
+
+
+def _own_types(project: Project, family: tuple[str, ...]) -> Iterator[str]:
+    catalog = project.catalog
+    for distro in family:
+        for name in catalog.known_types(distro):
+            kind = catalog.controller(name, distro)
+            if kind is not None and not kind.external:
+                yield name
+
+
+def meant_by(project: Project, unknown: Typed) -> str | None:
+    """Return the known type that an unknown type means; None if it may be from another package."""
+    types = list(dict.fromkeys(_known(project)[unknown.ros - 1]))
+    own = nearest(unknown.type.strip(), project.own.controllers)
+    if own is not None:
+        return own
+    text = unknown.type.strip(" '\"").replace("::", "/")
+    parts = text.split("/")
+    package, name = parts[0], parts[-1]
+    if f"{package}/{name}" in types:
+        return f"{package}/{name}"
+    same = nearest(text, types)
+    if same is not None and same.casefold() == text.casefold():
+        return same
+    if len(parts) == 1:
+        return next((each for each in types if each.partition("/")[2] == name), None) or _only_one_of(package, types)
+    return _of_package(package, name, types) or _of_alike_package(package, name, types)
+
+
+def _of_package(package: str, name: str, types: list[str]) -> str | None:
+    """The type that is meant if the package is right, or is the source package of some types."""
+    inside = [each for each in types if each.partition("/")[0] == package]
+    if not inside and package != "gripper_controllers":  # the types in this package start with another name
+        return None
+    classes = {each.partition("/")[2]: each for each in types}
+    if name in classes:
+        return classes[name]
+    close = nearest(name, [each.partition("/")[2] for each in inside])
+    return f"{package}/{close}" if close else _only_one_of(package, types)
+
+
+def _only_one_of(package: str, types: list[str]) -> str | None:
+    """The type of a package if it has only one."""
+    inside = [each for each in types if each.partition("/")[0] == package]
+    return inside[0] if len(inside) == 1 else None
+
+
+def _of_alike_package(package: str, name: str, types: list[str]) -> str | None:
+    """The type whose package and class both resemble the given ones: `controllers` for `controller`."""
+    from difflib import SequenceMatcher
+
+    for known in types:
+        known_package, _, known_name = known.partition("/")
+        alike = (SequenceMatcher(None, *pair).ratio() for pair in ((package, known_package), (name, known_name)))
+        if all(ratio >= _ALIKE for ratio in alike):
+            return known
+    return None
+
+
+def instead_of(project: Project, kind: str, distro: str) -> tuple[Replacement | None, str]:
+    """Return the replacement of a type in a distro, and the advice: `use 'x/Y' with 'interface_name: position'`."""
+    replacement = project.catalog.replacement(kind, distro)
+    if replacement is None:
+        return None, ""
+    parts = [f"{name}: {_plain(value)}" for name, value in replacement.parameters.items()]
+    return replacement, f"use '{replacement.type}'" + (f" with '{', '.join(parts)}'" if parts else "")
+
+
+def _plain(value: object) -> str:
+    return f"[{', '.join(map(str, value))}]" if isinstance(value, list) else str(value)

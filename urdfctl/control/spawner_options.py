@@ -1,0 +1,39 @@
+"""The options of ros2_control's spawner, by distro."""
+
+from __future__ import annotations
+
+from urdfctl.catalog.distros import ROS2, between, since, until
+
+DISTROS = {
+    "-h": ROS2,
+    "--help": ROS2,
+    "-c": ROS2,
+    "--controller-manager": ROS2,
+    "-p": ROS2,
+    "--param-file": ROS2,
+    "--load-only": ROS2,
+    "-u": ROS2,
+    "--unload-on-kill": ROS2,
+    "--controller-manager-timeout": ROS2,
+    "-n": between("humble", "jazzy"),
+    "--namespace": between("humble", "jazzy"),
+    "-t": until("jazzy"),
+    "--controller-type": until("jazzy"),
+    "--stopped": until("humble"),
+    "--inactive": since("humble"),
+    "--switch-timeout": since("humble"),
+    "--service-call-timeout": since("humble"),
+    "--activate-as-group": since("humble"),
+    "--switch-asap": since("jazzy"),
+    "--no-switch-asap": since("jazzy"),
+    "--controller-ros-args": since("jazzy"),
+    "--controller": since("jazzy"),
+}
+"""The distros that have each option in at least one of their releases."""
+INSTEAD = {
+    "--stopped": "use '--inactive'",
+    "-n": "use '--ros-args -r __ns:=/name'",
+    "--namespace": "use '--ros-args -r __ns:=/name'",
+    "-t": "set the type in the parameter file",
+    "--controller-type": "set the type in the parameter file",
+}

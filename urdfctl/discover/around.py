@@ -1,0 +1,97 @@
+"""Find the launch files of a package and its neighbours that may start what a file or folder is part of."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Sequence
+
+from urdfctl.discover.launch_files import is_launch_file, launch_roots, may_launch
+from urdfctl.discover.walk import files_below, text_of
+from urdfctl.source.packages import package_around, package_name
+from urdfctl.source.workspace import workspace_of
+
+_MAX_NEIGHBOURS = 60
+_MAX_LAUNCH_FILES = 200
+_MAX_BRINGUPS = 30
+
+
+def launch_files_around(paths: Sequence[str]) -> list[str]:
+    """Return the launch files that may start what the paths are part of: files, or folders inside a package.
+
+    Those of the own package and of the packages beside it are read as text; a launch file is returned if it, or one
+    that it includes, names the package or one of the files. Whether it really starts them shows when it is loaded.
+    """
+    found: dict[str, None] = {}
+    for path in paths:
+        absolute = os.path.abspath(path)
+        package = _package_around(absolute)
+        folder = package or (absolute if os.path.isdir(absolute) else os.path.dirname(absolute))
+        texts = {
+            launch: text
+            for launch in _launch_files(folder, neighbours=package is not None)
+            if is_launch_file(launch, text := text_of(launch))
+        }
+        found.update(dict.fromkeys(launch_roots(texts, naming=_names(absolute, package))))
+    return list(found)[:_MAX_BRINGUPS]
+
+
+def _package_around(path: str) -> str | None:
+    """The folder of the package that contains a path, within its workspace."""
+    package = package_around(path if os.path.isdir(path) else os.path.dirname(path))
+    return package if package and _is_inside(package, workspace_of(path)) else None
+
+
+def _is_inside(folder: str, other: str) -> bool:
+    return (folder + os.sep).startswith(other.rstrip(os.sep) + os.sep)
+
+
+def is_inside_package(folder: str) -> bool:
+    """Return whether a folder is below the folder of a package."""
+    package = _package_around(os.path.abspath(folder))
+    return package is not None and package != os.path.abspath(folder)
+
+
+def _launch_files(folder: str, *, neighbours: bool) -> Iterator[str]:
+    """Launch files of a package, then those in the folder `launch` of the packages beside it."""
+    count = 0
+    places = [folder, *(_launch_folders(folder) if neighbours else ())]
+    for place in places:
+        for path in sorted(files_below(place)):
+            if may_launch(path):
+                yield os.path.relpath(path)
+                count += 1
+                if count >= _MAX_LAUNCH_FILES:
+                    return
+
+
+def _launch_folders(package: str) -> list[str]:
+    workspace = workspace_of(package)
+    above = os.path.dirname(package)
+    if not _is_inside(above, workspace):
+        return []
+    folders = [os.path.join(above, name, "launch") for name in _listed(above)]
+    if above != workspace:
+        outer = os.path.dirname(above)
+        folders += [os.path.join(outer, name, "launch") for name in _listed(outer)]
+        folders += [
+            os.path.join(outer, name, inner, "launch") for name in _listed(outer) for inner in _listed(outer, name)
+        ]
+    own = os.path.join(package, "launch")
+    there = (folder for folder in dict.fromkeys(folders) if folder != own and os.path.isdir(folder))
+    return [folder for folder, _ in zip(there, range(_MAX_NEIGHBOURS), strict=False)]
+
+
+def _listed(*parts: str) -> list[str]:
+    try:
+        return sorted(name for name in os.listdir(os.path.join(*parts)) if not name.startswith("."))
+    except OSError:
+        return []
+
+
+def _names(path: str, package: str | None) -> list[bytes]:
+    """What a launch file that starts a path may name: the files, and the package."""
+    names: Iterable[str] = [os.path.basename(path)]
+    if os.path.isdir(path):
+        names = (os.path.basename(file) for file in files_below(path))
+    own = package_name(os.path.join(package, "package.xml")) if package else None
+    return [os.fsencode(name) for name in {*names, *([own] if own else [])}]

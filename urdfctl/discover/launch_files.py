@@ -1,0 +1,100 @@
+"""Find the launch files and controller files in folders that are linted."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+from urdfctl.discover.walk import LAUNCHES
+
+_COMMENT = rb"(?s)<!--.*?(?:-->|\Z)"
+_INCLUDE = rb"(?s)<include\s[^<>]*?file\s*=\s*[\"']([^\"']+)[\"']"
+_NAMED = rb"[\"'/]([\w.-]+[._]launch\.(?:py|xml|ya?ml))[\"']|file:[ \t]*\S{0,300}/([\w.-]{1,100}\.launch\.\w{1,5})"
+_RELEVANT = rb"<rosparam\b|[\"']controller_manager[\"']|\bros2 control\b|[\"']control[\"']"
+_DESCRIBING = rb"\brobot_state_publisher\b|\brobot_description\b|pkg:\s*controller_manager"
+_ROS2 = (".py", ".yaml", ".yml")
+_PARAMETERS = rb"(?m)^[ \t]*[\"']?ros__parameters[\"']?[ \t]*:"
+_MANAGER = rb"(?m)^[ \t]*[\"']?[\w/*]*\bcontroller_manager[\"']?[ \t]*:"
+_TYPE = rb"(?m)(?:^[ \t]*|[{,][ \t]*)[\"']?type[\"']?[ \t]*:[ \t]*[\"']?\w*(?:controller|broadcaster)\w*/\w"
+_TEMPLATE = rb"\{\{|\{%|<%"
+
+
+def is_controllers_file(text: bytes) -> bool:
+    """Return whether a YAML text configures controllers: it has a manager's section, or types of controllers.
+
+    Templates are not: they are not YAML until they are filled in.
+    """
+    if re.search(_TEMPLATE, text):
+        return False
+    managed = re.search(_PARAMETERS, text) and re.search(_MANAGER, text)
+    return bool(managed or re.search(_TYPE, text))
+
+
+def may_launch(path: str) -> bool:
+    """Return whether a file may be a launch file: by its name, or because it is Python in a folder of that name."""
+    return path.endswith((*LAUNCHES, ".py"))
+
+
+def is_launch_file(path: str, text: bytes) -> bool:
+    """Return whether a file in a folder is a launch file."""
+    if path.endswith(".py"):
+        return b"def generate_launch_description" in text
+    return bool(re.search(rb"(?m)^launch[ \t]*:", text)) if path.endswith(_ROS2) else b"<launch" in text
+
+
+def launch_roots(texts: Mapping[str, bytes], naming: Sequence[bytes] = ()) -> list[str]:
+    """The launch files that no other one includes, and which describe a robot, load parameters or start controllers,
+    themselves or by what they include, in order."""
+    by_name: dict[str, list[str]] = {}
+    for path in texts:
+        by_name.setdefault(os.path.basename(path), []).append(path)
+    included = {path: list(_included(path, text, by_name)) for path, text in texts.items()}
+    inner = {path for paths in included.values() for path in paths}
+    return [path for path in texts if path not in inner and _is_relevant(path, included, texts, naming)]
+
+
+def _included(path: str, text: bytes, by_name: Mapping[str, Sequence[str]]) -> Iterator[str]:
+    """Yield the files that a launch file may include: those whose path ends like the included one."""
+    if path.endswith(_ROS2):
+        yield from _named(path, text, by_name)
+        return
+    for match in re.finditer(_INCLUDE, re.sub(_COMMENT, b"", text)):
+        address = match.group(1).decode("utf-8", "replace")
+        tail = re.sub(r"^.*\$\([^)]*\)+/?", "", address).lstrip("./")
+        for candidate in by_name.get(os.path.basename(tail), ()):
+            if candidate != path and f"/{os.path.abspath(candidate)}".replace(os.sep, "/").endswith(f"/{tail}"):
+                yield candidate
+
+
+def _named(path: str, text: bytes, by_name: Mapping[str, Sequence[str]]) -> Iterator[str]:
+    """Yield the launch files that a Python or YAML launch file names.
+
+    If several files have the name: those in a folder that it names too, or else those in its own folder.
+    """
+    for match in re.finditer(_NAMED, text):
+        name = (match.group(1) or match.group(2)).decode("utf-8", "replace")
+        candidates = [candidate for candidate in by_name.get(name, ()) if candidate != path]
+        beside = [candidate for candidate in candidates if os.path.dirname(candidate) == os.path.dirname(path)]
+        in_named_folder = [
+            path for path in candidates if any(part.encode() in text for part in path.split(os.sep)[-3:-2])
+        ]
+        yield from candidates if len(candidates) == 1 else in_named_folder or beside or candidates
+
+
+def _is_relevant(
+    path: str, included: Mapping[str, Iterable[str]], texts: Mapping[str, bytes], naming: Sequence[bytes]
+) -> bool:
+    pending, seen = [path], {path}
+    relevant, named = False, not naming
+    while pending:
+        current = pending.pop()
+        text = texts[current]
+        relevant = relevant or bool(re.search(_RELEVANT, text) or re.search(_DESCRIBING, text))
+        named = named or any(name in text for name in naming)
+        if relevant and named:
+            return True
+        new = [other for other in included[current] if other not in seen]
+        seen.update(new)
+        pending += new
+    return False

@@ -1,0 +1,163 @@
+"""Find the robots that the paths of a command line mean."""
+
+from __future__ import annotations
+
+import errno
+import os
+import re
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from fnmatch import fnmatchcase
+from functools import lru_cache
+
+from urdfctl.discover.generated import written_by_xacro
+from urdfctl.discover.launch_files import is_controllers_file, is_launch_file, launch_roots, may_launch
+from urdfctl.discover.walk import DESCRIPTIONS, files_below, text_of
+from urdfctl.errors import UserError
+from urdfctl.names import nearest_path
+from urdfctl.source.files import is_launch, is_yaml
+from urdfctl.source.packages import package_around, package_name
+
+_INCLUDE = rb"(?s)<(?:xacro:)?include\s[^<>]*?filename\s*=\s*[\"']([^\"']+)[\"']"
+_COMMENT = rb"(?s)<!--.*?(?:-->|\Z)"
+_ROBOT = rb"<robot[\s>/]"
+
+
+class DiscoveredFiles:
+    """The files that the paths of a command name or contain.
+
+    robots, controllers, launches: files that are named.
+    candidates: descriptions in folders that no other one includes, and so may be robots.
+    others: all descriptions in folders.
+    launch_candidates: launch files in folders that may say which files belong together.
+    controllers_candidates: files in folders that look like controller files.
+    """
+
+    def __init__(self) -> None:
+        self.robots: list[str] = []
+        self.candidates: list[str] = []
+        self.others: list[str] = []
+        self.generated: list[str] = []
+        self.controllers: list[str] = []
+        self.launches: list[str] = []
+        self.launch_candidates: list[str] = []
+        self.controllers_candidates: list[str] = []
+        self.around: list[str] = []
+        self.focus: list[str] = []
+        self.despite: list[str] = []
+
+    def unread(self, files: Collection[str]) -> list[str]:
+        """Return the descriptions in folders that are not among some files: unused libraries and fragments."""
+        known = set(files)
+        return [path for path in map(os.path.abspath, self.others) if path not in known]
+
+    def paths(self) -> list[str]:
+        """Return all files that may be read."""
+        named = [*self.robots, *self.controllers, *self.launches]
+        found = [*self.candidates, *self.others, *self.launch_candidates, *self.controllers_candidates]
+        return [*named, *found, *self.around]
+
+    def among(self, paths: Collection[str]) -> DiscoveredFiles:
+        """Return only the files that are among some absolute paths."""
+        part = DiscoveredFiles()
+        for kind, files in vars(self).items():
+            setattr(part, kind, [path for path in files if os.path.abspath(path) in paths])
+        return part
+
+    def descriptions(self) -> list[tuple[str, bool]]:
+        """Return each description once, with whether the user named it."""
+        named = {os.path.abspath(path): True for path in self.robots}
+        in_folders = {os.path.abspath(path): False for path in self.candidates}
+        return list({**in_folders, **named}.items())
+
+
+def discover_files(paths: Sequence[str], excluded: Callable[[str], bool] = lambda _: False) -> DiscoveredFiles:
+    """Return the files that paths name or contain.
+
+    Without paths: those of the package around the current folder, or of the current folder if there is no package.
+
+    excluded: returns whether a file in a folder is skipped. Named files are never skipped.
+    """
+    files = DiscoveredFiles()
+    for path in paths or (_enclosing_package(),):
+        if not os.path.lexists(path):
+            raise UserError(f"file or folder '{path}' does not exist{nearest_path(path)}")
+        if os.path.isdir(path):
+            check_readable(path)
+            _search(path, files, excluded)
+        elif is_launch(path):
+            files.launches.append(path)
+        elif is_yaml(path):
+            files.controllers.append(path)
+        else:
+            files.robots.append(path)
+    return files
+
+
+def check_readable(folder: str) -> None:
+    """Raise UserError if a folder cannot be searched. Unreadable folders below it are skipped without a message."""
+    if not os.access(folder, os.R_OK | os.X_OK):
+        raise UserError(f"'{folder}' cannot be read: {os.strerror(errno.EACCES)}")
+
+
+def _enclosing_package() -> str:
+    folder = package_around(os.getcwd())
+    return os.path.relpath(folder) if folder else os.curdir
+
+
+def _search(folder: str, found: DiscoveredFiles, excluded: Callable[[str], bool]) -> None:
+    """What may be worth linting below a folder. What is excluded still tells what others are included by."""
+    if not _classify(sorted(files_below(folder)), found, excluded):
+        despite: list[str] = []
+        _classify(sorted(files_below(folder, ignored=despite)), found, excluded)
+        found.despite += despite
+
+
+def _classify(files: Sequence[str], found: DiscoveredFiles, excluded: Callable[[str], bool]) -> bool:
+    """Add the files of a folder by what they are; return whether there are any."""
+    before = len(found.paths())
+    robots = {path: text for path in files if path.endswith(DESCRIPTIONS) and re.search(_ROBOT, text := text_of(path))}
+    found.generated += written_by_xacro({path: text for path, text in robots.items() if not excluded(path)})
+    generated = set(found.generated)
+    found.others += (path for path in robots if not excluded(path) and path not in generated)
+    found.candidates += (path for path in roots(robots) if not excluded(path) and path not in generated)
+    launches = {path: text for path in files if may_launch(path) and is_launch_file(path, text := text_of(path))}
+    found.launch_candidates += (path for path in launch_roots(launches) if not excluded(path))
+    yamls = (path for path in files if is_yaml(path) and not excluded(path))
+    found.controllers_candidates += (path for path in yamls if is_controllers_file(text_of(path)))
+    return len(found.paths()) > before
+
+
+def roots(texts: Mapping[str, bytes]) -> list[str]:
+    """Return the descriptions that no other one includes, in order. Loading shows whether they are robots."""
+    included = {(tail, package) for path, text in texts.items() for tail, package in _included(path, text)}
+    return [path for path in texts if not any(is_match(path, tail, package) for tail, package in included)]
+
+
+def _included(path: str, text: bytes) -> Iterator[tuple[str, str]]:
+    """Yield the files that a description includes, except itself, for `is_match`.
+
+    A relative include gives a path. Any other gives a pattern for the end of the path, and the package if it is named.
+    """
+    for match in re.finditer(_INCLUDE, re.sub(_COMMENT, b"", text)):
+        name = match.group(1).decode("utf-8", "replace")
+        if "$" in name or os.path.isabs(name):
+            package = re.match(r"\$\(find ([^)$]+)\)", name)
+            yield "*" + re.sub(r"\$\{[^}]*\}|\$\([^)]*\)", "*", name), package.group(1).strip() if package else ""
+        elif (relative := os.path.normpath(os.path.join(os.path.dirname(path), name))) != os.path.normpath(path):
+            yield relative, ""
+
+
+def is_match(path: str, included: str, package: str) -> bool:
+    """Return whether an include means a path: it is that path, or a pattern for its end in the named package."""
+    if not included.startswith("*"):
+        return os.path.normpath(path) == included
+    if not included.strip("*/") or not fnmatchcase(os.path.abspath(path).replace(os.sep, "/"), included):
+        return False
+    return not package or _package_of(os.path.dirname(os.path.abspath(path))) in (package, None)
+
+
+@lru_cache(4096)
+def _package_of(folder: str) -> str | None:
+    """Return the name of the package around a folder; None if there is none."""
+    package = package_around(folder)
+    return package_name(os.path.join(package, "package.xml")) if package else None

@@ -1,0 +1,69 @@
+"""Read one robot in a limited worker, and return what the generators need to know about it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+
+from urdfctl.config.settings import Settings
+from urdfctl.diagnostic import Diagnostic
+from urdfctl.generate.facts import RobotFacts
+from urdfctl.generate.survey import facts_of
+from urdfctl.lint.engine import lint
+from urdfctl.lint.job import Work, run_on_one
+from urdfctl.lint.selection import Selection
+from urdfctl.lint.serialising import outcome_to_json
+from urdfctl.load.description import expansion_of
+from urdfctl.load.distro import Beside, detect_distro
+from urdfctl.load.target import Target
+from urdfctl.model.build_robot import robot_of
+from urdfctl.model.project import Project
+from urdfctl.source.packages import package_name
+from urdfctl.startup.hints import Any
+from urdfctl.startup.records import NamedTuple
+
+
+class MeasuredRobot(NamedTuple):
+    """A robot as the generators see it.
+
+    facts: None if the robot cannot be read.
+    problems: why not, or what else was found while reading it.
+    crashed: True if urdfctl itself failed.
+    """
+
+    facts: RobotFacts | None
+    problems: tuple[Diagnostic, ...]
+    crashed: bool = False
+
+
+def measure_robot(path: str, arguments: Mapping[str, str], settings: Settings) -> MeasuredRobot:
+    """Return the facts of the robot in a file."""
+    target = Target(path, tuple(arguments.items()))
+    result, outcome = run_on_one(measure_work, target, settings)
+    if result is None:
+        return MeasuredRobot(None, tuple(outcome.diagnostics), outcome.crashed)
+    facts = RobotFacts.from_json(result["facts"]) if result["facts"] else None
+    return MeasuredRobot(facts, tuple(outcome.diagnostics))
+
+
+def measure_work(work: Work) -> dict[str, Any]:
+    """Measure a robot in a worker."""
+    path = os.path.abspath(work.target.path)
+    expander = work.loader.expander(path)
+    expansion = expansion_of(expander, path, dict(work.target.arguments))
+    root = expansion.document.documentElement if expansion.document is not None else None
+    outcome = lint(Project(None, path, problems=tuple(expansion.problems), complete=False), [], Selection(("UC0",)))
+    if root is None:
+        return {"facts": None, "outcome": outcome_to_json(outcome)}
+    robot = robot_of(root, whole=expansion.complete)
+    folder = expander.packages.own()
+    evidence = detect_distro(robot, Beside(folder), work.loader.settings)
+    facts = facts_of(robot)._replace(
+        file=work.target.path,
+        package=package_name(os.path.join(folder, "package.xml")) if folder else None,
+        package_path=os.path.relpath(path, folder).replace(os.sep, "/") if folder else None,
+        distro=evidence.distro,
+        ros=evidence.ros,
+        simulator=evidence.simulator,
+    )
+    return {"facts": facts.to_json(), "outcome": outcome_to_json(outcome)}

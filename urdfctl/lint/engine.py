@@ -1,0 +1,116 @@
+"""Run the rules on one project."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+
+from urdfctl.catalog.distros import APPLIES, applies_to
+from urdfctl.diagnostic import Diagnostic, Finding, Note, diagnosed, located
+from urdfctl.lint.results import Outcome, SuppressionUse
+from urdfctl.lint.selection import Selection
+from urdfctl.model.project import Project
+from urdfctl.rule import Rule
+from urdfctl.rules import all_rules, rule_of, rules_for
+from urdfctl.source.budget import OverBudget
+from urdfctl.source.opaque import UNKNOWN
+from urdfctl.source.span import Place, SourceSpan, SourceText
+from urdfctl.source.suppressions import Suppressed
+
+
+def lint(
+    project: Project,
+    sources: Sequence[SourceText],
+    selection: Selection,
+    rules: Iterable[Rule] | None = None,
+    reached: Callable[[SourceSpan], bool] = lambda _: True,
+) -> Outcome:
+    """Return what the rules find in a project. After a rule that crashes, the others still run.
+
+    sources: the texts whose suppression comments apply.
+    rules: those of the families that concern the project, if None.
+    reached: returns whether the robot includes a source span.
+    """
+    suppressed = Suppressed(list(sources))
+    diagnostics: list[Diagnostic] = []
+    crashed = False
+    for rule in rules_for(project) if rules is None else rules:
+        if not (selection.admits(rule.code) and _applies(rule, project)):
+            continue
+        try:
+            diagnostics.extend(
+                _diagnostic(rule, project, finding, selection)
+                for finding in _known(rule.check(project), sources)
+                if not suppressed.covers(rule.code, finding.at)
+            )
+        except (OverBudget, MemoryError):
+            raise
+        except Exception as error:  # noqa: BLE001 (one broken rule must not hide what the others find)
+            crashed = True
+            diagnostics.append(_crash(rule, project, error))
+    uses = list(_uses(suppressed, _silent_codes(project, selection), reached)) if suppressed.all else []
+    return Outcome(diagnostics, uses, crashed)
+
+
+def _known(findings: Iterable[Finding], sources: Sequence[SourceText]) -> Iterator[Finding]:
+    """The findings that do not depend on an unknown value, with names as they are written where part is unknown."""
+    for finding in findings:
+        if UNKNOWN not in finding.message:
+            yield finding
+            continue
+        from urdfctl.lint.unknown_names import as_written
+
+        written = as_written(finding, sources)
+        if written is not None:
+            yield written
+
+
+def _silent_codes(project: Project, selection: Selection) -> set[str]:
+    """Return the codes of rules that did not run, or could not see the whole robot."""
+    selected = [rule for rule in all_rules() if not rule.of_smoke and selection.admits(rule.code)]
+    ran = [rule for rule in selected if _applies(rule, project)]
+    return {rule.code for rule in all_rules()} - {rule.code for rule in ran if project.complete}
+
+
+def _uses(
+    suppressed: Suppressed, silent: Collection[str], reached: Callable[[SourceSpan], bool]
+) -> Iterator[SuppressionUse]:
+    """Yield each suppression comment with whether it was used.
+
+    It counts as used if that is unknown: not all its rules ran, or it is in a macro that this robot does not call.
+    """
+    for index, item in enumerate(suppressed.all):
+        judged = [code for code in item.codes if not any(rule.startswith(code) for rule in silent)]
+        used = index in suppressed.used or (bool(item.codes) and not judged) or not reached(item.span)
+        excerpt = item.span.source.line(item.span.source.position(item.span.start).line)
+        yield SuppressionUse(located(item.span), tuple(judged), used, excerpt)
+
+
+def _applies(rule: Rule, project: Project) -> bool:
+    if (rule.whole_robot and not project.complete) or (project.library and not rule.in_library):
+        return False
+    return bool(set(rule.distros) & set(project.distros))
+
+
+def _diagnostic(rule: Rule, project: Project, finding: Finding, selection: Selection) -> Diagnostic:
+    applicable = [distro for distro in project.distros if distro in rule.distros]
+    is_noted = any(note.message.startswith(APPLIES) for note in finding.notes)
+    if project.distro is None and len(applicable) < len(project.distros) and not is_noted:
+        finding = finding._replace(notes=(*finding.notes, Note(applies_to(applicable))))
+    influence = project.influence(finding.at).in_words()
+    if influence:
+        finding = finding._replace(notes=(*finding.notes, Note(influence)))
+    severity = selection.severity(rule.code, finding.severity or rule.severity)
+    return diagnosed(rule.code, rule.name, severity, finding)
+
+
+def _crash(rule: Rule, project: Project, error: Exception) -> Diagnostic:
+    import traceback
+
+    where = traceback.extract_tb(error.__traceback__)[-1]
+    place = project.robot.at if project.robot else Place(SourceText(project.path, b""), 0, end=0)
+    message = (
+        f"rule {rule.code} {rule.name} crashed: {type(error).__name__}: {error} ({where.name}, line {where.lineno})"
+    )
+    finding = Finding(place, message, notes=(Note("this is a bug in urdfctl: please report it with this robot"),))
+    crashed = rule_of("UC000")
+    return diagnosed(crashed.code, crashed.name, crashed.severity, finding)

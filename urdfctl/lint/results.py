@@ -1,0 +1,71 @@
+"""Results of linting: of one project, and of one target."""
+
+from __future__ import annotations
+
+from urdfctl.diagnostic import Diagnostic, Location
+from urdfctl.load.bringup import Bringup
+from urdfctl.startup.records import NamedTuple
+
+
+class SuppressionUse(NamedTuple):
+    """A suppression comment, and whether it suppressed anything in one project."""
+
+    at: Location
+    codes: tuple[str, ...]
+    used: bool
+    excerpt: str
+
+
+class Outcome(NamedTuple):
+    """The diagnostics of one project.
+
+    crashed: True if a rule raised an exception, which is a diagnostic too.
+    """
+
+    diagnostics: list[Diagnostic]
+    suppressions: list[SuppressionUse]
+    crashed: bool = False
+
+
+class TargetResult(NamedTuple):
+    """The result of linting one target.
+
+    path: the description, or the file that was linted without one.
+    ros: 1 or 2; None if unknown.
+    distro_from: what the distro was detected from.
+    complete: False if a part of the robot could not be expanded.
+    library: True if the file only defines macros, which were called with unknown values.
+    robot: the robot's name.
+    links: how many links it has; None if there is no robot.
+    files: all files that were read.
+    controllers: the controller files that belong to it.
+    launch: the launch file that says which files belong together.
+    arguments: the xacro arguments the description was given.
+    bringup: what that launch file starts together.
+    distros: the distros that it may be for.
+    nodes: the nodes that were checked by a definition that the user names.
+    sections: the names of other nodes that its files have parameters for, if the user names a definition.
+    twin: a digest of the expanded description if a file of the same name, plain or xacro, is beside it.
+    missing_packages: the packages that it uses and package.xml declares, and that are not in the workspace.
+    """
+
+    path: str
+    ros: int | None
+    distro: str | None
+    distro_from: str | None
+    simulator: str | None
+    complete: bool
+    library: bool
+    robot: str | None
+    links: int | None
+    files: tuple[str, ...]
+    outcome: Outcome
+    controllers: tuple[str, ...] = ()
+    launch: str | None = None
+    arguments: tuple[tuple[str, str], ...] = ()
+    bringup: Bringup | None = None
+    distros: tuple[str, ...] = ()
+    nodes: tuple[str, ...] = ()
+    sections: tuple[str, ...] = ()
+    missing_packages: tuple[str, ...] = ()
+    twin: str | None = None

@@ -1,0 +1,116 @@
+"""Load one target and lint it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from urdfctl.lint.engine import lint
+from urdfctl.lint.generated import twin_digest
+from urdfctl.lint.results import Outcome, TargetResult
+from urdfctl.lint.selection import Selection
+from urdfctl.load.bringup import bringup_of
+from urdfctl.load.loader import LoadedTarget, Loader
+from urdfctl.load.target import Target
+from urdfctl.model.project import Project
+from urdfctl.source.dom import Element
+from urdfctl.source.files import is_launch
+from urdfctl.source.problem import ProblemKind
+from urdfctl.source.span import SourceSpan, SourceText
+from urdfctl.source.suppressions import is_reached
+from urdfctl.startup.records import NamedTuple
+
+
+class LintedTarget(NamedTuple):
+    """A target's result, with the project it comes from. For root and sources, see LoadedTarget."""
+
+    result: TargetResult
+    project: Project
+    root: Element | None
+    sources: Mapping[str, SourceText]
+
+
+def lint_target(loader: Loader, target: Target, selection: Selection) -> LintedTarget:
+    """Return the target with the findings in it: in the robot, or in a file without one."""
+    loaded = loader.load(target)
+    project, root = loaded.project, loaded.root
+    robot, controllers = project.robot, project.controllers
+    launch_arguments = target.arguments if is_launch(target.path) else ()
+
+    def reached(span: SourceSpan) -> bool:
+        return root is None or is_reached(span, root)
+
+    sources = list(loaded.sources.values())
+    if target.by_elimination and project.controllers is not None:
+        project, outcome = _by_elimination(loaded, selection, reached)
+    elif target.guessed:
+        outcome = _guessed(loaded, selection, reached)
+    else:
+        outcome = lint(project, sources, selection, reached=reached)
+    result = TargetResult(
+        path=project.path,
+        ros=project.ros,
+        distro=project.distro,
+        distro_from=project.distro_from,
+        simulator=project.simulator,
+        complete=project.complete,
+        library=project.library and not project.of_kind(ProblemKind.ARGUMENTS_NEEDED),
+        robot=robot.name if robot else None,
+        links=len(robot.links) if robot else None,
+        files=tuple(loaded.sources),
+        outcome=outcome,
+        controllers=_controller_files(project),
+        launch=project.launch.path if project.launch else None,
+        arguments=loaded.arguments,
+        bringup=bringup_of(project.launch, launch_arguments) if project.launch else None,
+        distros=project.distros,
+        nodes=tuple(node.name for node in controllers.nodes) if controllers else (),
+        sections=tuple(s.name for s in controllers.others) if controllers and loader.settings.nodes else (),
+        missing_packages=tuple(sorted(_missing_packages(project))),
+        twin=twin_digest(project.path, root) if project.complete else None,
+    )
+    return LintedTarget(result, project, root, loaded.sources)
+
+
+def _guessed(loaded: LoadedTarget, selection: Selection, reached: Callable[[SourceSpan], bool]) -> Outcome:
+    """The outcome of a launch file whose arguments are guessed: only the robot alone can have errors."""
+    from urdfctl.lint.elimination import GUESSED, weakened
+
+    project, sources = loaded.project, list(loaded.sources.values())
+    alone = lint(project._replace(controllers=None, started=None, launch=None), sources, selection, reached=reached)
+    return weakened(lint(project, sources, selection, reached=reached), [alone], GUESSED)
+
+
+def _by_elimination(
+    loaded: LoadedTarget, selection: Selection, reached: Callable[[SourceSpan], bool]
+) -> tuple[Project, Outcome]:
+    """The project and its outcome; without the controllers if they share no joint with the robot."""
+    from urdfctl.lint.elimination import shares_joints, weakened
+
+    project, sources = loaded.project, list(loaded.sources.values())
+    without = project._replace(controllers=None, started=None)
+    alone = lint(without, sources, selection, reached=reached)
+    if not shares_joints(project, loaded.sources):
+        return without, alone
+    together = lint(project, sources, selection, reached=reached)
+    return project, weakened(together, [alone, lint(project._replace(robot=None), sources, selection)])
+
+
+def _missing_packages(project: Project) -> set[str]:
+    """The packages that the robot uses and package.xml declares, and that are not in the workspace."""
+    of_meshes = (mesh.file for mesh in (project.robot.meshes if project.robot else ()))
+    declared = {file.package for file in of_meshes if file and file.package and file.package_declared}
+    return {problem.subject for problem in project.of_kind(ProblemKind.PACKAGE_ABSENT)} | declared
+
+
+def _controller_files(project: Project) -> tuple[str, ...]:
+    """Return the files that configure controllers; none if a launch file loads files without controllers."""
+    configured = project.controllers
+    if configured is None or (project.launch and not configured.managers and not configured.controllers):
+        return ()
+    loaded = {load.file.path for load in project.launch.loads} if project.launch else set()
+    sections = [section for manager in configured.managers for section in manager.sections]
+    sections += [section for controller in configured.controllers for section in controller.sections]
+    places = [controller.declared_at for controller in configured.controllers if controller.declared_at]
+    used = {place.span.source.path for place in (*places, *(section.at for section in sections))}
+    files = (file.path for file in configured.files)
+    return tuple(dict.fromkeys(path for path in files if path in used or path not in loaded))

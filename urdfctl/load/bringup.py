@@ -1,0 +1,67 @@
+"""What a launch file starts together, as reports and `urdfctl show` describe it."""
+
+from __future__ import annotations
+
+from urdfctl.source.opaque import UNKNOWN
+from urdfctl.startup.hints import TYPE_CHECKING, Any
+from urdfctl.startup.records import NamedTuple
+
+if TYPE_CHECKING:
+    from urdfctl.model.launch import Launch
+
+_MOVE_GROUP = ("moveit_ros_move_group", "move_group")
+
+
+class Bringup(NamedTuple):
+    """What a launch file starts together.
+
+    arguments: the launch arguments that were given.
+    namespace: of the description; empty for the root, None if unknown or if there is no description.
+    spawned: the names of controllers that are spawned, with their namespaces if known.
+    includes: the launch files that it includes, and that were found.
+    simulators: those that it starts.
+    moveit: True if it starts MoveIt's move_group.
+    complete: False if some of what it starts is unknown.
+    others: the descriptions of its other robots.
+    unfollowed: included launch files that are worth checking on their own.
+    """
+
+    arguments: tuple[tuple[str, str], ...] = ()
+    namespace: str | None = None
+    spawned: tuple[str, ...] = ()
+    includes: tuple[str, ...] = ()
+    simulators: tuple[str, ...] = ()
+    moveit: bool = False
+    complete: bool = True
+    others: tuple[str, ...] = ()
+    unfollowed: tuple[str, ...] = ()
+
+    @classmethod
+    def from_json(cls, data: dict[str, Any]) -> Bringup:
+        """Return the bringup that `_asdict` and JSON made `data` from."""
+        arguments = tuple((name, value) for name, value in data["arguments"])
+        lists = {name: tuple(data[name]) for name in ("spawned", "includes", "simulators", "others", "unfollowed")}
+        return cls(**{**data, **lists, "arguments": arguments})
+
+
+def bringup_of(launch: Launch, arguments: tuple[tuple[str, str], ...]) -> Bringup:
+    """Return what a launch file that is started with some arguments starts together."""
+    description = launch.description
+    spawned = (
+        name if not spawn.namespace else f"{spawn.namespace}/{name}"
+        for spawn in launch.spawns
+        for name, _ in spawn.names
+        if UNKNOWN not in name
+    )
+    included = (reference.file for reference in launch.references if reference.use == "include" and reference.sure)
+    return Bringup(
+        arguments=arguments,
+        namespace=description.namespace if description else None,
+        spawned=tuple(dict.fromkeys(spawned)),
+        includes=tuple(dict.fromkeys(file.path for file in included if file.path and file.exists)),
+        simulators=tuple(dict.fromkeys(simulation.simulator for simulation in launch.simulations if simulation.sure)),
+        moveit=any(node.runs(*_MOVE_GROUP) for node in launch.nodes),
+        complete=launch.complete,
+        others=tuple(robot.file.path for robot in launch.robots[1:] if robot.file.path),
+        unfollowed=launch.unfollowed,
+    )

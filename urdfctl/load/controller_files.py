@@ -1,0 +1,240 @@
+"""Read the controller files of a robot: those named with it, those its plugins name, and those a launch file loads."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator
+from collections.abc import Sequence as Several
+
+from urdfctl.model.build_controllers import Loaded, controllers_of, form_of
+from urdfctl.model.controllers import Controllers, FileReference, MoveItController, MoveItList
+from urdfctl.model.launch import Launch, ParameterLoad
+from urdfctl.model.robot import Robot
+from urdfctl.source.dom import Document
+from urdfctl.source.files import FileProblem, Files
+from urdfctl.source.opaque import UNKNOWN
+from urdfctl.source.problem import Problem, ProblemKind
+from urdfctl.source.span import Place, SourceText
+from urdfctl.source.yaml import Mapping, Node, Scalar, Sequence, YamlFile, read_yaml
+from urdfctl.source.yaml_replacing import with_replacements
+from urdfctl.startup.records import NamedTuple
+
+_MOST_BYTES_WITH_TABS = 1 << 20
+_DEEPEST = 6
+_OF_MOVEIT, _MOVEIT = "ros2_controllers.yaml", "moveit_controllers.yaml"
+_LISTED = ("controller_list", "joint_limits")
+_REPORTED_BY_RULES = (ProblemKind.FILE_NOT_FOUND, ProblemKind.OUTSIDE_WORKSPACE)
+"""Rules report a missing file at the place that names it."""
+
+
+class ControllerFiles(NamedTuple):
+    """The controller files of a robot.
+
+    files: those that were read.
+    references: the places in the robot or a launch file that name a file.
+    problems: the errors of reading them.
+    whole: False if a launch file may load more files.
+    moveit: the controllers that MoveIt uses.
+    moveit_lists: the lists that ROS 1's MoveIt reads.
+    """
+
+    files: tuple[Loaded, ...]
+    references: tuple[FileReference, ...]
+    problems: tuple[Problem, ...]
+    whole: bool = True
+    moveit: tuple[MoveItController, ...] = ()
+    moveit_lists: tuple[MoveItList, ...] = ()
+
+    @property
+    def form(self) -> int | None:
+        """Return the ROS generation that the files are written for; None if that is unknown or differs."""
+        forms = {form for loaded in self.files if (form := form_of(loaded.yaml)) is not None}
+        return forms.pop() if len(forms) == 1 else None
+
+    def model(self, ros: int | None, started: Several[str] | None, nodes: Iterable[str] = ()) -> Controllers:
+        """Return the controllers as a ROS generation reads the files.
+
+        started: the names of the controllers that are started; None if unknown.
+        nodes: the names of other nodes that are checked.
+        """
+        controllers = controllers_of(self.files, ros, started, self.references, nodes)
+        return controllers._replace(whole=self.whole, moveit=self.moveit, moveit_lists=self.moveit_lists)
+
+
+def read_controllers(
+    paths: Iterable[str], robot: Robot | None, launch: Launch | None, files: Files
+) -> ControllerFiles | None:
+    """Return the controller files of a robot; None if there are none.
+
+    paths: files that are named with the robot.
+    robot: its ros2_control plugins name files in `<parameters>`.
+    launch: its nodes load files.
+    """
+    reader = _Reader(files)
+    for text, at, is_named in _named_by(robot, launch):
+        reader.reference(text, at, is_named=is_named)
+    loads = launch.loads if launch else ()
+    for load in loads:
+        if not load.sure or load.namespace is None or load.file.path is None:
+            reader.whole = False
+        else:
+            reader.load(load, of_other=launch is not None and launch.is_of_other_node(load))
+    if loads and not any(load.sure for load in loads):
+        reader.possible(loads)
+    for path in map(os.path.abspath, paths):
+        reader.named(path)
+    return reader.read()
+
+
+def listed_joints(path: str, files: Files) -> Iterator[tuple[str, Place]]:
+    """Yield the joints in `controller_joint_names` of a file, each with its place."""
+    try:
+        documents = read_yaml(files.read(path)).documents
+    except FileProblem:
+        return
+    for document in documents:
+        names = document.get("controller_joint_names") if isinstance(document, Mapping) else None
+        for item in names.items if isinstance(names, Sequence) else ():
+            if isinstance(item, Scalar):
+                yield item.text, item.at
+
+
+def missing_joints(launch: Launch, robot: Document, files: Files) -> int:
+    """Return how many joints the parameter files of a launch file name that a robot does not have."""
+    root = robot.documentElement
+    known = {joint.attrs.get("name") for joint in root.elements() if joint.tagName == "joint"} if root else set()
+    named: set[str] = set()
+    for load in launch.loads:
+        try:
+            documents = read_yaml(files.read(load.file.path)).documents if load.file.path else ()
+        except FileProblem:
+            continue
+        named.update(name for document in documents for name in _joints(document))
+    return len(named - known)
+
+
+def _joints(node: Node, depth: int = 0) -> Iterator[str]:
+    """The joints that the controllers in a file name."""
+    for entry in node.entries if isinstance(node, Mapping) and depth < _DEEPEST else ():
+        if entry.key.text in {"joint", "joints"}:
+            items = entry.value.items if isinstance(entry.value, Sequence) else (entry.value,)
+            yield from (item.text for item in items if isinstance(item, Scalar))
+        else:
+            yield from _joints(entry.value, depth + 1)
+
+
+class _Reader:
+    def __init__(self, files: Files) -> None:
+        self.files = files
+        self.whole = True
+        self._trees: dict[str, YamlFile] = {}
+        self._loaded: list[Loaded] = []
+        self._references: list[FileReference] = []
+        self._problems: list[Problem] = []
+
+    def read(self) -> ControllerFiles | None:
+        used = {loaded.yaml.source.path for loaded in self._loaded}
+        problems = [p for path, tree in self._trees.items() if path in used for p in tree.problems]
+        result = ControllerFiles(
+            files=tuple(self._loaded),
+            references=tuple(self._references),
+            problems=(*self._problems, *problems),
+            whole=self.whole,
+            moveit=tuple(self._moveit(used)),
+            moveit_lists=tuple(self._moveit_lists()),
+        )
+        return result if result.files or result.references or result.problems or not self.whole else None
+
+    def _moveit(self, used: Iterable[str]) -> Iterator[MoveItController]:
+        """Yield the controllers of MoveIt, from the file that its setup assistant writes beside a controller file."""
+        for folder in sorted({os.path.dirname(path) for path in used if os.path.basename(path) == _OF_MOVEIT}):
+            path = os.path.join(folder, _MOVEIT)
+            if os.path.isfile(path):
+                from urdfctl.model.moveit import moveit_controllers
+
+                try:
+                    yield from moveit_controllers(self._tree(path))
+                except FileProblem:
+                    continue
+
+    def _moveit_lists(self) -> Iterator[MoveItList]:
+        """Yield the lists for ROS 1's MoveIt in the loaded files; each file once, though several nodes may load it."""
+        for loaded in {loaded.yaml.source.path: loaded for loaded in self._loaded}.values():
+            if any(
+                isinstance(document, Mapping) and any(map(document.get, _LISTED)) for document in loaded.yaml.documents
+            ):
+                from urdfctl.model.moveit import moveit_lists
+
+                yield from moveit_lists(loaded.yaml, loaded.namespace)
+
+    def named(self, path: str) -> None:
+        """Add a file that the user names. It is a problem if it cannot be read."""
+        try:
+            tree = self._tree(path)
+        except FileProblem as error:
+            self._problems.append(error.at(Place(SourceText(path, b""), 0, end=0)))
+        else:
+            if not any(loaded.yaml.source is tree.source for loaded in self._loaded):
+                self._loaded.append(Loaded(tree))
+
+    def reference(self, text: str, at: Place, *, is_named: bool) -> None:
+        """Add a file that a plugin names. Only an absolute path does not depend on where the simulator runs.
+
+        is_named: False if the plugin's name lacks ros2_control; then the file counts only if it has controllers.
+        """
+        if not os.path.isabs(text) or "$" in text or UNKNOWN in text:
+            if is_named:
+                self._references.append(FileReference(text, at, None, exists=None))
+            return
+        tree, exists = self._existing(text, at)
+        if not is_named and (tree is None or form_of(tree) is None):
+            return
+        self._references.append(FileReference(text, at, tree.source.path if tree else text, exists))
+        if tree is not None:
+            self._loaded.append(Loaded(tree))
+
+    def load(self, load: ParameterLoad, *, of_other: bool = False) -> None:
+        """Add a file that a launch file loads. One for a single node is kept only if it has controllers."""
+        tree, exists = self._existing(load.file.path or "", load.file.at)
+        if exists is False and load.file.exists is None:
+            exists = None  # its path needs an argument
+        self._references.append(load.file._replace(exists=exists))
+        if tree is not None and not (load.in_node and form_of(tree) is None):
+            self._loaded.append(Loaded(with_replacements(tree, load.replaced), load.namespace or "", of_other))
+
+    def possible(self, loads: Several[ParameterLoad]) -> None:
+        """The only file that a launch file may load, if there is no other; it is not known whether it is loaded."""
+        files = {load.file.path for load in loads}
+        if len(files) == 1 and None not in files and loads[0].namespace is not None:
+            self.load(loads[0])
+
+    def _existing(self, path: str, at: Place) -> tuple[YamlFile | None, bool | None]:
+        try:
+            return self._tree(path), True
+        except FileProblem as error:
+            if error.kind not in _REPORTED_BY_RULES:
+                self._problems.append(error.at(at))
+            return None, False if error.kind is ProblemKind.FILE_NOT_FOUND else None
+
+    def _tree(self, path: str) -> YamlFile:
+        source = self.files.read(path)
+        if source.path not in self._trees:
+            tree = read_yaml(source)
+            if b"\t" in source.data[:_MOST_BYTES_WITH_TABS] and form_of(tree) == 1:
+                tree = read_yaml(source, by_python=True)
+            self._trees[source.path] = tree
+        return self._trees[source.path]
+
+
+def _named_by(robot: Robot | None, launch: Launch | None) -> Iterator[tuple[str, Place, bool]]:
+    """The files in `<parameters>` of plugins, each with its place and whether the plugin is named after ros2_control.
+
+    No plugin is loaded if the launch file starts a controller manager, and no simulator.
+    """
+    if launch is not None and launch.runs_without_simulator:
+        return
+    for plugin in robot.plugins if robot else ():
+        is_named = "ros2_control" in (plugin.filename or "")
+        for tag in plugin.tag.named("parameters"):
+            if tag.text and (is_named or tag.text.strip().endswith((".yaml", ".yml"))):
+                yield tag.text, tag.at.content, is_named

@@ -1,0 +1,71 @@
+"""Expand a description, or read it as it is if it is plain URDF."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from urdfctl.model.build_robot import TOP_LEVEL
+from urdfctl.source.dom import Document
+from urdfctl.source.files import FileProblem
+from urdfctl.source.problem import Problem, ProblemKind, ReadError
+from urdfctl.source.span import Place, SourceText
+from urdfctl.source.xacro.expansion import HARMLESS, Expander, Expansion
+from urdfctl.source.xml import LATE_DECLARATION, parse
+from urdfctl.startup.records import NamedTuple
+
+MakeExpander = Callable[[type[Expander]], Expander]
+"""Returns a new expander of a kind."""
+
+_OF_INCLUDES = {
+    ProblemKind.FILE_NOT_FOUND,
+    ProblemKind.PACKAGE_NOT_FOUND,
+    ProblemKind.PACKAGE_ABSENT,
+    ProblemKind.FILE_UNREADABLE,
+}
+
+
+class Expanded(NamedTuple):
+    """An expansion, and what expanded it."""
+
+    expander: Expander
+    expansion: Expansion
+
+
+def expanded_by(expander: Expander, path: str, arguments: Mapping[str, str]) -> Expanded:
+    """Return the expansion of a description by one expander."""
+    return Expanded(expander, expansion_of(expander, path, arguments))
+
+
+def expansion_of(expander: Expander, path: str, arguments: Mapping[str, str]) -> Expansion:
+    """Return the expanded xacro file, or the tree of a plain URDF, which robots load as it is."""
+    try:
+        source = expander.files.read(path)
+    except FileProblem as error:
+        return Expansion(None, [error.at(Place(SourceText(path, b""), 0, end=0))])
+    if source.is_xacro:
+        return expander.expand(path, arguments)
+    document, problems = _read(source, expander)
+    return Expansion(document, problems, library=expander.is_library)
+
+
+def _read(source: SourceText, expander: Expander) -> tuple[Document | None, list[Problem]]:
+    """Read a plain URDF, with the one XML error that its readers accept: a late declaration."""
+    try:
+        return parse(source, expander.cloning, declarations=expander.trust), []
+    except ReadError as error:
+        problem = error.problem
+    if problem.subject != LATE_DECLARATION:
+        return None, [problem]
+    late = problem._replace(kind=ProblemKind.LATE_DECLARATION)
+    try:
+        return parse(source, expander.cloning, declarations=expander.trust, late_declaration=True), [late]
+    except ReadError as error:
+        return None, [error.problem]
+
+
+def is_library(expansion: Expansion) -> bool:
+    """Return whether a file expands to no part of a robot and has no error of its own: it only defines macros."""
+    root = expansion.document.documentElement if expansion.document else None
+    if root is None or any(child.tagName in TOP_LEVEL for child in root.elements()):
+        return False
+    return all(problem.kind in HARMLESS | _OF_INCLUDES for problem in expansion.problems)

@@ -1,0 +1,131 @@
+"""Which distro and simulator a robot is for, by the weight of everything that indicates it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from urdfctl.catalog.distros import ALL, MAINTAINED, ROS2
+from urdfctl.config.settings import Settings
+from urdfctl.load.evidence import (
+    EXPLICIT,
+    ROS1,
+    items_of_controllers,
+    items_of_headers,
+    items_of_launch,
+    items_of_package,
+    items_of_robot,
+)
+from urdfctl.model.evidence import Evidence, Item
+from urdfctl.model.robot import Robot
+from urdfctl.source.span import SourceText
+from urdfctl.startup.hints import TYPE_CHECKING
+from urdfctl.startup.records import NamedTuple
+
+if TYPE_CHECKING:
+    from urdfctl.load.controller_files import ControllerFiles
+    from urdfctl.model.launch import Launch
+
+_ANY = (*ROS1, *ROS2)
+_SIMULATORS = {
+    "libgazebo_ros_control.so": "gazebo-classic",
+    "gazebo_ros2_control": "gazebo-classic",
+    "gz_ros2_control": "gz",
+    "ign_ros2_control": "gz",
+    "mujoco_ros2_control": "mujoco",
+}
+"""What the names of plugins hold that connect ros_control or ros2_control to a simulator."""
+
+
+class Beside(NamedTuple):
+    """What is read beside a robot.
+
+    package: the folder of the package that contains it.
+    sources: the texts of all files that were read.
+    """
+
+    package: str | None = None
+    controllers: ControllerFiles | None = None
+    launch: Launch | None = None
+    sources: Sequence[SourceText] = ()
+
+
+def detect_distro(robot: Robot | None, beside: Beside, settings: Settings) -> Evidence:
+    """Return the distro that the settings name, or `$ROS_DISTRO`, or otherwise the distros that most of the files
+    indicate; and the simulator."""
+    simulator, simulator_from = _simulator(robot, settings)
+    return _distro(robot, beside, settings)._replace(simulator=simulator, simulator_from=simulator_from)
+
+
+def _distro(robot: Robot | None, beside: Beside, settings: Settings) -> Evidence:
+    named, source = settings.distro, settings.distro_from or "--distro"
+    if named is None and settings.environ.get("ROS_DISTRO", "") in ALL:
+        named, source = settings.environ["ROS_DISTRO"], "$ROS_DISTRO"
+    if named is not None:
+        return Evidence(named, (named,), source, items=(Item("user", source, (named,), EXPLICIT),))
+    return weighed(_items(robot, beside))
+
+
+def _items(robot: Robot | None, beside: Beside) -> Iterator[Item]:
+    yield from items_of_robot(robot)
+    yield from items_of_package(beside.package)
+    yield from items_of_controllers(beside.controllers)
+    yield from items_of_launch(beside.launch)
+    yield from items_of_headers(beside.sources)
+
+
+def weighed(items: Iterable[Item]) -> Evidence:
+    """Return the generation that most of the evidence is for, and those of its distros that fit it best.
+
+    If both generations have the same weight, the first item decides. Items that only distros without support have
+    do not exclude the others: one of them is more likely a fault.
+    """
+    items = tuple(items)
+    weights = {ros: _weight(item for item in items if item.ros == ros) for ros in (1, 2)}
+    told = [item for item in items if item.ros is not None]
+    if not told:
+        return Evidence(None, _ANY, None, items=items)
+    ros = told[0].ros if weights[1] == weights[2] else max(weights, key=lambda each: weights[each])
+    family = ROS1 if ros == 1 else ROS2
+    mine = [item for item in told if item.ros == ros]
+    distros = _narrowed(family, [item for item in items if set(item.distros) & set(family)])
+    most = max(mine, key=lambda item: item.weight)
+    return Evidence(distros[0] if len(distros) == 1 else None, distros, most.what, items=items)
+
+
+def _weight(items: Iterable[Item]) -> int:
+    """The weight of items together: of each kind, the heaviest counts."""
+    by_kind: dict[str, int] = {}
+    for item in items:
+        by_kind[item.kind] = max(item.weight, by_kind.get(item.kind, 0))
+    return sum(by_kind.values())
+
+
+def _narrowed(family: tuple[str, ...], items: Sequence[Item]) -> tuple[str, ...]:
+    """The distros of a generation that most items allow."""
+    living = {*MAINTAINED, "noetic"} & set(family)
+    narrowing = [item for item in items if not set(family) <= set(item.distros)]
+    narrowing = [item for item in narrowing if item.weight >= EXPLICIT or living & set(item.distros)]
+    support = {distro: sum(item.weight for item in narrowing if distro in item.distros) for distro in family}
+    return tuple(distro for distro in family if support[distro] == max(support.values()))
+
+
+def _simulator(robot: Robot | None, settings: Settings) -> tuple[str | None, str | None]:
+    """Return the simulator in the settings, or the one that all plugins are made for, and where it comes from."""
+    if settings.simulator:
+        return settings.simulator, settings.simulator_from or "--simulator"
+    plugins = {simulator: name for name, simulator in _simulators_of(robot)}
+    if len(plugins) != 1:
+        return None, None
+    simulator, plugin = plugins.popitem()
+    return simulator, f"the plugin '{plugin}'"
+
+
+def _simulators_of(robot: Robot | None) -> Iterator[tuple[str, str]]:
+    """Yield the plugins that only one simulator can load, each with that simulator."""
+    if robot is None:
+        return
+    hardware = (plugin.value for control in robot.ros2_controls for part in control.hardware for plugin in part.plugins)
+    for name in (*(plugin.filename or "" for plugin in robot.plugins), *hardware):
+        for known, simulator in _SIMULATORS.items():
+            if known in name:
+                yield name, simulator

@@ -1,0 +1,200 @@
+"""Read a launch file and the files that it includes, within the limits of a run."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+
+from urdfctl.model.build_launch import Sources, is_of_ros2, launch_of
+from urdfctl.model.build_package import package_around
+from urdfctl.model.controllers import FileReference
+from urdfctl.model.launch import Launch, Word
+from urdfctl.source.dom import Document, Element
+from urdfctl.source.files import FileProblem, Files
+from urdfctl.source.launch.terms import Term
+from urdfctl.source.opaque import UNKNOWN
+from urdfctl.source.packages import PackageNotFound, Packages
+from urdfctl.source.problem import Problem, ReadError
+from urdfctl.source.span import Place, SourceText
+from urdfctl.source.xml import parse
+from urdfctl.startup.records import NamedTuple
+
+_MOST_BYTES = 1 << 18
+
+
+class LaunchFile(NamedTuple):
+    """A launch file that was read.
+
+    launch: its facts; None if it cannot be understood.
+    files: the files that were read for it.
+    problems: the errors of reading it.
+    """
+
+    launch: Launch | None
+    files: Files
+    problems: tuple[Problem, ...]
+
+
+def read_launch(
+    path: str, arguments: Mapping[str, str], files: Files, packages: Packages, environ: Mapping[str, str]
+) -> LaunchFile:
+    """Return the facts of a launch file that is started with some arguments."""
+    reader = _Reader(path, files, packages, environ)
+    launch = reader.launch(arguments)
+    if launch is not None:
+        launch = _without_needed(launch, arguments, reader)
+        named = (*launch.packages, *reader.named)
+        launch = launch._replace(packages=named, package=package_around(packages, reader.tree))
+    return LaunchFile(launch, files, tuple(reader.problems))
+
+
+def _without_needed(launch: Launch, arguments: Mapping[str, str], reader: _Reader) -> Launch:
+    """The launch file, where it is not known whether a file exists if its path needs an argument that is not given."""
+    needed = {name: UNKNOWN for name, default in launch.arguments if not default and name not in arguments}
+    missing = {one.file.path for one in launch.references if one.file.exists is False}
+    other = reader.launch({**arguments, **needed}) if needed and missing else None
+    if other is None:
+        return launch
+    open_paths = missing - {one.file.path for one in other.references}
+
+    def blurred(file: FileReference) -> FileReference:
+        return file._replace(exists=None) if file.path in open_paths else file
+
+    return launch._replace(
+        references=tuple(one._replace(file=blurred(one.file)) for one in launch.references),
+        descriptions=tuple(one._replace(file=blurred(one.file)) for one in launch.descriptions),
+        loads=tuple(one._replace(file=blurred(one.file)) for one in launch.loads),
+    )
+
+
+class _Reader:
+    def __init__(self, path: str, files: Files, packages: Packages, environ: Mapping[str, str]) -> None:
+        self.path = path
+        self.files = files
+        self.packages = packages
+        self.environ = environ
+        self.problems: list[Problem] = []
+        self.named: list[Word] = []
+        self._terms: dict[str, Term | None] = {}
+
+    def is_roslaunch(self) -> bool:
+        """Return whether the file is a ROS 1 launch file."""
+        if not self.path.endswith((".launch", ".xml")):
+            return False
+        root = self._root(self.path)
+        return root is None or not is_of_ros2(root)
+
+    def launch(self, arguments: Mapping[str, str]) -> Launch | None:
+        """The facts of the launch file."""
+        return self.ros1(arguments) if self.is_roslaunch() else self.ros2(arguments)
+
+    def ros1(self, arguments: Mapping[str, str]) -> Launch | None:
+        """Return the facts of a ROS 1 launch file."""
+        return launch_of(self.path, arguments, Sources(self.tree, self.locate, self.folder, self.environ))
+
+    def ros2(self, arguments: Mapping[str, str]) -> Launch | None:
+        """Return the facts of a ROS 2 launch file. Its reader is imported only here."""
+        from urdfctl.model.build_launch_ros2 import Sources as SourcesOfRos2
+        from urdfctl.model.build_launch_ros2 import launch_of_ros2
+
+        return launch_of_ros2(self.path, arguments, SourcesOfRos2(self.term, self.locate, self.find, self.environ))
+
+    # -- texts -------------------------------------------------------------------------------------------------------
+
+    def _source(self, path: str) -> SourceText | None:
+        try:
+            return self.files.read(path)
+        except FileProblem as error:
+            if path == self.path:
+                self.problems.append(error.at(Place(SourceText(path, b""), 0, end=0)))
+        return None
+
+    def tree(self, path: str) -> Document | None:
+        """Return the tree of an XML launch file; None if it cannot be read."""
+        source = self._source(path)
+        try:
+            return parse(source) if source else None
+        except ReadError as error:
+            if error.problem not in self.problems:
+                self.problems.append(error.problem)
+        return None
+
+    def _root(self, path: str) -> Element | None:
+        document = self.tree(path)
+        return document.documentElement if document else None
+
+    def term(self, path: str) -> Term | None:
+        """Return the term that a ROS 2 launch file builds; None if it cannot be read or is not a launch file."""
+        if path not in self._terms:
+            self._terms[path] = self._term(path)
+        return self._terms[path]
+
+    def _term(self, path: str) -> Term | None:
+        if path.endswith(".py"):
+            return self._of_python(path)
+        from urdfctl.source.launch.frontend import of_xml, of_yaml
+
+        if path.endswith((".yaml", ".yml")):
+            from urdfctl.source.yaml import read_yaml
+
+            source = self._source(path)
+            return of_yaml(read_yaml(source)) if source else None
+        root = self._root(path)
+        return of_xml(root) if root is not None and root.tagName == "launch" and is_of_ros2(root) else None
+
+    def _of_python(self, path: str) -> Term | None:
+        from urdfctl.source.launch.python import Surroundings, read_python
+
+        source = self._source(path)
+        if source is None:
+            return None
+        script = read_python(source, Surroundings(self.find, self.environ, self.module, self.yaml))
+        if script.problem is not None:
+            self.problems.append(script.problem)
+        return script.term
+
+    def yaml(self, path: str) -> Term | None:
+        """What a launch file in Python loads from a YAML file; None where it cannot be read."""
+        from urdfctl.source.launch.yaml_terms import term_of_yaml
+        from urdfctl.source.yaml import read_yaml
+
+        source = self._source(self.packages.source_of(path))
+        return term_of_yaml(read_yaml(source)) if source and len(source.data) <= _MOST_BYTES else None
+
+    def module(self, name: str, importer: str) -> SourceText | None:
+        """The text of a Python module of the workspace; None if there is no such module."""
+        top, _, rest = name.lstrip(".").partition(".")
+        tail = os.path.join(*rest.split(".")) if rest else ""
+        if name.startswith("."):
+            above = [os.pardir] * (len(name) - len(name.lstrip(".")) - 1)
+            bases = [os.path.join(os.path.dirname(importer), *above, top, tail)]
+        else:
+            package = self.folder(top) if self.packages.is_of_workspace(top) else None
+            bases = [os.path.join(package, part, tail) for part in (top, f"src/{top}")] if package else []
+            bases.append(os.path.join(os.path.dirname(importer), top, tail))
+        for base in bases:
+            for path in (f"{os.path.normpath(base)}.py", os.path.join(os.path.normpath(base), "__init__.py")):
+                if os.path.isfile(path):
+                    return self._source(path)
+        return None
+
+    # -- places ------------------------------------------------------------------------------------------------------
+
+    def locate(self, path: str) -> tuple[str, bool | None]:
+        """Return the source of an installed file, and whether it exists; None if that cannot be checked."""
+        source = self.packages.source_of(path)
+        if not self.files.may_read(source):
+            return source, None
+        return source, os.path.isfile(source) or (None if self.packages.may_be_made(source) else False)
+
+    def find(self, package: str, at: Place) -> str | None:
+        """Return the folder of a package that is named at a place; None if it was not found."""
+        self.named.append(Word(package, at))
+        return self.folder(package)
+
+    def folder(self, package: str) -> str | None:
+        """Return the folder of a package; None if it was not found."""
+        try:
+            return self.packages.find(package)
+        except PackageNotFound:
+            return None

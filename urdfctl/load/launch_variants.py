@@ -1,0 +1,129 @@
+"""The arguments to start a launch file with, if it brings no robot together without any.
+
+Values of a required argument come from the names of the files that exist: `urdf/$(arg model).urdf.xacro`.
+"""
+
+from __future__ import annotations
+
+import glob
+import os
+import re
+from collections.abc import Callable, Iterator, Mapping
+
+from urdfctl.model.launch import Launch
+from urdfctl.startup.records import NamedTuple
+
+_MARK = "\ue001"
+"""A value that no file name contains."""
+_MOST_VALUES = 24
+_MOST_REQUIRED = 8
+_MOST_MODES = 8
+
+Arguments = dict[str, str]
+Read = Callable[[Mapping[str, str]], Launch | None]
+"""Reads a launch file that is started with some arguments."""
+
+
+class LaunchVariant(NamedTuple):
+    """Arguments of a launch file.
+
+    is_guessed: whether they are not the launch file's own defaults: a weaker reason to combine what it starts.
+    """
+
+    arguments: tuple[tuple[str, str], ...] = ()
+    is_guessed: bool = False
+
+
+def launch_variants(read: Read) -> list[LaunchVariant]:
+    """Return the arguments to start a launch file with: none if it needs none, or if nothing is known about them."""
+    launch = read({})
+    if launch is None or launch.robots:
+        return [LaunchVariant()]
+    required = [name for name, default in launch.arguments if not default][:_MOST_REQUIRED]
+    modes = [{}, *_modes(launch)]
+    for mode in modes:
+        for name in required:
+            values = _values(name, mode, read)
+            if values:
+                return list(_combined([{name: value} for value in values], mode, modes, read))
+        if mode and not required and _robots(mode, read):
+            return [_guessed(mode)]
+    return [LaunchVariant()]
+
+
+def file_choices(launch: Launch, arguments: Mapping[str, str], read: Read) -> list[Arguments]:
+    """Return other values of an argument with a default, by which other parameter files are loaded.
+
+    E.g. `$(arg dof)dof_controllers.yaml`: the default is right for some of the robots.
+    """
+    paths = [load.file.path or "" for load in launch.loads]
+    for name, default in launch.arguments:
+        if default and name not in arguments and any(default in os.path.basename(path) for path in paths):
+            marked = read({**arguments, name: _MARK})
+            marks = (
+                [load.file.text if load.file.path is None else load.file.path for load in marked.loads]
+                if marked
+                else []
+            )
+            values = {value for path in marks if _MARK in path for value in _in_files(path)} - {default}
+            if values:
+                return [{name: value} for value in sorted(values)[:_MOST_MODES]]
+    return []
+
+
+def _modes(launch: Launch) -> Iterator[Arguments]:
+    """The arguments that are off by default, each switched on."""
+    off = [name for name, default in launch.arguments if (default or "").lower() in {"false", "0"}]
+    yield from ({name: "true"} for name in off[:_MOST_MODES])
+
+
+def _values(name: str, mode: Arguments, read: Read) -> list[str]:
+    """The values of an argument with which the description of a robot exists."""
+    marked = read({**mode, name: _MARK})
+    paths = [one.file.path or one.file.text for one in marked.descriptions] if marked else []
+    values = [value for path in paths if _MARK in path for value in _in_files(path)]
+    return sorted(dict.fromkeys(values), key=lambda value: (len(value), value))[:_MOST_VALUES]
+
+
+def _in_files(path: str) -> Iterator[str]:
+    """The texts that make a path with marks the path of a file."""
+    if not os.path.isabs(path):
+        return
+    parts = path.split(_MARK)
+    first, *rest = map(re.escape, parts)
+    pattern = re.compile(first + r"([\w.-]+)" + r"\1".join(rest))
+    for found in glob.iglob("*".join(map(glob.escape, parts))):
+        match = pattern.fullmatch(found)
+        if match:
+            yield match.group(1)
+
+
+def _combined(bases: list[Arguments], mode: Arguments, modes: list[Arguments], read: Read) -> Iterator[LaunchVariant]:
+    """Each value in the first mode that starts controllers, and the first value in every other one."""
+    first = {**mode, **bases[0]}
+    starting = [] if _controls(first, read) else [each for each in modes if _controls({**first, **each}, read)]
+    complete = [{**base, **mode, **(starting[0] if starting else {})} for base in bases]
+    whole = [arguments for arguments in complete if _is_whole(arguments, read)]
+    yield from map(_guessed, whole or complete)
+    for other in starting[1:]:
+        yield _guessed({**first, **other})
+
+
+def _controls(arguments: Arguments, read: Read) -> bool:
+    launch = read(arguments)
+    return bool(launch and launch.robots and (launch.spawns or any(not load.in_node for load in launch.loads)))
+
+
+def _is_whole(arguments: Arguments, read: Read) -> bool:
+    """Whether no file is missing that is loaded with these arguments."""
+    launch = read(arguments)
+    return launch is not None and not any(load.file.exists is False for load in launch.loads)
+
+
+def _robots(arguments: Arguments, read: Read) -> bool:
+    launch = read(arguments)
+    return bool(launch and launch.robots)
+
+
+def _guessed(arguments: Arguments) -> LaunchVariant:
+    return LaunchVariant(tuple(arguments.items()), is_guessed=True)

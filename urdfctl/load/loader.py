@@ -1,0 +1,293 @@
+"""Load a target: read its files, expand it, and build the project that the rules look at."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from functools import partial
+
+from urdfctl.config.settings import ALL_STARTED, Settings
+from urdfctl.load.distro import Beside, detect_distro
+from urdfctl.load.evidence import ament_package
+from urdfctl.load.expanding import expanded
+from urdfctl.load.meshes import mesh_finder
+from urdfctl.load.target import Target
+from urdfctl.model.build_robot import robot_of
+from urdfctl.model.evidence import Evidence
+from urdfctl.model.own_types import NO_OWN_TYPES, OwnTypes
+from urdfctl.model.project import Project
+from urdfctl.model.robot import Robot
+from urdfctl.source.dom import Document, Element
+from urdfctl.source.files import Files, is_launch, is_yaml
+from urdfctl.source.opaque import is_known
+from urdfctl.source.packages import PackageIndex, Packages
+from urdfctl.source.span import Place, SourceText
+from urdfctl.source.workspace import workspace_of
+from urdfctl.source.xacro.expansion import Expander, Expansion
+from urdfctl.startup.hints import TYPE_CHECKING
+from urdfctl.startup.records import NamedTuple
+
+if TYPE_CHECKING:
+    from urdfctl.load.controller_files import ControllerFiles
+    from urdfctl.load.launch_files import LaunchFile
+    from urdfctl.load.own_types import Exports
+    from urdfctl.model.launch import Description, Launch
+
+
+class LoadedTarget(NamedTuple):
+    """A target as the rules look at it.
+
+    root: the root element of the expanded description; None if there is none.
+    sources: all texts that were read, by path.
+    arguments: the xacro arguments the description was given.
+    """
+
+    project: Project
+    root: Element | None
+    sources: Mapping[str, SourceText]
+    arguments: tuple[tuple[str, str], ...] = ()
+
+
+class Loader:
+    """State shared by all targets of a run: the settings, and an index of the packages of each workspace."""
+
+    def __init__(self, settings: Settings, overlay: Mapping[str, bytes] | None = None) -> None:
+        self.settings = settings
+        self._overlay = overlay or {}
+        self._indexes: dict[str, PackageIndex] = {}
+        self._exports: dict[str, list[Exports]] = {}
+
+    def with_overlay(self, overlay: Mapping[str, bytes]) -> Loader:
+        """Return a loader with the same packages that reads these bytes instead of the files with these real paths."""
+        other = Loader(self.settings, overlay)
+        other._indexes = self._indexes
+        other._exports = self._exports
+        return other
+
+    def index_packages(self, targets: Sequence[Target]) -> None:
+        """Find the packages of all workspaces once, before workers are forked."""
+        for path in {workspace_of(os.path.abspath(target.path), self.settings.workspace) for target in targets}:
+            for crawl in self._index(path).crawls:
+                crawl.packages()
+
+    def index_for(self, path: str) -> PackageIndex:
+        """Return the packages of the workspace that a file is in."""
+        return self._index(workspace_of(path, self.settings.workspace))
+
+    def _index(self, workspace: str) -> PackageIndex:
+        if workspace not in self._indexes:
+            self._indexes[workspace] = PackageIndex(workspace, self.settings.package_paths, self.settings.environ)
+        return self._indexes[workspace]
+
+    def reading(self, path: str) -> tuple[Files, Packages]:
+        """Return what may be read for a file, and the packages as it sees them."""
+        index = self.index_for(path)
+        packages = Packages(path, index)
+        bounds = None if self.settings.trust else [index.workspace, *index.extra]
+        files = Files(bounds, packages.source_of, self._overlay)
+        for named in self.settings.named_files:
+            files.allow(named)
+        return files, packages
+
+    def expander(self, path: str, kind: type[Expander] = Expander, *, strict: bool = False) -> Expander:
+        """Return an expander for one file."""
+        files, packages = self.reading(path)
+        return kind(files, packages, self.settings.environ, strict=strict, trust=self.settings.trust)
+
+    def load(self, target: Target) -> LoadedTarget:
+        """Return the target, with the files that belong to it."""
+        path = os.path.abspath(target.path)
+        launch_file = self._launch_file(path, target)
+        described = _described(launch_file, None if is_launch(path) else path)
+        arguments = dict(target.arguments)
+        alone = not arguments
+        if launch_file and launch_file.launch and described and described.file.path:
+            given = {} if is_launch(path) else arguments
+            path, arguments = described.file.path, {**dict(described.arguments or ()), **given}
+            alone = described.arguments is None
+            launch_file = launch_file._replace(launch=launch_file.launch.among(described))
+        if is_yaml(path) or is_launch(path):
+            return self._without_robot(path, target, launch_file)
+        make = partial(self.expander, path)
+        expander, expansion = expanded(make, path, arguments, fragment=target.fragment, alone=alone)
+        if target.guessed and launch_file and expansion.document:
+            launch_file = self._fitting(target, launch_file, expansion.document)
+        project = self._project(path, expansion, expander, target.controllers, launch_file)
+        root = expansion.document.documentElement if expansion.document else None
+        known = tuple((name, value) for name, value in arguments.items() if is_known(value))
+        return LoadedTarget(project, root, _sources(expander.files, launch_file), known)
+
+    def variants(self, target: Target) -> list[Target]:
+        """Return a target for each choice of the arguments that a launch file needs.
+
+        It is the target itself if it needs none. Otherwise the arguments are guessed from the files that exist.
+        """
+        path = os.path.abspath(target.path)
+        if not is_launch(path) or target.arguments:
+            return [target]
+        from urdfctl.load.launch_files import read_launch
+        from urdfctl.load.launch_variants import launch_variants
+
+        files, packages = self.reading(path)
+        found = launch_variants(lambda given: read_launch(path, given, files, packages, self.settings.environ).launch)
+        return [target._replace(arguments=one.arguments, guessed=one.is_guessed) for one in found]
+
+    def _fitting(self, target: Target, launch_file: LaunchFile, robot: Document) -> LaunchFile:
+        """The launch file with those of its parameter files that fit the joints of a robot."""
+        from urdfctl.load.controller_files import missing_joints
+        from urdfctl.load.launch_files import read_launch
+        from urdfctl.load.launch_variants import file_choices
+
+        path, given = os.path.abspath(target.path), dict(target.arguments)
+        files, packages = self.reading(path)
+
+        def read(arguments: Mapping[str, str]) -> Launch | None:
+            return read_launch(path, arguments, files, packages, self.settings.environ).launch
+
+        launch = launch_file.launch
+        missing = missing_joints(launch, robot, files) if launch else 0
+        for choice in file_choices(launch, given, read) if launch and missing else ():
+            other = read({**given, **choice})
+            number = missing_joints(other, robot, files) if other else missing
+            if number < missing:
+                missing, launch = number, other
+        return launch_file._replace(launch=launch)
+
+    def _launch_file(self, path: str, target: Target) -> LaunchFile | None:
+        launch = path if is_launch(path) else target.launch and os.path.abspath(target.launch)
+        if not launch:
+            return None
+        from urdfctl.load.launch_files import read_launch
+
+        arguments = dict(target.arguments) if is_launch(path) else {}
+        return read_launch(launch, arguments, *self.reading(launch), self.settings.environ)
+
+    def _without_robot(self, path: str, target: Target, launch_file: LaunchFile | None) -> LoadedTarget:
+        """Load a controller file, or a launch file without a description."""
+        from urdfctl.load.controller_files import read_controllers
+
+        files, packages = self.reading(path)
+        named = [path] if is_yaml(path) else []
+        launch = launch_file.launch if launch_file else None
+        controller_files = read_controllers([*named, *target.controllers], None, launch, files)
+        package = packages.own() or ament_package(packages.beside())
+        sources = tuple(_sources(files, launch_file).values())
+        evidence = detect_distro(None, Beside(package, controller_files, launch, sources), self.settings)
+        problems = (
+            *(launch_file.problems if launch_file else ()),
+            *(controller_files.problems if controller_files else ()),
+        )
+        project = self._completed(Project(None, path, problems=problems), evidence, controller_files, launch)
+        return LoadedTarget(project, None, _sources(files, launch_file))
+
+    def _project(
+        self,
+        path: str,
+        expansion: Expansion,
+        expander: Expander,
+        controllers: Sequence[str] = (),
+        launch_file: LaunchFile | None = None,
+    ) -> Project:
+        root = expansion.document.documentElement if expansion.document else None
+        find_mesh = mesh_finder(expander.packages, path)
+        robot = robot_of(root, find_mesh, whole=expansion.complete) if root is not None else None
+        launch = launch_file.launch if launch_file else None
+        controller_files = _controller_files(controllers, robot, launch, expander.files)
+        sources = tuple(_sources(expander.files, launch_file).values())
+        beside = Beside(expander.packages.own(), controller_files, launch, sources)
+        evidence = detect_distro(robot, beside, self.settings)
+        problems = (
+            *expansion.problems,
+            *(launch_file.problems if launch_file else ()),
+            *(controller_files.problems if controller_files else ()),
+        )
+        project = Project(robot, path, problems=problems, complete=expansion.complete, library=expansion.library)
+        listed = _listed_joints(path, expander.files)
+        project = project._replace(influence=expander.definitions().influence_on, listed=listed)
+        return self._completed(project, evidence, controller_files, launch)
+
+    def _completed(
+        self, project: Project, evidence: Evidence, controller_files: ControllerFiles | None, launch: Launch | None
+    ) -> Project:
+        """Return the project with its distro, its simulator, and its controllers as that distro reads them."""
+        started = self.settings.started
+        if started is None and launch is not None:
+            started = launch.started
+        named = None if started == ALL_STARTED else started
+        nodes = dict(self.settings.nodes)
+        controllers = controller_files.model(evidence.ros, named, nodes) if controller_files else None
+        if started == ALL_STARTED:
+            started = tuple(controller.full_name for controller in controllers.controllers) if controllers else None
+        project = project._replace(
+            distro=evidence.distro,
+            distros=evidence.distros,
+            distro_from=evidence.source,
+            evidence=evidence,
+            simulator=evidence.simulator,
+            simulator_from=evidence.simulator_from,
+            started=started,
+            in_order=self.settings.started not in (None, ALL_STARTED),
+            controllers=controllers,
+            launch=launch,
+            additions=self.settings.additions,
+            own=OwnTypes(nodes=nodes) if nodes else NO_OWN_TYPES,
+        )
+        return self._with_own_types(project) if controllers or project.robot else project
+
+    def _with_own_types(self, project: Project) -> Project:
+        """The project with the types that the workspace's packages define, if the catalogue lacks one of its types."""
+        robot = project.robot
+        if not project.controllers and not (robot and (robot.ros2_controls or robot.plugins)):
+            return project
+        from urdfctl.load.unknown_types import unknown_types
+
+        wanted = unknown_types(project)
+        if not wanted:
+            return project
+        from urdfctl.load.own_types import exports_in, own_types
+
+        index, files = self.index_for(project.path), self.reading(project.path)[0]
+        if index.workspace not in self._exports:
+            folders = (pair for crawl in index.crawls for pair in crawl.packages().items())
+            packages = [(name, folder) for name, found in folders for folder in found]
+            self._exports[index.workspace] = exports_in(packages, files)
+        own = own_types(wanted, self._exports[index.workspace], files)
+        return project._replace(own=own._replace(nodes=project.own.nodes))
+
+
+def _described(launch_file: LaunchFile | None, path: str | None) -> Description | None:
+    """The description of a robot in a launch file: the first one, or the one whose file is named."""
+    robots = launch_file.launch.robots if launch_file and launch_file.launch else ()
+    return next((one for one in robots if path is None or _is_same_file(one.file.path or "", path)), None)
+
+
+def _sources(files: Files, launch_file: LaunchFile | None) -> dict[str, SourceText]:
+    launch_files = launch_file.files.sources() if launch_file else ()
+    return {source.path: source for source in (*files.sources(), *launch_files)}
+
+
+def _is_same_file(path: str, other: str) -> bool:
+    return os.path.realpath(path) == os.path.realpath(other)
+
+
+def _controller_files(
+    paths: Sequence[str], robot: Robot | None, launch: Launch | None, files: Files
+) -> ControllerFiles | None:
+    """Return the robot's controller files. YAML is imported only if there may be any."""
+    is_named = any(plugin.setting("parameters") for plugin in (robot.plugins if robot else ()))
+    if not paths and not is_named and not (launch and launch.loads):
+        return None
+    from urdfctl.load.controller_files import read_controllers
+
+    return read_controllers(paths, robot, launch, files)
+
+
+def _listed_joints(path: str, files: Files) -> tuple[tuple[str, Place], ...]:
+    """Return the joints that a ROS-Industrial support package lists: urdf/arm.xacro has config/joint_names_arm.yaml."""
+    folder, name = os.path.split(path)
+    file = os.path.join(os.path.dirname(folder), "config", f"joint_names_{name.partition('.')[0]}.yaml")
+    if not os.path.isfile(file):
+        return ()
+    from urdfctl.load.controller_files import listed_joints
+
+    return tuple(listed_joints(file, files))

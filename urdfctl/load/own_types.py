@@ -1,0 +1,89 @@
+"""What the packages of a workspace define themselves: controllers with their parameters, and hardware."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Mapping
+
+from urdfctl.catalog.definitions import Definition, definition_of
+from urdfctl.model.own_types import OwnTypes
+from urdfctl.source.files import FileProblem, Files
+from urdfctl.source.plugin_exports import ExportedClass, definition_files, exported_classes, sources_of_class
+from urdfctl.source.yaml import read_yaml
+from urdfctl.startup.hints import Any
+from urdfctl.startup.records import NamedTuple
+
+_CONTROLLER_BASE = "controller_interface::"
+_PLAIN_BASES = ("ControllerInterface", "ChainableControllerInterface")
+_HARDWARE_BASES = ("SystemInterface", "ActuatorInterface", "SensorInterface", "RobotHWSim", "RobotHW")
+_DECLARES = re.compile(r"\b(?:declare_parameters?|auto_declare|get_parameters?|get_parameter_or|add_pre_set\w+)\s*[<(]")
+_PREFIXED = re.compile(r"ParamListener\b[^;]{0,300}?\(\s*(?:this->)?(?:get_node\(\)|node_?)\s*,\s*\S")
+
+
+class Exports(NamedTuple):
+    """The classes that a package exports."""
+
+    package: str
+    folder: str
+    classes: tuple[ExportedClass, ...]
+
+
+def exports_in(packages: Iterable[tuple[str, str]], files: Files) -> list[Exports]:
+    """Return the exports of packages, given by name and folder."""
+    found = (Exports(name, folder, tuple(exported_classes(folder, files))) for name, folder in packages)
+    return [exports for exports in found if exports.classes]
+
+
+def own_types(wanted: Collection[str], exports: Iterable[Exports], files: Files) -> OwnTypes:
+    """Return what the packages export that define some types, or whose name is the prefix of one.
+
+    wanted: the names of controllers and hardware that the catalogue does not have.
+    """
+    prefixes = {re.split("/|::", name)[0] for name in wanted}
+    controllers: dict[str, Mapping[str, Any]] = {}
+    hardware: list[str] = []
+    for each in exports:
+        if each.package not in prefixes and not any(one.name in wanted for one in each.classes):
+            continue
+        for one in each.classes:
+            if one.base.startswith(_CONTROLLER_BASE):
+                controllers[one.name] = _controller(one, each, wanted, files)
+            elif one.base.endswith(_HARDWARE_BASES):
+                hardware.append(one.name)
+    return OwnTypes(controllers, tuple(hardware))
+
+
+def _controller(one: ExportedClass, exports: Exports, wanted: Collection[str], files: Files) -> dict[str, Any]:
+    """The catalogue entry of an exported controller; its parameters only if somebody wants to know them."""
+    entry: dict[str, Any] = {"type": one.name, "package": exports.package, "origin": "workspace", "open": True}
+    if one.name in wanted:
+        sources = sources_of_class(exports.folder, one.class_name)
+        definition = _definition(one, exports, sources, files)
+        if definition is not None:
+            entry |= {"parameters": definition.parameters, "open": _reads_more(one, sources)}
+    return entry
+
+
+def _definition(one: ExportedClass, exports: Exports, sources: str, files: Files) -> Definition | None:
+    """The definition of a controller's parameters: its code includes the generated header."""
+    if _PREFIXED.search(sources):
+        return None
+    found = []
+    for file in definition_files(exports.folder):
+        if re.search(rf'#\s*include\s*["<](?:[\w./-]*/)?{re.escape(file.library)}\.hpp[">]', sources):
+            try:
+                found.append(definition_of(read_yaml(files.glance(file.path))))
+            except FileProblem:
+                return None
+    if len(found) > 1:
+        snake = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", one.class_name).lower()
+        found = [each for each in found if each and each.namespace == snake]
+    return found[0] if len(found) == 1 else None
+
+
+def _reads_more(one: ExportedClass, sources: str) -> bool:
+    """Whether a controller may read parameters that its definition does not have: it declares some itself, or inherits
+    from another controller."""
+    base = re.search(rf"class\s+(?:\w+\s+)?{re.escape(one.class_name)}\s*(?:final\s*)?:\s*public\s+([\w:]+)", sources)
+    inherits = base is None or base[1].rpartition("::")[2] not in _PLAIN_BASES
+    return inherits or _DECLARES.search(sources) is not None

@@ -1,0 +1,34 @@
+"""The targets of a run, each loaded and linted on its own."""
+
+from __future__ import annotations
+
+from urdfctl.startup.hints import Any
+from urdfctl.startup.records import NamedTuple
+
+
+class Target(NamedTuple):
+    """One robot in one variant, or a controller file or launch file without a robot.
+
+    path: the description; or the controller file or launch file.
+    arguments: xacro arguments, or those of the launch file.
+    fragment: True if the description is only a part, which other files include.
+    controllers: the controller files that belong to the robot.
+    launch: the launch file that belongs to the robot.
+    by_elimination: True if nothing says that the controller files belong to the robot, but nothing else is there.
+    guessed: whether the arguments of a launch file are guessed from the files that exist.
+    """
+
+    path: str
+    arguments: tuple[tuple[str, str], ...] = ()
+    fragment: bool = False
+    controllers: tuple[str, ...] = ()
+    launch: str | None = None
+    by_elimination: bool = False
+    guessed: bool = False
+
+    @classmethod
+    def from_json(cls, data: dict[str, Any]) -> Target:
+        """Return the target that `_asdict` and JSON made `data` from."""
+        arguments = tuple((str(name), str(value)) for name, value in data["arguments"])
+        controllers = tuple(data["controllers"])
+        return cls(**{**data, "arguments": arguments, "controllers": controllers})

@@ -1,0 +1,68 @@
+"""Names in messages: the known name most similar to an unknown one, did-you-mean hints, and lists of names."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+
+
+def nearest(name: str, known: Iterable[str]) -> str | None:
+    """Return the known name most similar to `name`, or None if none is similar."""
+    candidates = sorted({candidate for candidate in known if candidate})
+    by_folded = {candidate.casefold().replace("-", "_"): candidate for candidate in candidates}
+    same = by_folded.get(name.casefold().replace("-", "_"))
+    if same is not None and same != name:
+        return same
+    similar = [candidate for candidate in candidates if candidate != name and _may_be_similar(name, candidate)]
+    if not similar:
+        return None
+    from difflib import get_close_matches
+
+    closest = get_close_matches(name, similar, n=1, cutoff=_LEAST_SIMILARITY)
+    return closest[0] if closest else None
+
+
+_LEAST_SIMILARITY = 0.8
+"""The least ratio, from 0 to 1, at which one name counts as a misspelling of the other."""
+
+
+def _may_be_similar(name: str, other: str) -> bool:
+    """Whether two names share enough letters to be similar. Cheap, to skip most of the slow exact comparisons."""
+    least = _LEAST_SIMILARITY * (len(name) + len(other)) / 2
+    return min(len(name), len(other)) >= least and sum(map(other.__contains__, name)) >= least
+
+
+def did_you_mean(name: str, known: Iterable[str]) -> str:
+    """Return `"; did you mean 'x'?"` to append to a message, or an empty string."""
+    meant = nearest(name, known)
+    return f"; did you mean '{meant}'?" if meant else ""
+
+
+def nearest_path(path: str) -> str:
+    """Return the did-you-mean hint for a path that does not exist, from the names in its folder."""
+    try:
+        return did_you_mean(os.path.basename(path), os.listdir(os.path.dirname(path) or os.curdir))
+    except OSError:
+        return ""
+
+
+def is_slip(name: str, other: str) -> bool:
+    """Return whether two names differ by one letter missing, added or wrong, or by two letters swapped."""
+    short, long = sorted((name, other), key=len)
+    if len(long) - len(short) > 1 or short == long:
+        return False
+    start = next((i for i, (a, b) in enumerate(zip(short, long, strict=False)) if a != b), len(short))
+    tail, rest = short[start:], long[start:]
+    swapped = len(rest) > 1 and len(tail) == len(rest) and tail == rest[1] + rest[0] + rest[2:]
+    return rest[1:] in (tail, tail[1:]) or swapped
+
+
+def folded(name: str) -> str:
+    """Return a name in lower case without underscores and hyphens."""
+    return name.lower().replace("_", "").replace("-", "")
+
+
+def enumerated(parts: Iterable[str], conjunction: str = "and") -> str:
+    """Return `a, b and c`, or an empty string if there are no parts."""
+    *most, last = [*parts] or [""]
+    return f"{', '.join(most)} {conjunction} {last}" if most else last

@@ -1,0 +1,128 @@
+"""Baseline: a file of known findings, which hides them until they are fixed."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections import Counter
+from collections.abc import Callable, Iterable, Sequence
+
+from urdfctl.diagnostic import Diagnostic
+from urdfctl.errors import UserError
+from urdfctl.report.fingerprint import mark, message_from, path_from
+from urdfctl.source.files import first_bytes
+from urdfctl.startup.hints import Any
+from urdfctl.startup.records import NamedTuple
+
+_VERSION = 1
+_CRASH = "UC000"
+_MOST_BYTES = 64 << 20
+_TEXTS = ("code", "file", "message", "mark")
+
+
+class Known(NamedTuple):
+    """A finding in a baseline.
+
+    file: relative to the baseline's folder.
+    mark: its fingerprint.
+    times: how many equal findings there are.
+    """
+
+    code: str
+    file: str
+    message: str
+    mark: str
+    times: int
+
+
+class Comparison(NamedTuple):
+    """Findings compared with a baseline.
+
+    new: findings that the baseline does not contain.
+    known: how many findings it contains.
+    fixed: its entries that were not found again, with how many of each.
+    """
+
+    new: list[Diagnostic]
+    known: int
+    fixed: list[Known]
+
+
+def read_baseline(path: str) -> list[Known]:
+    """Return the findings in a baseline. UserError if the file is not a baseline."""
+    try:
+        text = first_bytes(path, _MOST_BYTES + 1)
+    except FileNotFoundError:
+        raise UserError(f"baseline '{path}' does not exist; --write-baseline {path} creates it") from None
+    except OSError as error:
+        raise UserError(f"'{path}' cannot be read: {error.strerror}") from None
+    if len(text) > _MOST_BYTES:
+        raise UserError(f"'{path}' is not a baseline: larger than {_MOST_BYTES >> 20} MiB")
+    try:
+        whole = json.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise UserError(f"'{path}' is not a baseline: invalid JSON: {error}") from None
+    version = whole.get("version") if isinstance(whole, dict) else None
+    if version != _VERSION or not isinstance(whole.get("findings"), list):
+        is_other = isinstance(version, int) and version != _VERSION
+        problem = f"its version is {version}, not {_VERSION}" if is_other else "it has no version or no findings"
+        raise UserError(f"'{path}' is not a baseline that this urdfctl can read: {problem}")
+    return [_known(entry, number, path) for number, entry in enumerate(whole["findings"], 1)]
+
+
+def _known(entry: Any, number: int, path: str) -> Known:
+    is_valid = isinstance(entry, dict) and all(isinstance(entry.get(name), str) for name in _TEXTS)
+    times = entry.get("times", 1) if is_valid else 0
+    if type(times) is not int or times < 1:
+        raise UserError(f"'{path}' is not a baseline: finding {number} has a missing or malformed field")
+    return Known(entry["code"], entry["file"], entry["message"], entry["mark"], times)
+
+
+def baseline_text(findings: Iterable[Diagnostic], path: str) -> str:
+    """Return the text of a baseline at `path` with some findings. Crashes of urdfctl are left out."""
+    folder = _folder(path)
+    counts: Counter[Known] = Counter()
+    for finding in findings:
+        if finding.code != _CRASH:
+            file = path_from(finding.at.file, folder)
+            counts[Known(finding.code, file, message_from(finding, folder), mark(finding, folder), 0)] += 1
+    entries = [known._replace(times=count)._asdict() for known, count in sorted(counts.items(), key=_by_file)]
+    lines = ",\n".join(f"  {json.dumps(entry)}" for entry in entries)
+    return f'{{"version": {_VERSION}, "tool": "urdfctl", "findings": [\n{lines}\n]}}\n'
+
+
+def _by_file(counted: tuple[Known, int]) -> tuple[str, str, str, str]:
+    known = counted[0]
+    return known.file, known.code, known.message, known.mark
+
+
+def compare(
+    findings: Sequence[Diagnostic], known: Iterable[Known], path: str, was_checked: Callable[[str, str], bool]
+) -> Comparison:
+    """Compare findings with the baseline at a path.
+
+    was_checked: returns whether the run checked a rule, given by its code, in a file.
+    """
+    folder = _folder(path)
+    left: Counter[str] = Counter()
+    entries = list(known)
+    for entry in entries:
+        left[entry.mark] += entry.times
+    new: list[Diagnostic] = []
+    for finding in findings:
+        fingerprint = mark(finding, folder)
+        if left[fingerprint] and finding.code != _CRASH:
+            left[fingerprint] -= 1
+        else:
+            new.append(finding)
+    fixed = []
+    for entry in entries:
+        times = min(left[entry.mark], entry.times)
+        left[entry.mark] -= times
+        if times and was_checked(entry.code, os.path.normpath(os.path.join(folder, entry.file))):
+            fixed.append(entry._replace(times=times))
+    return Comparison(new, len(findings) - len(new), fixed)
+
+
+def _folder(path: str) -> str:
+    return os.path.dirname(os.path.abspath(path))

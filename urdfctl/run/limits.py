@@ -1,0 +1,109 @@
+"""Limits of a worker process: their values, their enforcement, and the report of a failure."""
+
+from __future__ import annotations
+
+import gc
+import os
+import signal
+import sys
+import time
+from collections.abc import Callable, Mapping
+from types import FrameType
+
+from urdfctl.source.budget import OverBudget
+from urdfctl.startup.hints import Any
+from urdfctl.startup.records import NamedTuple
+
+Json = dict[str, Any]
+GRACE = 2.0
+"""Seconds between the deadline inside a worker and the moment when its parent ends it."""
+CAN_FORK = hasattr(os, "fork") and sys.platform != "win32"
+
+
+def processors() -> int:
+    """Return how many processors this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+class Limits(NamedTuple):
+    """The limits of one job.
+
+    seconds: wall-clock time, in s.
+    memory: address space, in bytes.
+    environ: the environment variables that the job sees.
+    """
+
+    seconds: float
+    memory: int
+    environ: Mapping[str, str]
+
+    @property
+    def too_slow(self) -> str:
+        """The reason for ending a job that takes longer than it may."""
+        return f"it takes longer than {self.seconds:g} s"
+
+
+class WorkerFailure(NamedTuple):
+    """A job without a result.
+
+    reason: in words.
+    our_fault: True if an exception in urdfctl's own code was not caught.
+    """
+
+    reason: str
+    our_fault: bool = False
+
+
+Result = Json | WorkerFailure
+
+
+def restrict(limits: Limits) -> None:
+    """Limit the memory and the environment of this process."""
+    if sys.platform == "win32":
+        raise NotImplementedError
+    import resource
+
+    gc.disable()  # a worker lives for milliseconds, and the memory limit still holds
+    os.environ.clear()
+    os.environ.update(limits.environ)
+    _limit(resource.RLIMIT_AS, limits.memory)
+    _limit(resource.RLIMIT_CORE, 0)
+    if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:  # a shell's background jobs ignore it
+        signal.signal(signal.SIGINT, signal.SIG_DFL)  # the parent reports the interruption
+    signal.signal(signal.SIGALRM, _raise_over_budget(limits))
+
+
+def start_clock(limits: Limits) -> None:
+    """Give this process `limits.seconds` from now on; after that, OverBudget is raised."""
+    if sys.platform == "win32":
+        raise NotImplementedError
+    import resource
+
+    _limit(resource.RLIMIT_CPU, int(time.process_time() + limits.seconds + GRACE) + 1)
+    signal.setitimer(signal.ITIMER_REAL, limits.seconds)
+
+
+def stop_clock() -> None:
+    """Cancel the alarm, so that it cannot interrupt the writing of a result."""
+    if sys.platform != "win32":
+        signal.setitimer(signal.ITIMER_REAL, 0)
+
+
+def _limit(kind: int, wanted: int) -> None:
+    if sys.platform == "win32":
+        raise NotImplementedError
+    import resource
+
+    hard = resource.getrlimit(kind)[1]
+    limit = wanted if hard == resource.RLIM_INFINITY else min(wanted, hard)
+    try:
+        resource.setrlimit(kind, (limit, hard))
+    except (ValueError, OSError, OverflowError):  # macOS rejects RLIMIT_AS
+        return
+
+
+def _raise_over_budget(limits: Limits) -> Callable[[int, FrameType | None], None]:
+    def on_alarm(_signal: int, _frame: FrameType | None) -> None:
+        raise OverBudget(limits.too_slow)
+
+    return on_alarm

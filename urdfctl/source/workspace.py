@@ -1,0 +1,44 @@
+"""The workspace of a file: only files in it are read."""
+
+from __future__ import annotations
+
+import os
+from functools import lru_cache
+
+from urdfctl.source.packages import folders_upwards, package_around, package_folders
+
+
+def workspace_of(file: str, named: str | None = None) -> str:
+    """Return the workspace of a file.
+
+    It is the first of these that exists:
+
+    - the folder `named` by the user;
+    - the nearest ancestor that is a git repository or a colcon or catkin workspace;
+    - the current folder, if it contains the file;
+    - the package that contains the file;
+    - the file's folder.
+
+    The search for an ancestor starts in the current folder if that contains the file, otherwise in the file's folder.
+    """
+    if named:
+        return os.path.abspath(named)
+    folder = os.path.dirname(os.path.abspath(file))
+    current = os.getcwd()
+    inside = (folder + os.sep).startswith(current.rstrip(os.sep) + os.sep)
+    for ancestor in folders_upwards(current if inside else folder):
+        if _is_workspace(ancestor):
+            return ancestor
+    if inside:
+        return current
+    return package_around(folder) or folder
+
+
+@lru_cache(1024)
+def _is_workspace(folder: str) -> bool:
+    if os.path.exists(os.path.join(folder, ".git")):
+        return True
+    source = os.path.join(folder, "src")
+    if not os.path.isdir(source) or os.path.exists(os.path.join(folder, "package.xml")):
+        return False
+    return next(package_folders(source), None) is not None

@@ -1,0 +1,399 @@
+"""Expand xacro with the installed xacro package, and record where each element was written and by which calls.
+
+The result is, byte for byte, what `xacro` itself writes. With `strict`, the first problem ends the expansion. Without
+it, a problem only drops the element it is in, so that one run finds all problems.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable, Mapping
+from types import ModuleType
+
+from urdfctl.source.budget import MAX_CALL_DEPTH, MAX_CALLS, MAX_ELEMENTS, OverBudget
+from urdfctl.source.dom import Cloning, Document, Element, Node, Text
+from urdfctl.source.files import FileProblem, Files
+from urdfctl.source.opaque import UNKNOWN
+from urdfctl.source.packages import Packages
+from urdfctl.source.problem import Problem, ProblemKind
+from urdfctl.source.span import Call, Place, SourceText
+from urdfctl.source.xacro import private_module
+from urdfctl.source.xacro.blame import Blame, blame_of, cut_out, node_being_evaluated
+from urdfctl.source.xacro.consequences import OF_FILES, OF_VALUES, Problems
+from urdfctl.source.xacro.errors import AbsentFile, failed_expression, judged, problem_of
+from urdfctl.source.xacro.influence import Definitions
+from urdfctl.source.xacro.leftovers import (
+    empty_arguments,
+    empty_default,
+    leftovers,
+    placeholders,
+    repeated_condition,
+    unused_arguments,
+)
+from urdfctl.source.xacro.macro_names import macro_of_other_file
+from urdfctl.source.xacro.prefixes import add_prefixes, is_call, missing_prefixes
+from urdfctl.source.xacro.replacements import replace
+from urdfctl.source.xacro.safety import install_safety, install_yaml
+from urdfctl.source.xacro.speed import install_speed
+from urdfctl.source.xacro.without_ros import Substitutions
+from urdfctl.source.xml import parse
+from urdfctl.startup.hints import Any
+from urdfctl.startup.records import NamedTuple
+
+HARMLESS = {
+    ProblemKind.LATE_DECLARATION,
+    ProblemKind.XACRO_WARNING,
+    ProblemKind.DUPLICATE_MACRO,
+    ProblemKind.MACRO_OF_OTHER_FILE,
+    ProblemKind.ARGUMENT_UNUSABLE,
+    ProblemKind.UNUSED_ARGUMENT,
+    ProblemKind.UNKNOWN_ARGUMENT,
+    ProblemKind.MANIFEST_MISSING,
+    ProblemKind.CONDITION_REPEATED,
+    ProblemKind.PREFIX_MISSING,
+    ProblemKind.BRACES,
+}
+"""Problems that do not remove a part of the robot."""
+
+
+class Expansion(NamedTuple):
+    """The expansion of one file.
+
+    document: the expanded tree; None if there is none.
+    problems: the problems that were found.
+    library: True for a macro library, whose macros were called with unknown values.
+    """
+
+    document: Document | None
+    problems: list[Problem]
+    library: bool = False
+    partial: bool = False
+    """Whether parts are left out because an argument is unknown."""
+
+    @property
+    def complete(self) -> bool:
+        """False where a problem or an unknown argument cost a part of the robot."""
+        whole = self.document is not None and not self.library and not self.partial
+        return whole and all(p.kind in HARMLESS for p in self.problems)
+
+
+class Expander:
+    """Expands one file once.
+
+    trust: True to evaluate any expression and accept any DOCTYPE, as xacro does.
+    """
+
+    is_library = False
+
+    def __init__(
+        self,
+        files: Files,
+        packages: Packages,
+        environ: Mapping[str, str],
+        *,
+        strict: bool = False,
+        trust: bool = False,
+    ) -> None:
+        self.files, self.packages, self.environ = files, packages, environ
+        self.strict, self.trust = strict, trust
+        self.found = Problems()
+        self.cloning = Cloning()
+        self.calls: list[Call] = []
+        self.module: ModuleType = private_module.load()
+        self._called = 0
+        self.macros: dict[str, Element] = {}
+        """The macros that were defined on the way, each by its last definition."""
+        self.loaded: dict[str, None] = {}
+        """The YAML files that expressions loaded, in order."""
+        self.declared: dict[str, Element] = {}
+        """The arguments that the description declares, each by its first `<xacro:arg>`."""
+        self.blamed: dict[str, None] = {}
+        """The arguments that are empty by default and not given, and because of which something failed."""
+        self.unprefixed = False
+        """Whether tags without the prefix are read as if they had it, as they were until melodic."""
+        self.any_argument = False
+        """Whether an argument that is neither given nor declared is unknown, and not a problem."""
+        self._given: Mapping[str, str] = {}
+        self._properties: dict[str, set[str]] = {}
+        self._originals: dict[str, Callable[..., Any]] = {}
+        self._install()
+
+    def expand(self, path: str, arguments: Mapping[str, str]) -> Expansion:
+        """Return the expansion of a file with `name:=value` arguments."""
+        module = self.module
+        module.init_stacks(path)
+        self._given = arguments
+        sys.setrecursionlimit(max(sys.getrecursionlimit(), 20 * MAX_CALL_DEPTH))
+        document: Document | None = None
+        try:
+            document = self._tree(path)
+            module.process_doc(document, mappings=self._arguments(arguments), verbosity=1)
+            self._processed(document, arguments)
+        except FileProblem as error:
+            self._add(error.at(Place(SourceText(path, b""), 0, end=0)))
+        except Exception as error:  # noqa: BLE001 (whatever the description made xacro raise)
+            self._keep(blame_of(error), error)
+            document = None if self.strict else document
+        finally:
+            private_module.release(module)
+        return Expansion(document, self.found.all)
+
+    def _tree(self, path: str, include: Call | None = None) -> Document:
+        document = parse(self.files.read(path), self.cloning, include, declarations=self.trust)
+        if self.unprefixed and document.documentElement is not None:
+            add_prefixes(document.documentElement)
+        return document
+
+    def _arguments(self, given: Mapping[str, str]) -> dict[str, str]:
+        return dict(given)
+
+    def _processed(self, document: Document, given: Mapping[str, str]) -> None:
+        """Do what remains after xacro: look for the parts that it silently ignored."""
+        root = document.documentElement
+        if self.strict or root is None:
+            return
+        sources = self.files.sources()
+        self._look_for_leftovers(document, sources)
+        for problem in unused_arguments(self.declared, given, sources, Place(root.source, root.start)):
+            if problem.hint or not self.found.may_lack_names:
+                self._add(problem)
+
+    def _look_for_leftovers(self, document: Document, sources: list[SourceText]) -> None:
+        for problem in leftovers(document, sources, self.macros, self._properties):
+            self._add(problem)
+        for problem in missing_prefixes(sources, self.macros) if self.unprefixed else ():
+            self._add(problem)
+
+    def definitions(self) -> Definitions:
+        """Return the definitions that were read, and the arguments that were given."""
+        defaults = {name: element.attrs.get("default", "") for name, element in self.declared.items()}
+        return Definitions(self._properties, {**defaults, **self._given}, tuple(self.loaded))
+
+    # -- the replaced helpers of xacro -------------------------------------------------------------------------------
+
+    def _install(self) -> None:
+        module: Any = self.module
+        for name in (
+            "process_include",
+            "handle_macro_call",
+            "check_attrs",
+            "replace_node",
+            "eval_all",
+            "grab_macro",
+            "resolve_macro",
+        ):
+            self._originals[name] = getattr(module, name)
+            replace(module, name, getattr(self, f"_{name}"))
+        replace(module, "_empty_text_node", Text("\n\n"))
+        replace(module, "parse", self._parse)
+        for level in ("warning", "error", "message"):
+            replace(module, level, self._listener(level))
+        self._install_findings()
+        install_speed(module, trust=self.trust)
+        install_yaml(module, self.files, self.loaded)
+        Substitutions(module, self.find_package, self.environ).install(trust=self.trust)
+        install_safety(module, self.files, trust=self.trust)
+
+    def _install_findings(self) -> None:
+        def print_location() -> None:  # exposed to expressions under its name
+            return None
+
+        replace(self.module, "print_location", print_location)
+        table: Any = self.module.Table
+        resolve = table._resolve_
+
+        def resolve_once(symbols: Any, key: str) -> Any:
+            before = len(symbols.recursive)
+            try:
+                return resolve(symbols, key)
+            except Exception:
+                del symbols.recursive[before:]
+                raise
+
+        replace(table, "_resolve_", resolve_once, within="Table")
+
+    def _parse(self, _input: object, filename: str) -> Document:
+        module = self.module
+        include = self.calls[-1] if self.calls else None
+        try:
+            return self._tree(filename, include)
+        except FileProblem as error:
+            module.filestack.pop()
+            absent = error.kind is ProblemKind.FILE_NOT_FOUND or os.path.isdir(error.path)
+            if absent:  # an optional include may be absent: xacro looks for an IOError inside
+                raise module.XacroException(exc=AbsentFile(error)) from error
+            raise
+
+    def _process_include(self, node: Element, macros: object, symbols: object, evaluate: object) -> None:
+        self._enter(Call("include", node.attrs.get("filename", ""), node.source, node.start, node.call))
+        self._originals["process_include"](node, macros, symbols, evaluate)
+        self._leave()
+
+    def _handle_macro_call(self, node: Element, macros: Any, symbols: object) -> bool:
+        name = node.tagName
+        if not name.startswith("xacro:"):
+            if not (self.unprefixed and is_call(name, macros)):
+                return False
+            node.tagName = name = f"xacro:{name}"
+        if name == "xacro:call":  # comes back here under the macro's own name
+            return bool(self._originals["handle_macro_call"](node, macros, symbols))
+        self._enter(self._call("macro", node))
+        handled = self._originals["handle_macro_call"](node, macros, symbols)
+        self._leave()
+        return bool(handled)
+
+    def _call(self, kind: str, node: Element) -> Call:
+        return Call(kind, node.tagName.removeprefix("xacro:"), node.source, node.start, node.call)
+
+    def _resolve_macro(self, name: str, macros: object, symbols: object) -> Any:
+        found = self._originals["resolve_macro"](name, macros, symbols)
+        body = found[2].body
+        if isinstance(body, Element):
+            self.calls[-1].definition = body.at.span
+        return found
+
+    def _spend(self) -> None:
+        self._called += 1
+        if self._called > MAX_CALLS:
+            raise OverBudget(f"more than {MAX_CALLS} macro calls, includes and inserted blocks")
+        if self.cloning.count > MAX_ELEMENTS:
+            raise OverBudget(f"more than {MAX_ELEMENTS} elements")
+
+    def _enter(self, call: Call) -> None:
+        self._spend()
+        if len(self.calls) >= MAX_CALL_DEPTH:
+            raise OverBudget(f"macros and includes are nested more than {MAX_CALL_DEPTH} levels deep")
+        self.calls.append(call)
+        self.cloning.call = call
+
+    def _leave(self) -> None:
+        self.calls.pop()
+        self.cloning.call = self.calls[-1] if self.calls else None
+
+    def _check_attrs(self, node: Element, required: list[str], optional: list[str]) -> Any:
+        if node.tagName == "xacro:insert_block":
+            self._spend()
+            self.cloning.insertion = node
+        elif node.tagName in ("xacro:if", "xacro:unless"):
+            for problem in repeated_condition(node):
+                self._add(problem)
+        elif node.tagName == "xacro:property":
+            texts = self._properties.setdefault(node.attrs.get("name", ""), set())
+            texts.add(node.attrs.get("value", node.attrs.get("default", "")))
+        elif node.tagName == "xacro:arg":
+            self.declared.setdefault(node.attrs.get("name", ""), node)
+        return self._originals["check_attrs"](node, required, optional)
+
+    def _replace_node(self, node: Node, by: object, content_only: bool = False) -> None:  # noqa: FBT001, FBT002 (xacro's signature)
+        if by is None and isinstance(node, Element) and node.tagName == "xacro:attribute":
+            self._note_attribute(node, node.parentNode)
+        self._originals["replace_node"](node, by, content_only)
+
+    def _note_attribute(self, node: Element, parent: Node | None) -> None:
+        """Record who wrote an attribute of `parent`. A value that is not text is a problem: xacro cannot write it."""
+        if not isinstance(parent, Element):
+            return
+        name = node.attrs.get("name", "")
+        name = next(reversed(parent.attrs), name) if "$" in name else name
+        parent.moved = {**(parent.moved or {}), name: (node.source, node.start)}
+        value: object = parent.attrs.get(name, "")
+        if isinstance(value, str):
+            return
+        if value:
+            parent.attrs[name] = UNKNOWN
+            message = f"attribute '{name}' becomes {value!r}, which is not a string; xacro cannot write it"
+            raise self.module.XacroException(message)
+        parent.attrs[name] = ""
+        message = f"attribute '{name}' becomes {value!r}, which is not a string; xacro writes an empty attribute"
+        self._add(Problem(ProblemKind.XACRO_WARNING, node.at["value"], message))
+
+    def _grab_macro(self, node: Element, macros: Any) -> None:
+        name = node.attrs.get("name", "").removeprefix("xacro:")
+        before = macros[name].body if name and dict.__contains__(macros, name) else None
+        self._originals["grab_macro"](node, macros)
+        self.macros[name] = node
+        if before is not None and (before.source.path, before.start) != (node.source.path, node.start):
+            position = before.source.position(before.start)
+            message = f"macro '{name}' is defined again; it replaces the one at {before.source.path}:{position.line}"
+            self._add(Problem(ProblemKind.DUPLICATE_MACRO, node.at["name"], message, name))
+        for problem in macro_of_other_file(name, node, self.files):
+            self._add(problem)
+
+    def _eval_all(self, node: Element, macros: object, symbols: object) -> None:
+        evaluate = self._originals["eval_all"]
+        depth = len(self.module.filestack), len(self.module.macrostack), len(self.calls)
+        done: list[Node] = []
+        while True:
+            try:
+                evaluate(node, macros, symbols)
+            except (OverBudget, RecursionError, MemoryError):
+                raise
+            except Exception as error:
+                if self.strict:
+                    raise
+                blame = blame_of(error)
+                self._keep(blame, error)
+                self._unwind(*depth)
+                if not cut_out(blame, node, done):
+                    raise
+            else:
+                break
+        first = node.firstChild
+        for child in done:
+            node.insertBefore(child, first)
+
+    def _unwind(self, files: int, macros: int, calls: int) -> None:
+        del self.module.filestack[files:]
+        del self.module.macrostack[macros:]
+        del self.calls[calls:]
+        self.cloning.call = self.calls[-1] if self.calls else None
+
+    def _listener(self, level: str) -> Callable[..., None]:
+        def listen(*words: object, **_: object) -> None:
+            message = " ".join(str(word) for word in words)
+            if level != "message":
+                node = node_being_evaluated()
+                at = node.at if node is not None else Place(SourceText(self.module.filestack[-1] or "", b""), 0, end=0)
+                self._add(Problem(ProblemKind.XACRO_WARNING, at, message))
+
+        listen.__name__ = level  # xacro asks for it
+        return listen
+
+    # -- problems ----------------------------------------------------------------------------------------------------
+
+    def _keep(self, blame: Blame, error: BaseException) -> None:
+        problem = self._problem(blame, error)
+        self.found.add_failure(problem, blame.element)
+        if not self.strict:
+            self._blame_arguments(problem, failed_expression(error))
+
+    def _blame_arguments(self, problem: Problem, expression: str) -> None:
+        """Blame an argument for a value that is empty because of it, or for a file that exists with other values."""
+        if not self.declared or problem.kind not in OF_VALUES:
+            return
+        definitions, empty = self.definitions(), empty_arguments(self.declared, self._given)
+        behind = definitions.arguments_behind(problem.at, expression)
+        self.blamed.update({name: None for name in empty if name in behind})
+        if problem.kind is ProblemKind.FILE_NOT_FOUND and self.files.may_read(os.path.dirname(problem.subject)):
+            self.blamed.update(dict.fromkeys(placeholders(problem.subject, self.declared, self._given, behind)))
+        for name in definitions.arguments_of_file(problem.at, expression) if problem.kind in OF_FILES else ():
+            if name in empty:
+                self._add(empty_default(empty[name], name))
+
+    def _problem(self, blame: Blame, error: BaseException) -> Problem:
+        problem = problem_of(error, blame, self.module.filestack)
+        return problem if self.strict else judged(problem, self.packages)
+
+    def _add(self, problem: Problem) -> None:
+        self.found.add(problem)
+
+    def find_package(self, name: str) -> str:
+        """Return the folder of a package, whose files can be read from then on. Raises PackageNotFound."""
+        folder = self.packages.find(name)
+        self.files.allow(folder)
+        node = node_being_evaluated()
+        if name in self.packages.assumed and node is not None:
+            message = f"package '{name}' has no package.xml, so ROS cannot find it; urdfctl uses the folder '{folder}'"
+            self._add(Problem(ProblemKind.MANIFEST_MISSING, node.at, message, name))
+        return folder

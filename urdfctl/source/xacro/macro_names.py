@@ -1,0 +1,44 @@
+"""Find macros that are named after another file: the file was copied, and its macro kept the name."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+
+from urdfctl.source.dom import Element
+from urdfctl.source.files import FileProblem, Files
+from urdfctl.source.problem import Problem, ProblemKind
+
+_WORD = re.compile(r"([A-Za-z0-9]+)")
+_FORMS = frozenset({"xacro", "urdf", "xml"})
+
+
+def macro_of_other_file(name: str, node: Element, files: Files) -> Iterator[Problem]:
+    """Yield the problem of a macro `iiwa_gazebo` in med.gazebo.xacro, if iiwa.gazebo.xacro defines one too."""
+    folder, own = os.path.split(node.source.path)
+    for other in _named_after(name, own):
+        path = os.path.join(folder, other)
+        if os.path.isfile(path) and _defines(path, name, files):
+            message = f"macro '{name}' has the same name as a macro in '{other}'; the later definition is called"
+            hint = "rename the macro to match its own file"
+            yield Problem(ProblemKind.MACRO_OF_OTHER_FILE, node.at["name"], message, name, hint)
+
+
+def _named_after(name: str, file: str) -> Iterator[str]:
+    """Yield the names that a file would have if a word of the macro's name replaced one of its words."""
+    parts = _WORD.split(file)
+    words = _WORD.findall(name)
+    strange = [word for word in words if word not in parts]
+    for at, part in enumerate(parts) if strange else ():
+        if at % 2 and part not in words and part not in _FORMS:
+            yield from ("".join([*parts[:at], word, *parts[at + 1 :]]) for word in strange)
+
+
+def _defines(path: str, name: str, files: Files) -> bool:
+    try:
+        text = files.glance(path).data
+    except FileProblem:
+        return False
+    named = rb"<xacro:macro\s[^<>]*\bname\s*=\s*[\"'](?:xacro:)?%b[\"']" % re.escape(name.encode())
+    return re.search(named, text) is not None

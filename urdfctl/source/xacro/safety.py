@@ -1,0 +1,113 @@
+"""Keep expressions from running code, reading outside the workspace, or never ending; see replacements.py."""
+
+from __future__ import annotations
+
+import os
+import re
+from functools import partial, reduce
+from operator import getitem
+from types import FunctionType, SimpleNamespace
+
+from urdfctl.source.files import Files
+from urdfctl.source.xacro import guards
+from urdfctl.source.xacro.expressions import OPERATORS, compile_checked, plain_path
+from urdfctl.source.xacro.replacements import replace
+from urdfctl.source.yaml_size import check_size
+from urdfctl.startup.hints import Any
+
+_PURE_BUILTINS = (
+    "abs all any bool complex dict divmod enumerate filter float frozenset hash int isinstance issubclass "
+    "len list map max min ord range repr reversed round set slice sorted str sum tuple zip"
+).split()
+
+
+def install_safety(module: Any, files: Files, *, trust: bool) -> None:
+    """Replace what evaluates expressions and lists files; with `trust`, keep xacro's own."""
+    if trust:
+        replace(module, "_global_symbols", module.create_global_symbols())
+        return
+    replace(module, "safe_eval", _safe_eval)
+    replace(module, "tokenize", guards.tokenized(module.tokenize))
+    replace(module, "glob", SimpleNamespace(glob=partial(_glob, files)))
+    replace(module, "_global_symbols", _harmless_symbols(module))
+
+
+def install_yaml(module: Any, files: Files, loaded: dict[str, None]) -> None:
+    """Replace load_yaml; the files that it reads are added to `loaded`."""
+
+    # a function, because a partial would show expressions what it was made of
+    def load_yaml(filename: str) -> Any:
+        return _load_yaml(module, files, loaded, filename)
+
+    replace(module, "load_yaml", load_yaml)
+
+
+def _harmless_symbols(module: Any) -> Any:
+    """Return the names that xacro exposes to expressions, made from guarded builtins and a guarded math."""
+    plain = module.__dict__["__builtins__"], module.math
+    module.__dict__["__builtins__"], module.math = guards.harmless_builtins(), guards.harmless_math()
+    try:
+        return module.create_global_symbols()
+    finally:
+        module.__dict__["__builtins__"], module.math = plain
+
+
+def _glob(files: Files, pattern: str) -> list[str]:
+    """Return the files that the pattern of an include matches. Folders that must not be read are not listed."""
+    fixed = re.split(r"[*?[]", pattern, maxsplit=1)[0]
+    if not files.may_read(os.path.dirname(fixed)):
+        return []
+    from glob import glob
+
+    return glob(pattern)
+
+
+def _safe_eval(expression: str, symbols: Any, _local: object = None) -> Any:
+    expression = expression.strip()
+    path = plain_path(expression)
+    if path is not None and path[0] in symbols:
+        return guards.checked(reduce(getitem, path[1:], symbols[path[0]]))
+    symbols.update(__builtins__={})
+    function = FunctionType(compile_checked(expression, function=True), symbols)
+    return guards.checked(function(*guards.GUARDS))
+
+
+def _load_yaml(module: Any, files: Files, loaded: dict[str, None], filename: str) -> Any:
+    """Return the content of a YAML file, wrapped as xacro does it. It is read by libyaml if that is installed."""
+    from urdfctl.startup.lazy_yaml import yaml
+
+    base: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+    loader = type("Loader", (base,), {})
+    for unit in module.ConstructUnits:
+        loader.add_constructor(unit.value.tag, unit.constructor)  # type: ignore[attr-defined]
+    path = module.abs_filename_spec(filename)
+    text = files.read(path).data
+    check_size(text)
+    loaded[path] = None
+    module.filestack.append(path)
+    try:
+        return module.YamlListWrapper.wrap(yaml.load(text, loader))
+    finally:
+        module.filestack.pop()
+        module.all_includes.append(path)
+
+
+def evaluate_text(module: Any, expression: str, context: dict[str, Any]) -> str:
+    """Evaluate `$(eval ...)` behind the same allow-list as `${...}`, with harmless builtins only."""
+    arguments = context.setdefault("arg", {})
+
+    def arg(name: str) -> Any:
+        return module.convert_value(module._eval_arg(name, args=arguments), "auto")
+
+    if "__" in expression:
+        raise module.SubstitutionException("$(eval ...) may not contain double underscore expressions")
+    values = {**module._eval_dict, **vars(guards.harmless_math())}
+    known = {"arg": arg, **{name: value for name, value in values.items() if not name.startswith("__")}}
+    code = compile_checked(expression.strip())
+    return str(guards.checked(eval(code, _harmless_globals(), module._DictWrapper(arguments, known))))  # noqa: S307 (only the allow-list comes so far)
+
+
+def _harmless_globals() -> dict[str, Any]:
+    named = guards.harmless_builtins()
+    operators = zip(OPERATORS, guards.GUARDS, strict=True)
+    return {"__builtins__": {**{name: named[name] for name in _PURE_BUILTINS}, **dict(operators)}}
