@@ -42,7 +42,7 @@ EFFORT = ("--type", "effort", "--distro", "jazzy")
         (("gen-controllers", ".", *EFFORT), "several robots found: one/still.urdf, two/r.urdf"),
         (("gen-controllers", "two/r.urdf", "--joints", "(", *EFFORT), "'(' is not a valid regular expression:"),
         (("gen-controllers", "one/still.urdf", "--joint", "f", *EFFORT), "joint 'f' cannot be controlled"),
-        (("gen-controllers", "two/r.urdf", "--distro", "jazzy"), "--type is missing: use e.g. --type effort"),
+        (("gen-controllers", "--joint", "a", "--distro", "jazzy"), "--type is missing: use e.g. --type effort"),
         (("gen-controllers", "two/r.urdf", *EFFORT, "--check"), "--check requires -o FILE, the file to check"),
         (("gen-all", "two/r.urdf", *EFFORT), "-o FOLDER is missing; the package is written to it"),
         (

@@ -10,6 +10,7 @@ from collections.abc import Iterable, Mapping
 
 from urdfctl.catalog.catalog import catalog_with
 from urdfctl.cli.generate_again import words_of_generated_file
+from urdfctl.cli.generate_requests import needs_joints, with_requests
 from urdfctl.cli.generate_writing import Writing, deliver
 from urdfctl.cli.targets import discovered
 from urdfctl.cli.words import configured, settings_from, split_arguments
@@ -31,7 +32,7 @@ from urdfctl.source.files import MAX_BYTES, named_bytes
 from urdfctl.source.packages import package_name
 from urdfctl.startup.hints import TYPE_CHECKING, Any
 
-_LISTS = (".txt", ".csv", ".yaml", ".yml", ".list")
+_LISTS = (".txt", ".csv", ".tsv", ".yaml", ".yml", ".json", ".list")
 _NOT_REPEATED = frozenset(
     {
         "words",
@@ -82,7 +83,9 @@ def run_generate(options: GenerateOptions) -> int:
         }  # name the robot: the generated files may hide it next time
     requested = _options(command, given, settings, robot)
     joints = chosen(robot, listed, given.get("joints") or (), given.get("exclude") or ())
-    if not joints and command != "gen-gazebo":
+    requested = with_requests(requested, command, given.get("controller") or (), joints, robot)
+    catalog = catalog_with(settings.additions)
+    if not joints and command != "gen-gazebo" and needs_joints(requested, catalog):
         raise UserError(_no_joints(robot))
     if command == "gen-all" and robot and not robot.package:
         print_message(f"'{robot.file}' is not in a package, so installed files cannot find it")
@@ -91,7 +94,7 @@ def run_generate(options: GenerateOptions) -> int:
         print_message(
             f"left out because their limits allow no motion: {', '.join(immovable)}. Include them with --joint"
         )
-    order = Order(joints, requested, catalog_with(settings.additions), robot or NO_ROBOT, Templates(given["templates"]))
+    order = Order(joints, requested, catalog, robot or NO_ROBOT, Templates(given["templates"]))
     writing = Writing(given["output"], given["force"], given["diff"], given["check"], given.get("into"))
     return deliver(files(command, order), writing, many=command == "gen-all")
 
@@ -141,8 +144,8 @@ def _text(path: str) -> str:
             data = sys.stdin.buffer.read(MAX_BYTES + 1)
             if len(data) > MAX_BYTES:
                 raise UserError(f"standard input cannot be read: it is larger than {MAX_BYTES >> 20} MiB")
-            return data.decode("utf-8")
-        return named_bytes(path).decode("utf-8")
+            return data.decode("utf-8-sig")
+        return named_bytes(path).decode("utf-8-sig")
     except UnicodeDecodeError:
         raise UserError(f"'{path}' cannot be read: it is not UTF-8") from None
 

@@ -23,6 +23,11 @@ _TYPES = (
     "mecanum, omni, pid, admittance, imu_broadcaster, ..., or the full name of a type. Repeatable."
 )
 
+_CONTROLLER = (
+    "A controller and its joints: NAME=TYPE or NAME=TYPE:JOINTS, where JOINTS are names or regular expressions with "
+    "commas between them. Repeatable. Without this and --type, controllers are proposed from the robot."
+)
+
 
 @dataclass(kw_only=True)
 class GenerateOptions(TargetOptions):
@@ -33,7 +38,7 @@ class GenerateOptions(TargetOptions):
     words: Annotated[
         _List,
         typer.Argument(
-            help="A robot, a list of joints (text, CSV, YAML, or - for standard input), and name:=value arguments. "
+            help="A robot, a list of joints (text, CSV, YAML, JSON, or - for standard input), and name:=value arguments. "
             "Default: the robot found in this folder.",
             metavar="[ROBOT|LIST|-] [NAME:=VALUE]...",
             show_default=False,
@@ -55,6 +60,7 @@ class ControllerOptions(GenerateOptions):
     """Options for the controllers and their joints."""
 
     types: Annotated[_List, _option("--type", _TYPES)] = None
+    controller: Annotated[_List, _option("--controller", _CONTROLLER)] = None
     chain: Annotated[
         bool,
         _option("--chain", "Let each --type command the next one; the last one commands the hardware."),

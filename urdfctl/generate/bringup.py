@@ -12,6 +12,15 @@ from urdfctl.generate.hardware import hardware, host
 from urdfctl.generate.options import File, Options
 from urdfctl.generate.parameters import Controller
 from urdfctl.generate.templates import Templates
+from urdfctl.startup.records import NamedTuple
+
+
+class Spawner(NamedTuple):
+    """The controllers that one spawner loads, and its further options."""
+
+    names: list[str]
+    options: list[str] = []
+
 
 FORMS = {"python": "launch.py", "xml": "launch.xml", "yaml": "launch.yaml"}
 _ONE_A_SPAWNER = ("foxy", "galactic")
@@ -23,7 +32,7 @@ def launch_file(made: Sequence[Controller], options: Options, templates: Templat
         raise UserError(f"--form must be one of {', '.join(FORMS)}, not '{options.form}'")
     ending = FORMS[options.form] if options.ros == 2 else "launch"  # noqa: PLR2004
     name, space = f"control.{ending}", options.namespace
-    names = [controller.name for controller in made]
+    names = [controller.name for controller in made if not controller.waits]
     text = templates.render(
         f"launch/ros2.{ending}" if options.ros == 2 else "launch/ros1.launch",  # noqa: PLR2004
         command=options.command,
@@ -38,7 +47,8 @@ def launch_file(made: Sequence[Controller], options: Options, templates: Templat
         prefix=f"/{space}/" if space else "",
         model=model,
         controllers=names,
-        spawned=_spawned(names, options),
+        spawned=[*_spawned(names, options), *_waiting(made, options)],
+        waiting=[controller.name for controller in made if controller.waits],
         spawner=spawner(options.distro),
         manager_option="--controller-manager",
         manager=f"/{space}/controller_manager" if space else "/controller_manager",
@@ -71,11 +81,20 @@ def takes_param_file(distro: str) -> bool:
     return distro in since("jazzy")
 
 
-def _spawned(names: list[str], options: Options) -> list[list[str]]:
-    """The controllers that each spawner starts, one list per spawner."""
+def _spawned(names: list[str], options: Options) -> list[Spawner]:
+    """The controllers that each spawner starts."""
     if options.distro in _ONE_A_SPAWNER:
-        return [[name] for name in names]
-    return [part for part in (names[:1], names[1:]) if part] if options.form == "python" else [names]
+        return [Spawner([name]) for name in names]
+    parts = [part for part in (names[:1], names[1:]) if part] if options.form == "python" else [names]
+    return [Spawner(part) for part in parts]
+
+
+def _waiting(made: Sequence[Controller], options: Options) -> list[Spawner]:
+    """The spawners of controllers that are loaded and not started."""
+    names = [controller.name for controller in made if controller.waits]
+    words = ["--stopped"] if options.distro in _ONE_A_SPAWNER else ["--inactive"]
+    lists = [[name] for name in names] if options.distro in _ONE_A_SPAWNER else [names] if names else []
+    return [Spawner(part, words) for part in lists]
 
 
 def _description(distro: str) -> str:

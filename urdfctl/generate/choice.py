@@ -27,7 +27,7 @@ def chosen(
     else:
         free = [joint for joint in (robot.joints if robot else ()) if not joint.mimics]
         joints = [joint for joint in free if joint.can_move] or free
-    wanted, unwanted = [_regex(text) for text in patterns], [_regex(text) for text in excluded]
+    wanted, unwanted = [regex_of(text) for text in patterns], [regex_of(text) for text in excluded]
     _check(wanted, joints)
     kept = [joint for joint in joints if not wanted or any(pattern.fullmatch(joint.name) for pattern in wanted)]
     kept = [joint for joint in kept if not any(pattern.fullmatch(joint.name) for pattern in unwanted)]
@@ -66,7 +66,8 @@ def _check(wanted: list[re.Pattern[str]], joints: list[JointFacts]) -> None:
             raise UserError(f"no joint matches '{regex.pattern}'{did_you_mean(regex.pattern, names)}")
 
 
-def _regex(text: str) -> re.Pattern[str]:
+def regex_of(text: str) -> re.Pattern[str]:
+    """Return a regular expression. UserError if it is invalid."""
     try:
         return re.compile(text)
     except re.error as error:

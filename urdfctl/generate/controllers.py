@@ -9,8 +9,9 @@ from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.distros import since
 from urdfctl.control.claims import claims, exports
 from urdfctl.errors import UserError
+from urdfctl.generate.assignment import Wish, assigned, without_conflicts
 from urdfctl.generate.facts import NO_ROBOT, JointFacts, RobotFacts
-from urdfctl.generate.options import Options
+from urdfctl.generate.options import Options, Request
 from urdfctl.generate.parameters import Controller, controller
 from urdfctl.generate.recipes import BROADCASTER, Kind, kind_of, type_of
 from urdfctl.generate.tasks import tasks_of
@@ -26,30 +27,39 @@ def controllers(
 
     UserError if the distro does not have a type, or if the joints do not fit.
     """
-    wanted = [kind_of(name, catalog, options) for name in options.types]
-    reporting_states = [kind for kind in wanted if BROADCASTER in (kind.name, kind.label) or "joint_state" in kind.name]
-    first = [kind_of(BROADCASTER, catalog, options)] if options.broadcaster and not reporting_states else []
+    asked = [*(Request("", name) for name in options.types), *options.requests]
+    wanted = [Wish(request, kind_of(request.type, catalog, options)) for request in asked]
+    reporting = [kind for _, kind in wanted if BROADCASTER in (kind.name, kind.label) or "joint_state" in kind.name]
+    first = [Wish(Request("", BROADCASTER), kind_of(BROADCASTER, catalog, options))]
+    first = first if options.broadcaster and not reporting else []
     if options.chain:
-        made = _side_by_side(first, joints, options, catalog, robot)
-        return _renamed([*made, *_chained(wanted, joints, options, catalog, robot)], options)
+        parallel = [wish for wish in wanted if wish.request in options.requests]
+        made = _side_by_side([*first, *parallel], joints, options, catalog, robot)
+        kinds = [wish.kind for wish in wanted if wish not in parallel]
+        return _renamed([*made, *_chained(kinds, joints, options, catalog, robot)], options)
     return _renamed(_side_by_side([*first, *wanted], joints, options, catalog, robot), options)
 
 
 def _side_by_side(
-    wanted: Sequence[Kind], joints: Sequence[JointFacts], options: Options, catalog: Catalog, robot: RobotFacts
+    wishes: Sequence[Wish], joints: Sequence[JointFacts], options: Options, catalog: Catalog, robot: RobotFacts
 ) -> list[Controller]:
-    """Controllers that command the hardware. Drives get their wheels, the other controllers the remaining joints."""
-    free = list(joints)
-    made: list[Controller] = []
-    for kind in sorted(wanted, key=lambda kind: not kind.roles):
-        tasks = list(tasks_of(kind, free, options, robot))
-        made += [created for task in tasks for created in _of_task(kind, task, catalog)]
-        if kind.roles:
-            used = {joint.name for task in tasks for joint in task.joints}
-            free = [joint for joint in free if joint.name not in used]
-    order = [kind.name for kind in wanted]
-    made.sort(key=lambda created: (not created.reports, order.index(created.task.kind)))
-    return made
+    """Controllers that command the hardware, each for its own joints."""
+    made: list[tuple[int, Controller]] = []
+    named: set[str] = set()
+    for index, job in assigned(wishes, joints, options, robot):
+        kind, request = job.kind, job.request
+        tasks = list(tasks_of(kind, job.joints, job.options, job.robot))
+        created = [one for task in tasks for one in _of_task(kind, task, catalog)]
+        if request.name and len(created) == 1:
+            created = [created[0]._replace(name=request.name)]
+        elif request.name and kind.each:
+            created = [one._replace(name=_node_name(f"{request.name}_{one.task.joints[0].name}")) for one in created]
+        elif request.name:
+            created = [one._replace(name=request.name) for one in created]
+        named |= {one.name for one in created if request.patterns}
+        made += [(index, one) for one in created]
+    made.sort(key=lambda one: (not one[1].reports, one[0]))
+    return without_conflicts([one for _, one in made], named)
 
 
 def _chained(
@@ -121,7 +131,7 @@ def _is_offered(made: Controller) -> bool:
 
 def _renamed(made: Sequence[Controller], options: Options) -> tuple[Controller, ...]:
     """Controllers with unique names: the name given by the user for a single one, and a number for duplicates."""
-    own = [created for created in made if created.task.kind != BROADCASTER]
+    own = [created for created in made if "joint_state" not in created.type.type]
     if options.name and len(own) == 1:
         made = [created._replace(name=options.name) if created is own[0] else created for created in made]
     taken: dict[str, int] = {}

@@ -37,7 +37,7 @@ def controllers_file(made: Sequence[Controller], options: Options, templates: Te
 
 def _start(made: Sequence[Controller], options: Options) -> str:
     """The command that starts the controllers."""
-    names = [controller.name for controller in made]
+    names = [controller.name for controller in made if not controller.waits]
     shown = " ".join(names if len(names) <= _FEW else [*names[:_FEW], "..."])
     space = options.namespace.strip("/")
     if options.ros == 1:

@@ -45,7 +45,7 @@ class Order(NamedTuple):
 
     def made_if_typed(self) -> tuple[Controller, ...]:
         """Return the requested controllers. Empty if no type is given."""
-        return self.controllers() if self.options.types else ()
+        return self.controllers() if self.options.types or self.options.requests else ()
 
 
 def _controllers(order: Order) -> list[File]:
@@ -97,7 +97,7 @@ def _launch_file(order: Order, made: Sequence[Controller]) -> File:
 
 
 def _typed(order: Order) -> tuple[Controller, ...]:
-    if not order.options.types:
+    if not (order.options.types or order.options.requests):
         raise UserError("--type is missing: use e.g. --type effort, --type trajectory or --type diff_drive")
     made = order.controllers()
     if order.options.ros == 1:

@@ -13,8 +13,9 @@ class JointFacts(NamedTuple):
     """A joint that moves. Limits are in rad or m, N m or N, rad/s or m/s, and None if the robot has none.
 
     `at` and `axis` are in the frame of the root link. `radius` is that of the wheel it turns, in m. `inertia` is the
-    load that it moves, in kg m2, or kg for a prismatic joint. `link` is the child link. `interface`, `gains` and
-    `reduction` come from a joint list.
+    load that it moves, in kg m2, or kg for a prismatic joint. `link` is the child link, `above` the next joint towards
+    the root that moves, and `mimic` the joint that it follows, with multiplier and offset. `interface`, `gains`,
+    `reduction`, `controller` and `controller_type` come from a joint list.
     """
 
     name: str
@@ -32,6 +33,10 @@ class JointFacts(NamedTuple):
     gains: tuple[tuple[str, float], ...] = ()
     reduction: float = 1.0
     link: str | None = None
+    above: str | None = None
+    mimic: tuple[str, float, float] | None = None
+    controller: str | None = None
+    controller_type: str | None = None
 
     @property
     def can_move(self) -> bool:
@@ -59,7 +64,7 @@ class RobotFacts(NamedTuple):
     `file` is its source file, `package` the package that contains it, and `package_path` its path in that package.
     `root` is its root link, `fixed` are the joints that do not move. `interfaces` are the command interfaces that its
     joints already have from transmissions or `<ros2_control>` tags. `parts` are the joints, sensors and gpios of these
-    tags. `hosts` are the file names of its simulator plugins.
+    tags. `hosts` are the file names of its simulator plugins. `sensor_links` are the links of its sensors by name.
     """
 
     name: str | None = None
@@ -73,6 +78,7 @@ class RobotFacts(NamedTuple):
     parts: tuple[PartFacts, ...] = ()
     components: tuple[str, ...] = ()
     hosts: tuple[str, ...] = ()
+    sensor_links: Mapping[str, str] = {}
     distro: str | None = None
     ros: int | None = None
     simulator: str | None = None

@@ -22,11 +22,25 @@ class Roles(NamedTuple):
     steering: tuple[str, ...] = ()
 
 
+class Request(NamedTuple):
+    """A controller that is asked for.
+
+    `name` is its name, empty for that of its type; `type` a short name or a full one. `patterns` name its joints, or
+    the sensors or gpios that it reads; without any, it gets those that fit. `roles` are the joints of a drive by role.
+    """
+
+    name: str
+    type: str
+    patterns: tuple[str, ...] = ()
+    roles: Roles | None = None
+
+
 class Options(NamedTuple):
     """The user's options. `command` is the command line that generates the files again.
 
-    `types` are short names or full names of controller types. `interfaces` are the interfaces that they command,
-    `states` those that they read: () for none. If `states` or `hardware` is None, it is derived from the other options.
+    `types` are short names or full names of controller types, `requests` are controllers with their joints.
+    `interfaces` are the interfaces that they command, `states` those that they read: () for none. If `states` or
+    `hardware` is None, it is derived from the other options.
     With `chain`, each type commands the next. `rate` is the update rate of the controller manager, in Hz.
 
     `controllers_file`, `description` and `package` are the places of the installed files. `robot_file` is the path by
@@ -55,6 +69,7 @@ class Options(NamedTuple):
     macro: bool = False
     form: str = "python"
     chain: bool = False
+    requests: tuple[Request, ...] = ()
     command: str = "urdfctl"
 
     @property

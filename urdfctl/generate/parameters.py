@@ -24,12 +24,13 @@ _PLACEHOLDER = re.compile(r"<([^<>]+)>")
 
 
 class Controller(NamedTuple):
-    """A generated controller."""
+    """A generated controller. `waits`: it is loaded and not started, because another one commands its joints."""
 
     name: str
     type: ControllerType
     settings: tuple[Setting, ...]
     task: Task
+    waits: bool = False
 
     @property
     def values(self) -> dict[str, object]:

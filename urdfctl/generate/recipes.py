@@ -21,7 +21,7 @@ _MARKS = ("each", "several")
 
 
 class Kind(NamedTuple):
-    """A short name of `--type`.
+    """A short name of `--type`, or a full type name with the short name that means it.
 
     `label` is the name of its controller, `interface` the default command interface, and `roles` the roles of its
     joints with their numbers. `each`: one controller per joint. `several`: it commands several interfaces. `fit` are
@@ -35,6 +35,7 @@ class Kind(NamedTuple):
     each: bool = False
     several: bool = False
     fit: tuple[str, ...] = ()
+    short: str = ""
 
 
 @cache
@@ -54,7 +55,7 @@ def kind_of(name: str, catalog: Catalog, options: Options) -> Kind:
         return _kind_of_type(name, catalog, options)
     listed = _listed(plain, options)
     label = plain.get(f"ros{options.ros}_name", plain["name"])
-    return _kind(name, plain, listed, label, [key for key in listed if key not in _MARKS])
+    return _kind(name, plain, listed, label, [key for key in listed if key not in _MARKS])._replace(short=name)
 
 
 def _kind(name: str, plain: Mapping[str, Any], listed: Mapping[str, Any], label: str, fit: Sequence[str]) -> Kind:
@@ -120,16 +121,17 @@ def _kind_of_type(name: str, catalog: Catalog, options: Options) -> Kind:
         )
     _known(name, catalog, options.distro)
     uses = [
-        (plain, listed, [key for key, names in listed.items() if key not in _MARKS and name in names])
-        for plain in kinds.values()
+        (short, plain, listed, [key for key, names in listed.items() if key not in _MARKS and name in names])
+        for short, plain in kinds.items()
         for listed in (plain.get(f"ros{options.ros}", {}), plain.get(f"ros{options.ros}_group", {}))
     ]
-    of_name = [use for use in uses if use[2]]
+    of_name = [use for use in uses if use[3]]
     if not of_name:
-        return Kind(name, _snake(name.rpartition("/")[2]))
-    plain, listed, _ = of_name[0]
+        return Kind(name, _snake(name.rpartition("/")[2]), short=name)
+    short, plain, listed, _ = of_name[0]
     label = plain["name"] if len(of_name) == 1 else name.partition("/")[0]
-    return _kind(name, plain, listed, label, [key for _, _, fit in of_name for key in fit])
+    kind = _kind(name, plain, listed, label, [key for *_, fit in of_name for key in fit])
+    return kind._replace(short=short if len(of_name) == 1 else name)
 
 
 def _known(name: str, catalog: Catalog, distro: str) -> ControllerType:

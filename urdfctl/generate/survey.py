@@ -21,6 +21,8 @@ def facts_of(robot: Robot) -> RobotFacts:
     measurements = measured(robot)
     named = {joint.name: joint for joint in robot.joints if joint.name}
     moving = [_joint(name, joint, measurements.get(name)) for name, joint in named.items() if joint.type in _MOVING]
+    above = _moving_above(robot)
+    moving = [joint._replace(above=above.get(joint.name)) for joint in moving]
     mass = sum(link.inertials[0].mass.value or 0.0 for link in robot.links if link.inertials and link.inertials[0].mass)
     return RobotFacts(
         robot.name,
@@ -31,7 +33,42 @@ def facts_of(robot: Robot) -> RobotFacts:
         parts=tuple(_parts(robot)),
         components=tuple(control.name or "" for control in robot.ros2_controls),
         hosts=tuple(plugin.filename for plugin in robot.plugins if plugin.filename),
+        sensor_links=_sensor_links(robot),
     )
+
+
+def _moving_above(robot: Robot) -> dict[str, str]:
+    """The next joint towards the root that moves, for each joint."""
+    by_child = {joint.child.name: joint for joint in robot.joints if joint.child and joint.child.name}
+    found: dict[str, str] = {}
+    for joint in robot.joints:
+        seen: set[str] = set()
+        upper = by_child.get(joint.parent.name or "") if joint.parent else None
+        while upper and upper.name and upper.name not in seen and upper.type not in _MOVING:
+            seen.add(upper.name)
+            upper = by_child.get(upper.parent.name or "") if upper.parent else None
+        if joint.name and upper and upper.name and upper.type in _MOVING and upper.name != joint.name:
+            found[joint.name] = upper.name
+    return found
+
+
+def _sensor_links(robot: Robot) -> dict[str, str]:
+    """The link of each sensor: where Gazebo mounts it, or else the link that has its name."""
+    links = {link.name for link in robot.links if link.name}
+    mounted = {
+        tag.attributes.get("name", ""): gazebo.reference
+        for gazebo in robot.gazebos
+        if gazebo.reference in links
+        for tag in gazebo.tag.named("sensor")
+    }
+    names = [part.name or "" for control in robot.ros2_controls for part in control.of_kind("sensor")]
+    for name in names:
+        plain = name.removesuffix("_sensor")
+        near = (name, f"{name}_link", f"{name}_frame", plain, f"{plain}_link", f"{plain}_frame", f"{plain}_sensor_link")
+        link = mounted.get(name) or next((link for link in near if link in links), None)
+        if link:
+            mounted[name] = link
+    return {name: link for name, link in mounted.items() if name and link}
 
 
 def _with_load(joints: list[JointFacts], mass: float) -> Iterator[JointFacts]:
@@ -73,6 +110,7 @@ def _joint(name: str, joint: Joint, measurement: Measured | None) -> JointFacts:
         name=name,
         type=joint.type or "",
         mimics=joint.mimic is not None,
+        mimic=_followed(joint),
         lower=lower,
         upper=upper,
         effort=_value(limit.effort) if limit else None,
@@ -83,6 +121,13 @@ def _joint(name: str, joint: Joint, measurement: Measured | None) -> JointFacts:
         inertia=measurement.inertia if measurement else None,
         link=joint.child.name if joint.child else None,
     )
+
+
+def _followed(joint: Joint) -> tuple[str, float, float] | None:
+    if joint.mimic is None or not joint.mimic.joint:
+        return None
+    multiplier, offset = _value(joint.mimic.multiplier), _value(joint.mimic.offset)
+    return joint.mimic.joint, 1.0 if multiplier is None else multiplier, offset or 0.0
 
 
 def _value(number: Number | None) -> float | None:

@@ -23,7 +23,7 @@ def tasks_of(kind: Kind, joints: Sequence[JointFacts], options: Options, robot: 
     if kind.roles:
         yield _drive(kind, joints, options, robot)
         return
-    if kind.name == "gpio":
+    if kind.short == "gpio":
         joints = _gpios(options, robot)
     by_interfaces: dict[tuple[str, ...], list[JointFacts]] = {}
     for joint in joints:
@@ -37,7 +37,7 @@ def tasks_of(kind: Kind, joints: Sequence[JointFacts], options: Options, robot: 
             raise UserError(f"'{kind.name}' commands one interface per joint, not {', '.join(interfaces)}")
         states = _read(kind, interfaces, members, options, robot)
         yield Task(
-            kind=kind.name, interfaces=interfaces, joints=tuple(members), robot=robot, options=options, states=states
+            kind=kind.short, interfaces=interfaces, joints=tuple(members), robot=robot, options=options, states=states
         )
 
 
@@ -60,7 +60,7 @@ def _read(
     """The state interfaces to read: from the user, or those that all joints offer."""
     if options.states is not None:
         return options.states
-    if kind.name == "pid":
+    if kind.short == "pid":
         return ("velocity",) if interfaces[0] == "velocity" else ("position",)
     offered = {part.name: part.states for part in robot.of_kind("joint")}
     known = [offered[joint.name] for joint in joints if joint.name in offered]
@@ -87,12 +87,12 @@ def _drive(kind: Kind, joints: Sequence[JointFacts], options: Options, robot: Ro
         left, right = len(by_role["left"]), len(by_role["right"])
         raise UserError(f"{left} wheels on the left and {right} on the right: name them with --left and --right")
     members = tuple(dict.fromkeys(joint for role in by_role.values() for joint in role))
-    passive = tuple(joint for joint in joints if joint not in members and kind.name.startswith("tricycle"))
+    passive = tuple(joint for joint in joints if joint not in members and kind.short.startswith("tricycle"))
     rolling = [joint for role in ("left", "right", "traction") for joint in by_role.get(role, ())]
     states = _read(kind, ("velocity",), rolling, options, robot)
     of = [by_role.get(role, ()) for role in ("left", "right", "traction", "steering")]
     return Task(
-        kind=kind.name,
+        kind=kind.short,
         interfaces=("velocity",),
         joints=members,
         robot=robot,

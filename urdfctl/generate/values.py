@@ -211,6 +211,10 @@ def _extra(interface: str) -> Callable[[Task, JointFacts], Answer | Left]:
 def _frame(task: Task) -> Answer:
     if task.options.frame:
         return Answer(task.options.frame)
+    names = [task.options.sensor] if task.options.sensor else [part.name for part in task.robot.of_kind("sensor")[:1]]
+    mounted = next((task.robot.sensor_links[name] for name in names if name in task.robot.sensor_links), None)
+    if mounted:
+        return Answer(mounted, "the sensor's link")
     return Answer(task.robot.root or "base_link", f"{TODO}: check it; this is the root link")
 
 

@@ -1,0 +1,216 @@
+"""Several controllers at once: over chosen joints, from a list's columns, or proposed from the robot."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+import pytest
+import yaml
+from folder import Folder
+from generating import command
+
+WEIGHT = '<inertial><mass value="1"/><inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/></inertial>'
+LIMIT = '<limit lower="-1" upper="1" effort="50" velocity="2"/>'
+
+
+def joint(
+    name: str, parent: str, *, kind: str = "revolute", axis: str = "0 1 0", at: str = "0 0 0.3", more: str = ""
+) -> str:
+    """A joint with the link `NAME_link`."""
+    return (
+        f'<link name="{name}_link">{WEIGHT}</link><joint name="{name}" type="{kind}"><parent link="{parent}"/>'
+        f'<child link="{name}_link"/><origin xyz="{at}"/><axis xyz="{axis}"/>{LIMIT}{more}</joint>'
+    )
+
+
+def wheel(name: str, x: float, y: float, parent: str = "base") -> str:
+    """A wheel of 0.1 m."""
+    shape = '<collision><geometry><sphere radius="0.1"/></geometry></collision>'
+    text = joint(name, parent, kind="continuous", at=f"{x} {y} 0")
+    return text.replace("</inertial></link>", f"</inertial>{shape}</link>")
+
+
+def robot(*parts: str) -> str:
+    return f'<robot name="r"><link name="base">{WEIGHT}</link>{"".join(parts)}</robot>'
+
+
+ARM = (
+    joint("shoulder", "base", axis="0 0 1"),
+    joint("elbow", "shoulder_link"),
+    joint("wrist", "elbow_link"),
+)
+HAND = (
+    joint("finger", "wrist_link", kind="prismatic"),
+    joint("finger_2", "wrist_link", kind="prismatic", more='<mimic joint="finger" multiplier="-1"/>'),
+)
+WHEELS = (wheel("left_wheel", 0, 0.2), wheel("right_wheel", 0, -0.2))
+FOUR = tuple(
+    wheel(f"{end}_{side}", x, y) for end, x in (("f", 0.3), ("r", -0.3)) for side, y in (("l", 0.2), ("r", -0.2))
+)
+CASTER = (
+    joint("swivel", "base", kind="continuous", axis="0 0 1", at="-0.3 0 0.1"),
+    wheel("caster_wheel", -0.05, 0, "swivel_link").replace('xyz="-0.05 0 0"', 'xyz="-0.05 0 -0.1"'),
+)
+CAR = (
+    wheel("rear_left", -0.3, 0.2),
+    wheel("rear_right", -0.3, -0.2),
+    joint("steer_left", "base", axis="0 0 1", at="0.3 0.2 0"),
+    joint("steer_right", "base", axis="0 0 1", at="0.3 -0.2 0"),
+    wheel("front_left", 0, 0, "steer_left_link"),
+    wheel("front_right", 0, 0, "steer_right_link"),
+)
+
+
+def written(folder: Folder, text: str, *words: str, distro: str = "jazzy") -> dict[str, Any]:
+    """The controllers of a file, by name, without the broadcaster."""
+    folder.write({"r.urdf": text})
+    ran = command("gen-controllers", "r.urdf", "--distro", distro, "--no-broadcaster", *words)
+    assert ran.returncode == 0, ran.stderr
+    plain = yaml.safe_load(ran.stdout)
+    types = plain.pop("controller_manager", {}).get("ros__parameters", {})
+    parameters = {name: part.get("ros__parameters", part) for name, part in plain.items()}
+    named = [name for name, part in types.items() if isinstance(part, dict)] or list(plain)
+    return {name: {**parameters.get(name, {}), **(types.get(name) or {})} for name in named}
+
+
+def refused(folder: Folder, text: str, *words: str, distro: str = "jazzy") -> str:
+    """The line that refuses a command."""
+    folder.write({"r.urdf": text})
+    ran = command("gen-controllers", "r.urdf", "--distro", distro, *words)
+    assert (ran.returncode, ran.stdout, ran.stderr.count("\n")) == (2, "", 1)
+    return ran.stderr.removeprefix("urdfctl: ").strip()
+
+
+def test_each_controller_gets_the_joints_that_it_names(folder: Folder) -> None:
+    found = written(
+        folder,
+        robot(*ARM, *HAND, *WHEELS),
+        *("--controller", "arm=trajectory:shoulder,e.*,wrist", "--controller", "hand=gripper:finger"),
+        *("--controller", "base=diff_drive"),
+    )
+    assert list(found) == ["arm", "hand", "base"]
+    assert found["arm"]["joints"] == ["shoulder", "elbow", "wrist"]
+    assert found["hand"]["joint"] == "finger"
+    assert found["base"]["left_wheel_names"] == ["left_wheel"]
+
+
+def test_a_controller_without_joints_gets_those_that_remain_and_fit_it(folder: Folder) -> None:
+    types = ("--type", "trajectory", "--type", "gripper", "--type", "diff_drive")
+    found = written(folder, robot(*ARM, *HAND, *WHEELS, *CASTER), *types)
+    assert found["joint_trajectory_controller"]["joints"] == ["shoulder", "elbow", "wrist"]
+    assert found["finger_gripper_controller"]["joint"] == "finger"
+    assert found["diff_drive_controller"]["right_wheel_names"] == ["right_wheel"]
+
+
+def test_two_controllers_of_the_same_joints_are_refused_unless_both_name_them(folder: Folder) -> None:
+    arm = robot(*ARM)
+    line = refused(folder, arm, "--type", "trajectory", "--type", "position")
+    assert line.startswith(
+        "'trajectory' and 'position' would command the same joints; name those of each: --controller"
+    )
+    line = refused(folder, arm, "--controller", "a=trajectory:.*", "--controller", "b=position")
+    assert line.startswith("'b': no joint remains for it; name its joints: --controller b=position:REGEX")
+    words = ("--controller", "a=trajectory:.*", "--controller", "b=position:elbow", "--package", "p")
+    folder.write({"r.urdf": arm})
+    for form in ("python", "xml", "yaml"):
+        launch = command("gen-launch", "r.urdf", "--distro", "jazzy", "--form", form, *words).stdout
+        assert launch.count("--inactive") == 1
+    launch = command("gen-launch", "r.urdf", "--distro", "noetic", *words).stdout
+    assert 'args="--stopped b"' in launch
+
+
+@pytest.mark.parametrize(
+    ("words", "line"),
+    [
+        (("arm",), "'arm' is not a controller: write --controller NAME=TYPE or NAME=TYPE:JOINTS"),
+        (("a=trajectroy",), "unknown type 'trajectroy'; did you mean 'trajectory'?"),
+        (("a b=trajectory",), "'a b' cannot be a controller's name: use letters, digits and underscores"),
+        (("a=trajectory:elbw",), "controller 'a': no joint matches 'elbw'; did you mean 'elbow'?"),
+        (("a=gripper:finger_2",), "joint 'finger_2' mimics 'finger'; command that joint in 'a'"),
+        (("a=trajectory:(",), "'(' is not a valid regular expression"),
+        (
+            ("a=trajectory:elbow", "a=position:wrist"),
+            "two controllers are called 'a'; give each --controller its own name",
+        ),
+    ],
+)
+def test_a_wrong_request_is_refused_in_one_line(words: tuple[str, ...], line: str, folder: Folder) -> None:
+    options = [word for text in words for word in ("--controller", text)]
+    assert refused(folder, robot(*ARM, *HAND), *options).startswith(line)
+
+
+def test_a_list_says_which_controller_has_which_joint(folder: Folder) -> None:
+    folder.write(
+        {
+            "r.urdf": robot(*ARM, *HAND),
+            "joints.csv": "name,controller,type\nshoulder,arm,trajectory\nelbow,arm,trajectory\nfinger,hand,gripper\n",
+        }
+    )
+    plain = yaml.safe_load(command("gen-controllers", "r.urdf", "joints.csv", "--distro", "jazzy").stdout)
+    assert plain["arm"]["ros__parameters"]["joints"] == ["shoulder", "elbow"]
+    assert plain["hand"]["ros__parameters"]["joint"] == "finger"
+    folder.write({"joints.csv": "name,controller\nshoulder,arm\n"})
+    ran = command("gen-controllers", "r.urdf", "joints.csv", "--distro", "jazzy")
+    assert ran.stderr == "urdfctl: controller 'arm' has no type: add a column `controller_type`, or --type\n"
+
+
+PROPOSALS = {
+    "arm": (ARM, "arm_controller=trajectory:shoulder,elbow,wrist"),
+    "arm and gripper": (
+        (*ARM, *HAND),
+        "arm_controller=trajectory:shoulder,elbow,wrist --controller gripper_controller=gripper:finger",
+    ),
+    "two wheels and a caster": ((*WHEELS, *CASTER), "base_controller=diff_drive:left_wheel,right_wheel"),
+    "four wheels": (FOUR, "base_controller=diff_drive:f_l,f_r,r_l,r_r"),
+    "four mecanum wheels": (
+        tuple(part.replace("_link", "_mecanum") for part in FOUR),
+        "base_controller=mecanum:f_l,f_r,r_l,r_r",
+    ),
+    "a car": (CAR, "base_controller=ackermann:rear_left,rear_right,steer_left,steer_right"),
+    "mobile manipulator": (
+        (*WHEELS, *ARM),
+        "base_controller=diff_drive:left_wheel,right_wheel --controller arm_controller=trajectory:shoulder,elbow,wrist",
+    ),
+    "two arms": (
+        tuple(re.sub('"(shoulder|elbow|wrist)', rf'"{side}_\1', part) for side in ("left", "right") for part in ARM),
+        "left_arm_controller=trajectory:left_shoulder,left_elbow,left_wrist "
+        f"--controller {'right_arm_controller=trajectory:right_shoulder,right_elbow,right_wrist'}",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", PROPOSALS)
+def test_controllers_are_proposed_for_all_parts_of_a_robot(name: str, folder: Folder) -> None:
+    parts, proposal = PROPOSALS[name]
+    folder.write({"r.urdf": robot(*parts)})
+    ran = command("gen-controllers", "r.urdf", "--distro", "jazzy")
+    assert (ran.returncode, ran.stderr) == (
+        0,
+        f"urdfctl: controllers proposed from the robot: --controller {proposal}\n",
+    )
+    again = command("gen-controllers", "r.urdf", "--distro", "jazzy", "--controller", *proposal.split())
+    assert again.stdout.splitlines()[1:] == ran.stdout.splitlines()[1:]
+
+
+def test_sensors_and_gpios_get_broadcasters(folder: Folder) -> None:
+    part = """<ros2_control name="hw" type="system"><hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+      <sensor name="imu"><state_interface name="angular_velocity.x"/></sensor>
+      <sensor name="wrist_ft"><state_interface name="force.x"/></sensor>
+      <gpio name="valve"><command_interface name="open"/></gpio></ros2_control>
+      <gazebo reference="base"><sensor name="imu" type="imu"/></gazebo>"""
+    found = written(folder, robot(part))
+    assert found["imu_broadcaster"]["frame_id"] == "base"
+    assert found["wrist_ft_broadcaster"]["sensor_name"] == "wrist_ft"
+    assert found["gpio_controller"]["gpios"] == ["valve"]
+    full = written(folder, robot(part), "--type", "gpio_controllers/GpioCommandController")
+    assert full["gpio_controller"]["command_interfaces"] == {"valve": {"interfaces": ["open"]}}
+
+
+def test_an_unclear_drive_is_asked_for(folder: Folder) -> None:
+    line = refused(folder, robot(wheel("left_wheel", 0, 0.2), wheel("right_1", 0, -0.2), wheel("right_2", -1, -0.2)))
+    assert line.startswith(
+        "no controller can be proposed for the wheels (left_wheel, right_1, right_2): its drive is unclear"
+    )
+    line = refused(folder, robot(*(part.replace("_link", "_mecanum") for part in FOUR)), distro="noetic")
+    assert "noetic has no controller for mecanum bases; use --controller NAME=TYPE" in line
