@@ -9,6 +9,7 @@ from itertools import product
 
 from urdfctl.config.file import Config
 from urdfctl.config.robots import ConfiguredRobot
+from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.discover.robots import DiscoveredFiles, discover_files
 from urdfctl.lint.results import TargetResult
 from urdfctl.load.target import Target
@@ -57,13 +58,18 @@ class PlannedTarget(NamedTuple):
             return bool(self.read(result))
         if self.origin is Origin.LAUNCHED:
             findings = result.outcome.diagnostics
-            return bool(result.controllers) or any(finding.code.startswith("UC6") for finding in findings)
+            return bool(result.controllers) or any(_is_own(finding) for finding in findings)
         return True
 
     def read(self, result: TargetResult) -> set[str]:
         """Return those files that the user names, or names the folder of, which were read for the target."""
         folders = tuple(f"{path}{os.sep}" for path in self.focus)
         return {file for file in result.files if file in self.focus or file.startswith(folders)}
+
+
+def _is_own(finding: Diagnostic) -> bool:
+    """Whether a finding belongs to a launch file: it is about launching, or stops the robot that the file starts."""
+    return finding.code.startswith("UC6") or finding.severity == Severity.ERROR
 
 
 def discovered(paths: Sequence[str], config: Config) -> DiscoveredFiles:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from urdfctl.catalog.distros import since
 from urdfctl.catalog.entries import ControllerType
@@ -149,10 +149,14 @@ def before_slash(claim: Claim) -> str:
     return claim.name.partition("/")[0]
 
 
-def _started(project: Project, configured: Iterable[Configured]) -> tuple[Configured, ...] | None:
+def _started(project: Project, configured: Sequence[Configured]) -> tuple[Configured, ...] | None:
     if project.started is None or project.controllers is None:
         return None
     by_controller = {id(each.controller): each for each in configured}
-    started = (project.controllers.controller(name) for name in project.started)
+    started = [project.controllers.controller(name) for name in project.started]
+    if any(one is not None and one.declared_at is None for one in started):
+        rest = {id(each.controller) for each in configured} - {id(one) for one in started}
+        if rest and project.controllers.complete:
+            return None  # a wrong name is spawned: another controller is meant
     keys = dict.fromkeys(id(controller) for controller in started if controller is not None)
     return tuple(by_controller[key] for key in keys)

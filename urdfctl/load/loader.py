@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from functools import partial
 
 from urdfctl.config.settings import ALL_STARTED, Settings
+from urdfctl.load.build_files import absent_sources
 from urdfctl.load.distro import Beside, detect_distro
 from urdfctl.load.evidence import ament_package
 from urdfctl.load.expanding import expanded
@@ -177,7 +178,8 @@ class Loader:
             *(launch_file.problems if launch_file else ()),
             *(controller_files.problems if controller_files else ()),
         )
-        project = self._completed(Project(None, path, problems=problems), evidence, controller_files, launch)
+        project = Project(None, path, problems=problems, absent=absent_sources(packages, files))
+        project = self._completed(project, evidence, controller_files, launch)
         return LoadedTarget(project, None, _sources(files, launch_file))
 
     def _project(
@@ -203,7 +205,8 @@ class Loader:
         )
         project = Project(robot, path, problems=problems, complete=expansion.complete, library=expansion.library)
         listed = _listed_joints(path, expander.files)
-        project = project._replace(influence=expander.definitions().influence_on, listed=listed)
+        absent = absent_sources(expander.packages, expander.files)
+        project = project._replace(influence=expander.definitions().influence_on, listed=listed, absent=absent)
         return self._completed(project, evidence, controller_files, launch)
 
     def _completed(

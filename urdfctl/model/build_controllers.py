@@ -20,6 +20,7 @@ from urdfctl.source.yaml import Entry, Mapping, Node, Scalar, YamlFile
 from urdfctl.startup.records import NamedTuple
 
 MANAGER = "controller_manager"
+_NULL = frozenset({"", "~", "null"})
 _KEYS_OF_MOVEIT = frozenset(
     "controller_list controller_names moveit_controller_manager moveit_simple_controller_manager "
     "moveit_manage_controllers moveit_ros_control_interface trajectory_execution".split()
@@ -160,7 +161,8 @@ def _file(file: YamlFile) -> ControllersFile:
     keys = tuple(Key(entry.key.text, entry.key.at) for entry in evidence)
     top = {entry.key.text for document in file.documents if isinstance(document, Mapping) for entry in document.entries}
     is_moveit = form is None and bool(top & _KEYS_OF_MOVEIT)
-    return ControllersFile(file.source.path, at, form, is_moveit=is_moveit, told_by=keys)
+    empty = all(isinstance(document, Scalar) and document.text in _NULL for document in file.documents)
+    return ControllersFile(file.source.path, at, form, is_moveit=is_moveit, told_by=keys, empty=empty)
 
 
 # -- ROS 2 -----------------------------------------------------------------------------------------------------------

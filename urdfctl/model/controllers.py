@@ -221,6 +221,7 @@ class ControllersFile(NamedTuple):
     readable: False if it is not valid YAML.
     faults: reasons why ROS rejects it, or loses part of it.
     told_by: the keys that show its form: ros__parameters, the manager's, or typed controllers of ROS 1.
+    empty: it has no content.
     """
 
     path: str
@@ -230,6 +231,7 @@ class ControllersFile(NamedTuple):
     readable: bool = True
     faults: tuple[Fault, ...] = ()
     told_by: tuple[Key, ...] = ()
+    empty: bool = False
 
 
 class Controllers(NamedTuple):

@@ -30,13 +30,15 @@ def content_of(term: Term | None, texts: Texts, exists: Callable[[str], bool]) -
     if not isinstance(term, Called):
         return None
     if term.short == "ParameterValue":
-        return content_of(term.given("value", 0), texts, exists)
+        value = content_of(term.given("value", 0), texts, exists)
+        return value and value._replace(as_yaml=value.as_yaml and term.given("value_type", 1) is None)
     if term.short == "LaunchConfiguration":
-        return texts.scope.contents.get(texts.of(term.given("variable_name", 0)))
+        value = texts.scope.contents.get(texts.of(term.given("variable_name", 0)))
+        return value and value._replace(as_yaml=True)
     if term.short == "Command":
         return _of_substitution(term, texts)
     if term.short == "FileContent":
-        return Content(known_path(texts.of(term.given("path", 0))), (), term.at)
+        return Content(known_path(texts.of(term.given("path", 0))), (), term.at, as_yaml=True)
     if term.name in _TEXTS:
         return _of_process(term.of, texts, term.at)
     if term.name in _READING and isinstance(term.of, Called) and term.of.short == "open":
@@ -75,7 +77,7 @@ def _of_substitution(term: Called, texts: Texts) -> Content:
     others = dict.fromkeys(other for choice in choices[1:] if (other := of_command(choice)[1]) not in {None, arguments})
     names = tuple(_named(given, texts))
     alternatives = tuple(other for other in others if other)
-    return Content(path, arguments, term.at, names=names, command=command, alternatives=alternatives)
+    return Content(path, arguments, term.at, names=names, command=command, alternatives=alternatives, as_yaml=True)
 
 
 def _is_open(term: Term | None) -> bool:

@@ -39,6 +39,7 @@ class Description(NamedTuple):
     node: executable of the node that gets it; None for the parameter server.
     in_node: ROS 1: the namespace is a node's own name.
     alternatives: other arguments that it may have, where an unknown condition decides.
+    as_yaml: ROS 2: whether launch parses the text as YAML, because nothing says that it is a string.
     """
 
     file: FileReference
@@ -51,6 +52,7 @@ class Description(NamedTuple):
     node: str | None = None
     in_node: bool = False
     alternatives: tuple[tuple[tuple[str, str], ...], ...] = ()
+    as_yaml: bool = False
 
     @property
     def usable(self) -> bool:

@@ -251,6 +251,7 @@ class Nodes:
                 command=content.command,
                 node=node,
                 alternatives=content.alternatives,
+                as_yaml=content.as_yaml,
             )
         )
 

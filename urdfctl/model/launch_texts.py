@@ -24,6 +24,7 @@ class Content(NamedTuple):
     names: the names of the arguments with their places.
     command: the command that prints it; None if there is none.
     alternatives: other arguments, where an unknown condition decides.
+    as_yaml: whether launch parses the text as YAML: the output of a substitution without a type.
     """
 
     path: str | None
@@ -32,6 +33,7 @@ class Content(NamedTuple):
     names: tuple[tuple[str, Place], ...] = ()
     command: str | None = None
     alternatives: tuple[tuple[tuple[str, str], ...], ...] = ()
+    as_yaml: bool = False
 
 
 class Scope:

@@ -44,6 +44,7 @@ class Project(NamedTuple):
     listed: the joints that the package lists for drivers of industrial robots.
     evidence: everything that indicates the distro; None if nobody looked.
     own: the types that packages of the workspace define themselves, if the catalogue does not have some type.
+    absent: the files and folders that the package's CMakeLists.txt installs and that do not exist.
     """
 
     robot: Robot | None
@@ -65,6 +66,7 @@ class Project(NamedTuple):
     listed: tuple[tuple[str, Place], ...] = ()
     evidence: Evidence | None = None
     own: OwnTypes = NO_OWN_TYPES
+    absent: tuple[tuple[str, Place], ...] = ()
 
     @property
     def ros(self) -> int | None:

@@ -92,7 +92,7 @@ FAMILIES = (
     Family("UC4", "controllers", lambda project: project.controllers is not None, Stage.LOAD),
     Family("UC4", "claims", _has_controllers, Stage.LOAD),
     Family("UC5", "simulation", _is_simulated),
-    Family("UC6", "launch", lambda project: project.launch is not None or bool(project.listed)),
+    Family("UC6", "launch", lambda project: project.launch is not None or bool(project.listed or project.absent)),
     Family("UC6", "moveit", _has_moveit),
     Family("UC7", "migration", _may_move_on),
     Family("UC9", "smoke", lambda _: False),

@@ -22,6 +22,7 @@ _NOT_PLAIN = (
 )
 _COMMENT = r"#[^\n]*"
 _LOOP = r"(?si)\bforeach\s*\(\s*(\w+)\s+([^()]*)\)((?:(?!\bforeach\s*\().)*?)\bendforeach\s*\([^()]*\)"
+_BLOCK = r"(?i)\b(end)?(?:if|function|macro|while)\s*\("
 _SET = r"(?i)\bset\s*\(\s*(\w+)\s+([^()]*)\)"
 _MOST_ROUNDS = 200
 _MOST_CHARACTERS = 1 << 16
@@ -81,6 +82,36 @@ def _read(path: str) -> str:
         return first_bytes(path, _MOST_BYTES).decode("utf-8", "replace").replace("\r\n", "\n")
     except OSError:
         return ""
+
+
+def missing_sources(text: str, folder: str, package: str) -> Iterator[tuple[str, int]]:
+    """Yield the files and folders that install() in a CMakeLists.txt names and that do not exist, with their offsets.
+
+    Only literal names outside conditions and functions count. Nothing is yielded if the build may make files.
+    """
+    plain = re.sub(_COMMENT, lambda comment: " " * len(comment.group()), text)
+    if re.search(_NOT_PLAIN, plain):
+        return
+    project = re.search(_PROJECT, plain)
+    name = project.group(1) if project else package
+    for call in re.finditer(_INSTALL, plain):
+        body = call.group(2)
+        if "DESTINATION" not in body or re.search(r"\bOPTIONAL\b", body) or _is_inside_block(plain, call.start()):
+            continue
+        for word in re.finditer(_PIECE, body.partition("DESTINATION")[0]):
+            written = word.group(1) or word.group(2) or ""
+            source = _substituted(written, name)
+            if source.isupper() and source.isalpha():
+                break
+            literal = source == written and bool(source) and not re.search(r"[*?$]|^/", source)
+            if literal and not os.path.exists(os.path.join(folder, source)):
+                yield source, call.start(2) + word.start(1 if word.group(1) else 2)
+
+
+def _is_inside_block(text: str, offset: int) -> bool:
+    """Whether a call is in a condition or a function."""
+    words = re.findall(_BLOCK, text[:offset])
+    return sum(-1 if end else 1 for end in words) > 0
 
 
 def _from_cmake(text: str, package: str) -> Iterator[Installed]:

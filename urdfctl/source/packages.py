@@ -298,9 +298,12 @@ class Packages:
         return None
 
     def _without_manifest(self, name: str) -> str | None:
-        """A folder of that name among or beside the ancestors, although it has no package.xml."""
+        """A folder of that name among or beside the ancestors, although it has no package.xml. Not one in a package."""
+        own = self.own()
         for folder in self._ancestors():
             for candidate in (folder, os.path.join(folder, name)):
+                if own and candidate.startswith(own + os.sep):
+                    continue
                 if os.path.basename(candidate) == name and os.path.isdir(candidate) and not os.path.islink(candidate):
                     self.assumed.add(name)
                     return candidate

@@ -11,13 +11,27 @@ from urdfctl.control.session import Configured, Missing, Session
 from urdfctl.rule import Project, Severity
 from urdfctl.rules.claims.common import missing_of, severity_of
 
+_EFFORT = "EffortJointInterface"
+
 
 def mended_severity(project: Project, session: Session, controller: Configured) -> Severity | None:
-    """Return the severity of an interface that Gazebo's default simulation lacks; None if Gazebo is not used."""
+    """Return the severity of an interface that Gazebo's default simulation lacks; None if Gazebo is not used.
+
+    Info for efforts on real hardware, whose driver usually offers what the transmissions name.
+    """
     gazebo = in_gazebo(project)
     if gazebo is None:
-        return None
+        return Severity.INFO if _lacks_efforts(project, session, controller) else None
     return min(gazebo, severity_of(session, controller, ()), key=lambda severity: severity.weight)
+
+
+def _lacks_efforts(project: Project, session: Session, controller: Configured) -> bool:
+    """Whether a controller on real hardware needs efforts, and every transmission of the robot offers something else."""
+    if project.simulator != "none":
+        return False
+    offered = {offer.interface for offers in session.hardware.command.values() for offer in offers}
+    wanted = {each.claim.interface for each in unregistered(session, controller)}
+    return bool(offered) and wanted == {f"{PREFIX}{_EFFORT}"} and not offered & wanted
 
 
 def unregistered(session: Session, controller: Configured) -> Iterable[Missing]:

@@ -5,14 +5,19 @@ from __future__ import annotations
 from urdfctl.rule import Rule
 from urdfctl.rules.launch.controller_not_spawned import controller_not_spawned
 from urdfctl.rules.launch.controller_spawned_twice import controller_spawned_twice
+from urdfctl.rules.launch.described_by_macros_only import described_by_macros_only
 from urdfctl.rules.launch.description_not_published import description_not_published
 from urdfctl.rules.launch.description_of_other_namespace import description_of_other_namespace
+from urdfctl.rules.launch.description_read_as_yaml import description_read_as_yaml
 from urdfctl.rules.launch.file_not_installed import file_not_installed
 from urdfctl.rules.launch.include_argument_unknown import include_argument_unknown
+from urdfctl.rules.launch.installed_file_missing import installed_file_missing
 from urdfctl.rules.launch.joint_state_publisher_beside_broadcaster import joint_state_publisher_beside_broadcaster
+from urdfctl.rules.launch.joint_states_of_nobody import joint_states_of_nobody
 from urdfctl.rules.launch.launched_file_missing import launched_file_missing
 from urdfctl.rules.launch.listed_joint_unknown import listed_joint_unknown
 from urdfctl.rules.launch.manager_beside_simulator import manager_beside_simulator
+from urdfctl.rules.launch.node_name_twice import node_name_twice
 from urdfctl.rules.launch.package_not_in_manifest import package_not_in_manifest
 from urdfctl.rules.launch.parameters_not_given_to_controller import parameters_not_given_to_controller
 from urdfctl.rules.launch.simulation_paused import simulation_paused
@@ -45,4 +50,9 @@ RULES: tuple[Rule, ...] = (
     include_argument_unknown,
     listed_joint_unknown,
     xacro_program_gone,
+    described_by_macros_only,
+    description_read_as_yaml,
+    node_name_twice,
+    joint_states_of_nobody,
+    installed_file_missing,
 )

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from urdfctl.model.launch import Launch
 from urdfctl.model.package import Package
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.launch.common import ROS_2, launch_of
+from urdfctl.rules.launch.common import ROS_2
 from urdfctl.rules.launch_samples import MANIFEST, SOUND
 from urdfctl.source.span import Place
 
@@ -45,11 +45,15 @@ def file_not_installed(project: Project) -> Iterator[Finding]:
     """File used by a launch file is not installed.
 
     `ros2 launch` looks in the installed package. It contains only what `install()` in CMakeLists.txt or `data_files` in
-    setup.py lists. The missing install rule does not show in the source tree.
+    setup.py lists. The missing install rule does not show in the source tree. ROS 1 needs install rules only for
+    `catkin_make install` and for binary packages; there the rule reports files that an installed launch file uses.
     """
-    launch = launch_of(project, ROS_2)
+    launch = project.launch
     package = launch.package if launch else None
-    if launch is None or package is None or package.ros != ROS_2:
+    if launch is None or package is None or package.ros != launch.ros:
+        return
+    severity = None if launch.ros == ROS_2 else Severity.WARNING
+    if severity and not package.installs(launch.path):
         return
     for path, at in _own(launch, package):
         if package.installs(path) is False:
@@ -57,7 +61,7 @@ def file_not_installed(project: Project) -> Iterator[Finding]:
             folder = inner.rpartition("/")[0]
             what = f"folder '{folder}'" if folder else "it"
             message = f"'{inner}' is not installed: {package.build_file} does not list {what}"
-            yield Finding(at, message, (Note("the package's manifest is here", package.at),))
+            yield Finding(at, message, (Note("the package's manifest is here", package.at),), severity=severity)
 
 
 def _own(launch: Launch, package: Package) -> Iterator[tuple[str, Place]]:

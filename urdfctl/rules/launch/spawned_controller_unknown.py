@@ -32,13 +32,26 @@ def spawned_controller_unknown(project: Project) -> Iterator[Finding]:
     if launch is None or controllers is None or not controllers.complete or not launch.complete:
         return
     declared = [controller for controller in controllers.controllers if controller.declared_at is not None]
-    if not declared or not _is_all_known(project, launch):
+    if not _is_all_known(project, launch):
+        return
+    if not declared:
+        yield from _of_empty_files(launch, controllers)
         return
     for spawn in launch.spawns:
         if spawn.option("-t", "--controller-type") is None:
             for name, at in spawn.names:
                 if not any(_is_meant(name, spawn, controller) for controller in declared):
                     yield _finding(name, at, spawn, controllers, launch.ros)
+
+
+def _of_empty_files(launch: Launch, controllers: Controllers) -> Iterator[Finding]:
+    """Yield one finding if all parameter files that are loaded have no content."""
+    spawned = [(name, at) for spawn in launch.spawns if spawn.sure for name, at in spawn.names]
+    if spawned and controllers.files and all(file.empty for file in controllers.files):
+        name, at = spawned[0]
+        file = controllers.files[0]
+        message = f"controller '{name}' is spawned, but the controller file is empty: '{file.path}'"
+        yield Finding(at, message, (Note("the empty file is this one", file.at),))
 
 
 def _is_all_known(project: Project, launch: Launch) -> bool:

@@ -31,7 +31,7 @@ def xacro_program_gone(project: Project) -> Iterator[Finding]:
     launch = launch_of(project, 1)
     for described in launch.descriptions if launch else ():
         at = described.file.at
-        if described.sure and re.match(r"(?:xacro/|rosrun xacro )xacro\.py\s", described.command or ""):
+        if described.sure and re.match(r"\s*(?:xacro/|rosrun\s+xacro\s+)xacro\.py\s", described.command or ""):
             severity = Severity.ERROR if project.distro else Severity.INFO
             yield Finding(at, "'xacro.py' does not exist in noetic; use 'xacro'", (), _fix(at), severity)
 

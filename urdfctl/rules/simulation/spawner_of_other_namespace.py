@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 from urdfctl.catalog.distros import ROS1
 from urdfctl.control.simulator_plugins import control_plugins, namespace_of
+from urdfctl.model.launch import Launch
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known
+from urdfctl.source.span import Place
 
 
 @rule(
@@ -52,20 +55,42 @@ from urdfctl.rules.common import is_known
 def spawner_of_other_namespace(project: Project) -> Iterator[Finding]:
     """Spawner looks for the controller manager in another namespace.
 
-    The plugin's controller manager runs in `<robotNamespace>`. The spawner asks in its own namespace, waits for half a
-    minute and gives up.
+    The plugin's controller manager runs in `<robotNamespace>`, or without it in the namespace of the node that spawns
+    the model. The spawner asks in its own namespace, waits for half a minute and gives up.
     """
     hosts = [sim_plugin for sim_plugin in control_plugins(project) if sim_plugin.library == "gazebo_ros_control"]
-    settings = [sim_plugin.setting("robotNamespace") for sim_plugin in hosts]
-    known = {namespace_of(setting.text): setting for setting in settings if setting and is_known(setting.text)}
-    if project.launch is None or not hosts or len(known) < len(hosts):
+    if project.launch is None or not hosts:
         return
+    default = _of_model_spawner(project.launch)
+    known: dict[str, Place] = {}
+    for setting in (sim_plugin.setting("robotNamespace") for sim_plugin in hosts):
+        if setting is not None and is_known(setting.text):
+            known[namespace_of(setting.text)] = setting.at
+        elif setting is None and default is not None:
+            known.update((default,))
+        else:
+            return
     for spawn in project.launch.spawns:
         if spawn.sure and spawn.namespace is not None and namespace_of(spawn.namespace) not in known:
-            ours, setting = next(iter(known.items()))
+            ours, at = next(iter(known.items()))
             theirs = namespace_of(spawn.namespace) or "/"
             message = (
                 f"spawner asks in namespace '{theirs}', "
                 f"but the simulated robot's controller manager is in '{ours or '/'}'"
             )
-            yield Finding(spawn.at, message, (Note("the plugin's namespace is set here", setting.at),))
+            yield Finding(spawn.at, message, (Note("the plugin's namespace is set here", at),))
+
+
+def _of_model_spawner(launch: Launch) -> tuple[str, Place] | None:
+    """The namespace of plugins without `<robotNamespace>`, and its place; None if it is unknown.
+
+    It is that of the node that spawns the model, or the one that the node is given.
+    """
+    nodes = [node for node in launch.nodes if node.runs("gazebo_ros", "spawn_model", "urdf_spawner")]
+    if len(nodes) != 1 or not nodes[0].sure or nodes[0].namespace is None:
+        return None
+    words = nodes[0].words
+    given = [after for before, after in pairwise(words) if before.text == "-robot_namespace"]
+    if any(word.known is None for word in (*words, *given)):
+        return None
+    return namespace_of(given[0].text if given else nodes[0].namespace), nodes[0].at

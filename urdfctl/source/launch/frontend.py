@@ -170,7 +170,10 @@ def _parameter(entity: Entity) -> Term:
         given = {name: _text(entity, name) for name in ("allow_substs",) if name in entity.attributes}
         return Called("ParameterFile", entity.attributes["from"].at, [_text(entity, "from")], given)
     table = Table(entity.at)
-    table.put(entity.attributes.get("name") or Missing(entity.at), _text(entity, "value"))
+    value = _text(entity, "value")
+    if "type" in entity.attributes:
+        value = Called("ParameterValue", value.at, [value], {"value_type": _text(entity, "type")})
+    table.put(entity.attributes.get("name") or Missing(entity.at), value)
     return table
 
 
