@@ -20,7 +20,7 @@ def test_a_finding_is_one_command_with_all_that_is_said_of_it(folder: Folder) ->
         "%0Anote: in the call of macro 'wheel' at r.xacro:7:3"
         "%0Anote: so it is (line 14)"
         "%0Anote: for noetic"
-        "%0Afix: add it\n"
+        "%0Afix: add it (safe)\n"
     )
 
 

@@ -52,6 +52,7 @@ FINDINGS = st.builds(
     TEXTS.map(lambda text: "".join(text.splitlines())),
     st.none(),
     st.just(1),
+    st.lists(st.builds(Remark, TEXTS, places()), max_size=2).map(tuple),
 )
 
 
@@ -138,13 +139,15 @@ def test_junits_is_xml_with_a_case_for_each_finding(report: Report) -> None:
 @given(reports())
 def test_text_has_a_line_for_each_part_of_a_finding(report: Report) -> None:
     assert len(render(report, "concise").splitlines()) == len(report.findings)
-    assert len(render(report, "text").splitlines()) == 1 + sum(parts(report.findings))
+    lines = render(report, "text").splitlines()
+    assert len(lines) >= 1 + sum(parts(report.findings))
+    assert all(len(line) <= 120 or line.startswith("/") for line in lines)
 
 
 def parts(findings: tuple[Diagnostic, ...]) -> Iterator[int]:
     for one in findings:
         excerpt = 2 if one.excerpt.strip() else 0
-        yield 1 + excerpt + len(one.expanded_from) + len(one.notes) + (one.fix is not None)
+        yield 1 + excerpt + len(one.expanded_from) + len(one.notes) + bool(one.also) + (one.fix is not None)
 
 
 @pytest.mark.parametrize("name", FORMATS)

@@ -103,6 +103,7 @@ def test_a_report_of_everything_keeps_to_the_schema_and_says_what_was_found(fold
                 {"file": "/out.xacro", "line": 1, "column": 1, "what": "include r.xacro"},
             ]
         ],
+        "also": [],
         "notes": [
             {"message": "so it is", "file": "urdf/größe.xacro", "line": 12, "column": 7},
             {"message": "for noetic"},
@@ -196,8 +197,8 @@ def test_json_lines_are_the_findings_one_a_line(folder: Folder) -> None:
     told = jsonl.render(report)
     assert told.splitlines()[1] == (
         '{"code": "UC105", "name": "several-root-links", "severity": "info", "message": "bare", "file": "/r.urdf",'
-        ' "line": 1, "column": 1, "end_line": 1, "end_column": 1, "expanded_from": [], "notes": [], "fix": null,'
-        ' "url": null}'
+        ' "line": 1, "column": 1, "end_line": 1, "end_column": 1, "expanded_from": [], "also": [], "notes": [],'
+        ' "fix": null, "url": null}'
     )
     assert [json.loads(line) for line in told.splitlines()] == json.loads(render(report))["findings"]
     assert jsonl.render(Report((), ())) == ""

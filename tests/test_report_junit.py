@@ -31,7 +31,7 @@ def test_a_file_is_a_suite_and_a_finding_a_case(folder: Folder) -> None:
         "note: in the call of macro 'wheel' at r.xacro:7:3\n"
         "note: so it is (line 14)\n"
         "note: for noetic\n"
-        "fix: add it</failure>\n"
+        "fix: add it (safe)</failure>\n"
         "    </testcase>\n"
         "  </testsuite>\n"
         '  <testsuite name="/elsewhere/r.urdf" tests="2" failures="0" errors="0" skipped="2">\n'

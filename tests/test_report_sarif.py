@@ -43,7 +43,7 @@ def test_a_finding_has_its_place_its_calls_its_notes_and_its_fix(folder: Folder)
         "ruleId": "UC201",
         "ruleIndex": 0,
         "level": "error",
-        "message": {"text": f"{message}\nnote: for noetic\nfix: add it"},
+        "message": {"text": f"{message}\nnote: for noetic\nfix: add it (safe)"},
         "locations": [here],
         "relatedLocations": [{"id": 1, **placed(WHEEL, 14, 1, 14, 3, 400, 2), "message": {"text": "so it is"}}],
         "codeFlows": [
@@ -155,7 +155,7 @@ def test_a_fix_of_several_files_changes_each_of_them_and_one_without_edits_is_on
     one, other = (Location(f"/{name}.urdf", 1, 1, 1, 3, 0, 2) for name in "ab")
     edits = (Replacement(one, "x"), Replacement(other, "y"), Replacement(one._replace(line=2, end_line=2), "z"))
     several = bare(Severity.INFO)._replace(fix=Repair("both", safe=True, edits=edits))
-    said = bare(Severity.INFO)._replace(fix=Repair("by hand", safe=False))
+    said = bare(Severity.INFO)._replace(fix=Repair("turn the screw", safe=False))
     first, second = run(report(folder, several, said))["results"]
     changes = first["fixes"][0]["artifactChanges"]
     assert [(c["artifactLocation"]["uri"], len(c["replacements"])) for c in changes] == [
@@ -163,7 +163,7 @@ def test_a_fix_of_several_files_changes_each_of_them_and_one_without_edits_is_on
         ("file:///b.urdf", 1),
     ]
     assert "fixes" not in second
-    assert second["message"]["text"] == "it is so\nfix: by hand"
+    assert second["message"]["text"] == "it is so\nfix: turn the screw (by hand)"
 
 
 @pytest.mark.parametrize(

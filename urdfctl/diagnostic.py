@@ -123,7 +123,7 @@ class Diagnostic(NamedTuple):
     """A finding as plain data, without references to the source trees.
 
     `excerpt` is the source line that the finding starts on, or the part of a long line around it. `excerpt_column` is
-    the column at which that part begins, from 1.
+    the column at which that part begins, from 1. `also` are the equal findings of the file that it was joined with.
     """
 
     code: str
@@ -137,6 +137,7 @@ class Diagnostic(NamedTuple):
     excerpt: str = ""
     url: str | None = None
     excerpt_column: int = 1
+    also: tuple[Remark, ...] = ()
 
     @property
     def order(self) -> tuple[Location, str, str]:

@@ -10,6 +10,7 @@ from urdfctl.cli.writing import print_bytes, print_message, replace_file
 from urdfctl.config.settings import Settings
 from urdfctl.errors import UserError
 from urdfctl.fix.rounds import Change, Wishes, fixed
+from urdfctl.lint.grouping import grouped
 from urdfctl.lint.results import TargetResult
 from urdfctl.load.target import Target
 from urdfctl.report.common import relative_message
@@ -47,7 +48,7 @@ def report_fixes(
     files: int, before: Iterable[TargetResult], after: Iterable[TargetResult], request: LintRequest, fixing: Fixing
 ) -> None:
     """Report how many findings are fixed, or would be, and how many more have an unsafe fix."""
-    known, left = len(request.findings(before)), request.findings(after)
+    known, left = len(grouped(request.findings(before))), grouped(request.findings(after))
     done = f"{'would fix' if fixing.as_diff else 'fixed'} {max(known - len(left), 0)}"
     unsafe = sum(finding.fix is not None and bool(finding.fix.edits) and not finding.fix.safe for finding in left)
     more = f"; use --unsafe-fixes to try {unsafe} more" if unsafe and not fixing.unsafe else ""

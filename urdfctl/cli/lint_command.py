@@ -15,6 +15,7 @@ from urdfctl.config.file import Config
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Severity
 from urdfctl.errors import UserError
+from urdfctl.lint.grouping import grouped
 from urdfctl.lint.merging import worst
 from urdfctl.lint.selection import Selection, validate_selection
 from urdfctl.report import FORMATS, render
@@ -140,7 +141,7 @@ def _report(run: LintRun, request: LintRequest) -> Report:
     unused, known = tuple(result.path for result in run.unused), len(findings) - len(shown)
     report = Report(
         targets=tuple(run.robots),
-        findings=tuple(shown),
+        findings=tuple(grouped(shown)),
         unused=unused,
         fail_on=request.fail_on,
         known=known,

@@ -6,12 +6,13 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 
 from urdfctl.diagnostic import Diagnostic, Location, Remark, Severity
+from urdfctl.lint.likeness import difference
 from urdfctl.lint.results import Outcome, SuppressionUse
 from urdfctl.lint.selection import Selection
 from urdfctl.rules import rule_of
 
 _MAX_LIKEWISE = 3
-"""How many other messages a merged diagnostic quotes."""
+"""How many names of other messages a merged diagnostic lists. Of messages that are not alike, it quotes one."""
 
 
 def merge(outcomes: Iterable[Outcome], selection: Selection) -> list[Diagnostic]:
@@ -63,9 +64,11 @@ def _one_diagnostic(group: list[Diagnostic]) -> Diagnostic:
     others = sorted({diagnostic.message for diagnostic in group} - {first.message})
     notes = first.notes
     if others:
-        rest = len(others) - _MAX_LIKEWISE
-        shown = "; ".join(others[:_MAX_LIKEWISE]) + (f"; and {rest} more" if rest > 0 else "")
-        notes = (Remark(f"likewise: {shown}"), *notes)
+        named = list(dict.fromkeys(filter(None, (difference(first.message, other) for other in others))))
+        most = _MAX_LIKEWISE if named and named[0] not in others else 1
+        rest = len(named) - most
+        shown = "; ".join(named[:most]) + (f"; and {rest} more" if rest > 0 else "")
+        notes = (Remark(f"likewise: {shown}"), *notes) if named else notes
     return first._replace(expanded_from=tuple(chains), notes=notes)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 
-from urdfctl.diagnostic import Diagnostic, Location, Severity
+from urdfctl.diagnostic import Diagnostic, Location, Remark, Severity
 from urdfctl.lint.results import TargetResult
 from urdfctl.source.files import is_launch, is_yaml
 from urdfctl.startup.records import NamedTuple
@@ -96,12 +96,14 @@ def relative(diagnostic: Diagnostic) -> Diagnostic:
         message=relative_message(diagnostic.message),
         at=_located(diagnostic.at),
         expanded_from=tuple(tuple(step._replace(file=shown(step.file)) for step in chain) for chain in chains),
-        notes=tuple(
-            note._replace(message=relative_message(note.message), at=_located(note.at) if note.at else None)
-            for note in diagnostic.notes
-        ),
+        notes=tuple(map(_relative_remark, diagnostic.notes)),
         fix=fix,
+        also=tuple(map(_relative_remark, diagnostic.also)),
     )
+
+
+def _relative_remark(remark: Remark) -> Remark:
+    return remark._replace(message=relative_message(remark.message), at=_located(remark.at) if remark.at else None)
 
 
 def relative_message(message: str) -> str:

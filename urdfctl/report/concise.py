@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.report.common import Report, relative, visible
+from urdfctl.report.words import likewise
 
 
 def render(report: Report) -> str:
@@ -13,7 +14,8 @@ def render(report: Report) -> str:
 
 def line(diagnostic: Diagnostic) -> str:
     """Return the line of a finding."""
-    return f"{place(diagnostic)}: {diagnostic.severity.value} {diagnostic.code} {visible(diagnostic.message)}"
+    also = f" ({likewise(diagnostic)})" if diagnostic.also else ""
+    return f"{place(diagnostic)}: {diagnostic.severity.value} {diagnostic.code} {visible(diagnostic.message + also)}"
 
 
 def place(diagnostic: Diagnostic) -> str:

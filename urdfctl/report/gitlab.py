@@ -10,6 +10,7 @@ import os
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.report.common import Report, as_json, as_text, rebased, relative, visible
 from urdfctl.report.fingerprint import fingerprints
+from urdfctl.report.words import likewise
 
 _SEVERITIES = {Severity.ERROR: "major", Severity.WARNING: "minor", Severity.INFO: "info"}
 
@@ -23,8 +24,9 @@ def render(report: Report) -> str:
 
 def _issue(diagnostic: Diagnostic, mark: str) -> dict[str, object]:
     at = diagnostic.at
+    also = f" ({likewise(diagnostic)})" if diagnostic.also else ""
     return {
-        "description": as_text(f"{diagnostic.code} {visible(diagnostic.message)}"),
+        "description": as_text(f"{diagnostic.code} {visible(diagnostic.message + also)}"),
         "check_name": f"{diagnostic.code} {diagnostic.name}",
         "fingerprint": mark,
         "severity": _SEVERITIES[diagnostic.severity],

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from urdfctl import __version__
-from urdfctl.diagnostic import Diagnostic, Repair, Severity
+from urdfctl.diagnostic import Diagnostic, Remark, Repair, Severity
 from urdfctl.lint.results import TargetResult
 from urdfctl.load.bringup import Bringup
 from urdfctl.report.common import Report, as_json, is_robot, relative, shown
@@ -66,14 +66,16 @@ def finding(diagnostic: Diagnostic) -> dict[str, Any]:
             [{"file": s.file, "line": s.line, "column": s.column, "what": s.what} for s in chain]
             for chain in diagnostic.expanded_from
         ],
-        "notes": [
-            {"message": note.message}
-            | ({"file": note.at.file, "line": note.at.line, "column": note.at.column} if note.at else {})
-            for note in diagnostic.notes
-        ],
+        "also": [_remark(remark) for remark in diagnostic.also],
+        "notes": [_remark(note) for note in diagnostic.notes],
         "fix": _fix(diagnostic.fix),
         "url": diagnostic.url,
     }
+
+
+def _remark(remark: Remark) -> dict[str, Any]:
+    at = {"file": remark.at.file, "line": remark.at.line, "column": remark.at.column} if remark.at else {}
+    return {"message": remark.message, **at}
 
 
 def _fix(fix: Repair | None) -> dict[str, Any] | None:

@@ -16,7 +16,7 @@ from urdfctl import __version__
 from urdfctl.diagnostic import Diagnostic, Location, Repair, Severity, Step
 from urdfctl.report.common import Report, as_json, as_text, relative
 from urdfctl.report.fingerprint import fingerprints
-from urdfctl.report.words import notes
+from urdfctl.report.words import fix_in_words, notes
 from urdfctl.rule import Rule
 from urdfctl.rules import all_rules
 from urdfctl.startup.hints import Any
@@ -111,7 +111,7 @@ def _result(diagnostic: Diagnostic, rule: int, mark: str) -> Json:
         "locations": [_location(diagnostic.at)],
         "partialFingerprints": {"urdfctl/v1": mark},
     }
-    placed = [(note.message, note.at) for note in diagnostic.notes if note.at]
+    placed = [(note.message, note.at) for note in (*diagnostic.also, *diagnostic.notes) if note.at]
     if placed:
         result["relatedLocations"] = [{"id": n, **_location(at, text)} for n, (text, at) in enumerate(placed, 1)]
     if diagnostic.expanded_from:
@@ -125,7 +125,7 @@ def _full_message(diagnostic: Diagnostic) -> str:
     """Return the message, the notes without a location, and the fix."""
     bare = diagnostic._replace(expanded_from=(), notes=tuple(note for note in diagnostic.notes if not note.at))
     lines = [diagnostic.message, *(f"note: {note}" for note in notes(bare))]
-    return "\n".join([*lines, f"fix: {diagnostic.fix.title}"] if diagnostic.fix else lines)
+    return "\n".join([*lines, f"fix: {fix_in_words(diagnostic.fix)}"] if diagnostic.fix else lines)
 
 
 def _flow(chain: Sequence[Step], diagnostic: Diagnostic) -> Json:

@@ -9,10 +9,13 @@ from urdfctl.catalog.distros import APPLIES, span_in_words
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.report.common import Report, about_missing_packages, is_robot, relative, shown, visible
 from urdfctl.report.concise import place
-from urdfctl.report.words import notes
+from urdfctl.report.words import fix_in_words, notes
+from urdfctl.report.wrapping import wrapped
 from urdfctl.startup.records import NamedTuple
 
-_WIDEST = 160
+WIDTH = 120
+"""No line is wider, unless it begins with a longer path."""
+_NARROWEST = 60
 _MOST_UNUSED = 3
 _COLOURS = {Severity.ERROR: "bold red", Severity.WARNING: "bold yellow", Severity.INFO: "bold cyan"}
 
@@ -30,8 +33,15 @@ def render(report: Report) -> str:
 
 
 def print_coloured(report: Report) -> None:
-    """Print the report to the terminal, in colours."""
-    print_pieces(pieces(report))
+    """Print the report to the terminal, in colours and as wide as the terminal."""
+    print_pieces(pieces(report, terminal_width()))
+
+
+def terminal_width() -> int:
+    """Return the width of the terminal in columns: between 60 and 120."""
+    from shutil import get_terminal_size
+
+    return min(max(get_terminal_size((WIDTH, 24)).columns, _NARROWEST), WIDTH)
 
 
 def print_pieces(parts: Iterable[Piece]) -> None:
@@ -45,36 +55,41 @@ def print_pieces(parts: Iterable[Piece]) -> None:
     Console(highlight=False, soft_wrap=True).print(text, end="")
 
 
-def pieces(report: Report) -> Iterator[Piece]:
-    """Yield the parts of the report."""
+def pieces(report: Report, width: int = WIDTH) -> Iterator[Piece]:
+    """Yield the parts of the report. Lines are at most `width` columns wide."""
     for diagnostic in report.findings:
-        yield from _finding(relative(diagnostic))
+        yield from _finding(relative(diagnostic), width)
     if report.statistics:
         yield from _statistics(report)
-    yield from _summary(report)
+    yield from _summary(report, width)
 
 
-def _finding(diagnostic: Diagnostic) -> Iterator[Piece]:
-    yield Piece(f"{place(diagnostic)}: ", "bold")
-    yield Piece(f"{diagnostic.severity.value} {diagnostic.code}", _COLOURS[diagnostic.severity])
-    yield Piece(f" {visible(diagnostic.message)}\n")
+def _finding(diagnostic: Diagnostic, width: int) -> Iterator[Piece]:
+    head, kind = f"{place(diagnostic)}: ", f"{diagnostic.severity.value} {diagnostic.code}"
+    if len(head) + len(kind) > width:
+        yield Piece(f"{head.rstrip()}\n", "bold")
+        head = "    "
+    yield Piece(head, "bold")
+    yield Piece(kind, _COLOURS[diagnostic.severity])
+    yield Piece(wrapped(f" {visible(diagnostic.message)}", width, before=len(head) + len(kind)))
     if diagnostic.excerpt.strip():
-        yield from _excerpt(diagnostic)
+        yield from _excerpt(diagnostic, width)
     for note in notes(diagnostic):
-        yield Piece(visible(f"  note: {note}") + "\n")
+        yield Piece(wrapped(visible(f"  note: {note}"), width))
     if diagnostic.fix:
-        yield Piece("  fix: ", "green")
-        yield Piece(f"{visible(diagnostic.fix.title)}\n")
+        yield Piece("  fix:", "green")
+        yield Piece(wrapped(f" {visible(fix_in_words(diagnostic.fix))}", width, before=6))
 
 
-def _excerpt(diagnostic: Diagnostic) -> Iterator[Piece]:
+def _excerpt(diagnostic: Diagnostic, width: int) -> Iterator[Piece]:
     at = diagnostic.at
-    text, start = _with_single_columns(diagnostic.excerpt), at.column - diagnostic.excerpt_column
-    cut = max(0, start - _WIDEST // 2) if len(text) > _WIDEST else 0
-    text, start = text[cut : cut + _WIDEST], start - cut
-    end = start + at.end_column - at.column if at.end_line == at.line else len(text.rstrip())
     number = str(at.line)
     margin = " " * len(number)
+    room = width - len(f"  {number} | ")
+    text, start = _with_single_columns(diagnostic.excerpt), at.column - diagnostic.excerpt_column
+    cut = min(max(0, start - room // 2), max(0, len(text) - room)) if len(text) > room else 0
+    text, start = text[cut : cut + room], start - cut
+    end = start + at.end_column - at.column if at.end_line == at.line else len(text.rstrip())
     yield Piece(f"  {number} | ", "dim")
     yield Piece(f"{text}\n")
     yield Piece(f"  {margin} | ", "dim")
@@ -96,7 +111,13 @@ def _statistics(report: Report) -> Iterator[Piece]:
         yield Piece(f" {name}\n")
 
 
-def _summary(report: Report) -> Iterator[Piece]:
+def _summary(report: Report, width: int) -> Iterator[Piece]:
+    """Yield what was not checked, then the numbers of findings and fixes."""
+    if report.unused:
+        yield Piece(wrapped(visible(_unused(report.unused)), width))
+    yield from _open_distro(report)
+    if report.missing_packages:
+        yield Piece(wrapped(visible(about_missing_packages(report.missing_packages)), width))
     counts = [
         f"{number} {severity.value if severity is Severity.INFO or number == 1 else severity.value + 's'}"
         for severity in Severity
@@ -104,12 +125,18 @@ def _summary(report: Report) -> Iterator[Piece]:
     ]
     summary = f"{', '.join(counts) or 'no findings'} in {_scope(report)}{_details(report)}"
     summary += f"; {report.known} hidden by the baseline" if report.known else ""
-    yield Piece(visible(summary) + "\n", "bold")
-    if report.unused:
-        yield Piece(visible(_unused(report.unused)) + "\n")
-    yield from _open_distro(report)
-    if report.missing_packages:
-        yield Piece(visible(about_missing_packages(report.missing_packages)) + "\n")
+    yield Piece(wrapped(visible(summary + _fixable(report)), width), "bold")
+
+
+def _fixable(report: Report) -> str:
+    """How many findings have a fix that is made by an option."""
+    fixes = [finding.fix for finding in report.findings if finding.fix and finding.fix.edits]
+    safe = sum(fix.safe for fix in fixes)
+    unsafe = len(fixes) - safe
+    options = [
+        f"{number} fixable with {option}" for number, option in ((safe, "--fix"), (unsafe, "--unsafe-fixes")) if number
+    ]
+    return f"; {' and '.join(options)}" if options else ""
 
 
 def _open_distro(report: Report) -> Iterator[Piece]:
@@ -118,7 +145,10 @@ def _open_distro(report: Report) -> Iterator[Piece]:
     controlled = any(target.ros and target.distro is None for target in report.targets)
     partial = (note.message.startswith(APPLIES) for finding in report.findings for note in finding.notes)
     if len(possible) > 1 and (controlled or any(partial)):
-        yield Piece(f"ROS distro unknown ({span_in_words(possible)}): use --distro\n")
+        names = span_in_words(possible)
+        yield Piece(
+            f'ROS distro unknown ({names}): add --distro NAME, or distro = "NAME" to urdfctl.toml, to check for yours\n'
+        )
 
 
 def _scope(report: Report) -> str:

@@ -2,28 +2,67 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
-from urdfctl.diagnostic import Diagnostic, Location, Step
+from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Step
+from urdfctl.lint.likeness import difference
 
-MOST_CHAINS = 4
+MOST_CHAINS = 3
 _MOST_STEPS = 8
+_MOST_NAMES = 3
+_MOST_IN_A_LINE = 10
 
 
 def notes(diagnostic: Diagnostic) -> Iterator[str]:
-    """Yield the calls that lead to a finding (the first four of many), then its notes."""
+    """Yield the places of equal findings, the calls that lead to one (the first three of many), then its notes."""
+    if diagnostic.also:
+        yield likewise(diagnostic)
     for chain in diagnostic.expanded_from[:MOST_CHAINS]:
         yield _chain(chain)
     if len(diagnostic.expanded_from) > MOST_CHAINS:
-        yield f"and in {len(diagnostic.expanded_from) - MOST_CHAINS} more calls"
+        more = len(diagnostic.expanded_from) - MOST_CHAINS
+        yield f"and in {more} more call{'s' * (more > 1)}"
     for note in diagnostic.notes:
         yield note.message + (f" ({_where(note.at, diagnostic.at.file)})" if note.at else "")
+
+
+def likewise(diagnostic: Diagnostic) -> str:
+    """Return the names and lines of the findings that one was joined with."""
+    also = diagnostic.also
+    names = {remark: difference(diagnostic.message, remark.message) for remark in also}
+    places = {(remark.at.file, remark.at.line) for remark in also if remark.at}
+    if places == {(diagnostic.at.file, diagnostic.at.line)}:  # the names are all that tells them apart
+        return f"also {_listed(dict.fromkeys(name for name in names.values() if name), _MOST_IN_A_LINE)}"
+    if not any(names.values()) and {file for file, _ in places} == {diagnostic.at.file}:
+        lines = dict.fromkeys(str(remark.at.line) for remark in also if remark.at)
+        return f"also in line{'s' * (len(lines) > 1)} {_listed(lines, _MOST_IN_A_LINE)}"
+    items = [f"{names[remark]} {_at(remark, diagnostic.at.file)}".strip() for remark in also]
+    return f"also {_listed(dict.fromkeys(filter(None, items)), _MOST_NAMES)}"
+
+
+def _at(remark: Remark, current: str) -> str:
+    if remark.at is None:
+        return ""
+    return f"(line {remark.at.line})" if remark.at.file == current else f"in {remark.at.file}:{remark.at.line}"
+
+
+def _listed(names: Iterable[str], most: int) -> str:
+    items = list(names)
+    if len(items) > most + 1:
+        items[most:] = [f"{len(items) - most} more"]
+    return " and ".join([part for part in (", ".join(items[:-1]), items[-1] if items else "") if part])
 
 
 def paragraph(diagnostic: Diagnostic) -> list[str]:
     """Return the lines of a finding: its message, its notes, its fix."""
     lines = [diagnostic.message, *(f"note: {note}" for note in notes(diagnostic))]
-    return [*lines, f"fix: {diagnostic.fix.title}"] if diagnostic.fix else lines
+    return [*lines, f"fix: {fix_in_words(diagnostic.fix)}"] if diagnostic.fix else lines
+
+
+def fix_in_words(fix: Repair) -> str:
+    """Return what a fix does, and whether it is safe, unsafe or made by hand."""
+    kind = "by hand" if not fix.edits else "safe" if fix.safe else "unsafe"
+    return f"{fix.title} ({kind})"
 
 
 def _where(at: Location, current: str) -> str:

@@ -1,0 +1,97 @@
+"""Equal findings of one file are one finding with the places of the others."""
+
+from __future__ import annotations
+
+from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Replacement, Severity
+from urdfctl.lint.grouping import grouped
+from urdfctl.lint.likeness import difference
+from urdfctl.report.words import likewise
+
+
+def found(
+    message: str, line: int, *, severity: Severity = Severity.WARNING, code: str = "UC901", file: str = "/r.urdf"
+) -> Diagnostic:
+    return Diagnostic(code, "wrong", severity, message, Location(file, line, 1, line, 5, 10 * line, 10 * line + 4))
+
+
+def fixed(finding: Diagnostic, text: str, *, at: Location | None = None, safe: bool = True) -> Diagnostic:
+    return finding._replace(fix=Repair(f"write {text}", safe, (Replacement(at or finding.at, text),)))
+
+
+def test_findings_that_differ_in_names_and_numbers_are_one_with_the_names_and_lines_of_the_others() -> None:
+    [one] = grouped(found(f"link '{name}' weighs {line} kg", line) for line, name in enumerate("abcdef", 1))
+    assert one.message == "link 'a' weighs 1 kg"
+    assert [remark.at.line for remark in one.also if remark.at] == [2, 3, 4, 5, 6]
+    assert likewise(one) == "also 'b' (line 2), 'c' (line 3), 'd' (line 4) and 2 more"
+
+
+def test_findings_in_the_same_words_are_listed_by_line() -> None:
+    [one] = grouped(found("attribute 'x' is ignored", line) for line in range(1, 15))
+    assert likewise(one) == "also in lines 2, 3, 4, 5, 6, 7, 8, 9, 10, 11 and 3 more"
+
+
+def test_findings_at_one_place_are_listed_by_name() -> None:
+    [one] = grouped(found(f"package '{name}' is not declared", 1) for name in "abcde")
+    assert likewise(one) == "also 'b', 'c', 'd' and 'e'"
+
+
+def test_other_rules_files_severities_words_and_advice_stay_apart() -> None:
+    apart = [
+        found("link 'a' is wrong", 1),
+        found("link 'a' is wrong", 2, code="UC902"),
+        found("link 'a' is wrong", 3, file="/s.urdf"),
+        found("link 'a' is wrong", 4, severity=Severity.INFO),
+        found("link 'a' is thin", 5),
+        found("link 'a' is wrong; did you mean 'b'?", 6),
+        found("link 'a' is wrong; did you mean 'c'?", 7),
+    ]
+    assert grouped(apart) == sorted(apart, key=lambda finding: finding.order)
+
+
+def test_up_to_three_equal_errors_are_shown_one_by_one() -> None:
+    errors = [found("joint has no limit", line, severity=Severity.ERROR) for line in range(1, 5)]
+    assert len(grouped(errors[:3])) == 3
+    assert len(grouped(errors)) == 1
+
+
+def test_of_a_rule_with_more_than_ten_findings_in_a_file_all_are_one() -> None:
+    many = [found(f"'{name}' is unknown; did you mean '{name}s'?", line) for line, name in enumerate("abcdefghijk", 1)]
+    [one] = grouped(many)
+    assert len(one.also) == 10
+    assert len(grouped(many[:10])) == 10
+
+
+def test_a_package_that_is_missing_in_several_files_is_one_fault() -> None:
+    [one] = grouped(found("package 'x' was not found", 1, code="UC003", file=f"/{name}.urdf") for name in "ab")
+    assert likewise(one) == "also in /b.urdf:1"
+
+
+def test_the_fixes_of_equal_findings_are_one_fix() -> None:
+    one, other = fixed(found("tag 'a' has no prefix", 1), "x"), fixed(found("tag 'b' has no prefix", 2), "x")
+    [both] = grouped([one, other])
+    assert both.fix == Repair("write x in 2 places", True, (Replacement(one.at, "x"), Replacement(other.at, "x")))
+
+
+def test_insertions_at_one_place_are_made_one_after_the_other() -> None:
+    at = Location("/package.xml", 9, 1, 9, 1, 90, 90)
+    several = [fixed(found(f"package '{name}' is not declared", 1), f"<{name}/>", at=at) for name in "ab"]
+    [one] = grouped(several)
+    assert one.fix == Repair("write <a/>, and 1 more like it", True, (Replacement(at, "<a/><b/>"),))
+
+
+def test_a_finding_with_an_unsafe_fix_is_not_joined_with_a_safe_one() -> None:
+    safe = fixed(found("tag 'a' has no prefix", 1), "x")
+    assert len(grouped([safe, fixed(found("tag 'b' has no prefix", 2), "x", safe=False)])) == 2
+
+
+def test_the_difference_of_two_messages_is_the_first_name_that_differs() -> None:
+    assert difference("link 'a' of 'r' weighs 1 kg", "link 'b' of 's' weighs 2 kg") == "'b'"
+    assert difference("<box> of 'a'", "<sphere> of 'a'") == "<sphere>"
+    assert difference("read only in foxy to iron", "read only in humble") == "read only in humble"
+    assert difference("not read in rolling", "not read in jazzy") == ""
+    assert difference("link 'a' is heavy", "link 'a' is light") == "link 'a' is light"
+
+
+def test_a_remark_without_a_place_is_listed_by_its_name() -> None:
+    one = found("link 'a' is wrong", 1)._replace(also=(Remark("link 'b' is wrong"),))
+    assert likewise(one) == "also 'b'"

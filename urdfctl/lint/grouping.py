@@ -1,0 +1,98 @@
+"""Group equal findings of one file: one finding, with the places of the others."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+
+from urdfctl.catalog.distros import APPLIES
+from urdfctl.diagnostic import Diagnostic, Remark, Repair, Replacement, Severity
+from urdfctl.lint.likeness import shape
+
+MOST_ERRORS = 3
+"""Up to this many equal errors in a file are shown one by one, each with its line: each must be repaired."""
+MOST_OF_A_RULE = 10
+"""From this many findings of a rule in a file on, all of one severity are one finding, equal or not."""
+
+_OF_THE_WORKSPACE = ("UC003", "UC150")
+"""Rules about a package that is missing: equal findings in several files are one fault."""
+
+Key = Callable[[Diagnostic], object]
+
+
+def grouped(findings: Iterable[Diagnostic]) -> list[Diagnostic]:
+    """Return the findings, with equal ones of a file joined, in the order of their first places."""
+    equal = _joined(list(findings), _likeness, MOST_ERRORS)
+    counts: dict[tuple[str, str], int] = {}
+    for finding in equal:
+        counts[_rule_in_file(finding)] = counts.get(_rule_in_file(finding), 0) + 1
+    if max(counts.values(), default=0) <= MOST_OF_A_RULE:
+        return equal
+
+    def of_many(finding: Diagnostic) -> object:
+        place = _rule_in_file(finding)
+        return (place, finding.severity) if counts[place] > MOST_OF_A_RULE else finding.order
+
+    return _joined(equal, of_many)
+
+
+def _rule_in_file(finding: Diagnostic) -> tuple[str, str]:
+    return finding.code, finding.at.file
+
+
+def _likeness(finding: Diagnostic) -> object:
+    """What equal findings have in common: rule, file, severity, words, kind of fix, and the distros they apply to."""
+    if finding.code in _OF_THE_WORKSPACE:
+        return finding.code, finding.severity, finding.message.partition(" (")[0]
+    fix = finding.fix
+    kind = (fix.safe, bool(fix.edits)) if fix else None
+    applies = tuple(note.message for note in finding.notes if note.message.startswith(APPLIES))
+    return finding.code, finding.at.file, finding.severity, shape(finding.message), kind, applies
+
+
+def _joined(findings: Sequence[Diagnostic], key: Key, most_errors: int = 0) -> list[Diagnostic]:
+    groups: dict[object, list[Diagnostic]] = {}
+    for finding in findings:
+        groups.setdefault(key(finding), []).append(finding)
+    joined = []
+    for group in groups.values():
+        if len(group) > (most_errors if group[0].severity is Severity.ERROR else 1):
+            joined.append(_one(group))
+        else:
+            joined += group
+    return sorted(joined, key=lambda finding: finding.order)
+
+
+def _one(group: Sequence[Diagnostic]) -> Diagnostic:
+    first = group[0]
+    others = [Remark(finding.message, finding.at) for finding in group[1:]]
+    also = [remark for finding in group for remark in finding.also]
+    return first._replace(also=(*others, *also), fix=_fix([finding.fix for finding in group if finding.fix]))
+
+
+def _fix(fixes: Sequence[Repair]) -> Repair | None:
+    """Return one fix that makes the edits of all. Edits that cannot be made together are left to a second run."""
+    if len(fixes) < 2:  # noqa: PLR2004 (one fix stays as it is)
+        return fixes[0] if fixes else None
+    edits = _together([edit for fix in fixes for edit in fix.edits])
+    titles = {fix.title for fix in fixes}
+    places = len({edit.at for fix in fixes for edit in fix.edits})
+    title = fixes[0].title
+    if len(titles) > 1:
+        title += f", and {len(fixes) - 1} more like it"
+    elif places > 1:
+        title += f" in {places} places"
+    return Repair(title, all(fix.safe for fix in fixes), edits)
+
+
+def _together(edits: Sequence[Replacement]) -> tuple[Replacement, ...]:
+    """Return edits that do not overlap. Texts that are inserted at one place are joined."""
+    kept: dict[tuple[str, int, int], Replacement] = {}
+    end: dict[str, int] = {}
+    for edit in sorted(dict.fromkeys(edits), key=lambda edit: (edit.file, edit.start, edit.end)):
+        place = edit.file, edit.start, edit.end
+        if place in kept and edit.start == edit.end:
+            kept[place] = edit._replace(text=kept[place].text + edit.text)
+        elif edit.start >= end.get(edit.file, 0):
+            kept[place] = edit
+            end[edit.file] = edit.end
+    return tuple(kept.values())

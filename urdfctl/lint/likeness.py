@@ -1,0 +1,40 @@
+"""Compare the messages of findings: which are alike but for the names in them, and what the names are."""
+
+from __future__ import annotations
+
+import re
+
+from urdfctl.catalog.distros import ALL
+
+_NAME = re.compile(rf"'[^']*'|<[^<>]*>|-?\b\d[\w.]*(?:[eE][+-]?\d+)?|\b(?:{'|'.join(ALL)})\b")
+_LIST = re.compile(r"''(?:, '')*(?:,? and (?:''|# more))?")
+_ADVICE = re.compile(r"(?:did you mean|\buse|\bwrite|replacement:|\binstead of) .*")
+
+
+def shape(message: str) -> str:
+    """Return a message without its names and numbers. What it advises is kept, so that two pieces of advice differ."""
+    advice = _ADVICE.search(message)
+    fault = message[: advice.start()] if advice else message
+    return _LIST.sub("''", _NAME.sub(_blank, fault)) + (advice[0] if advice else "")
+
+
+def difference(first: str, other: str) -> str:
+    """Return the first name or list of names that `other` has in place of one in `first`.
+
+    Return an empty string if only numbers or distros differ, and all of `other` if the messages are not alike.
+    """
+    if shape(first) != shape(other):
+        return other
+    names, others = _NAME.findall(first), _NAME.findall(other)
+    if len(names) != len(others):
+        return next((name for name in others if name not in names and _is_name(name)), "")
+    pairs = zip(names, others, strict=True)
+    return next((theirs for ours, theirs in pairs if ours != theirs and _is_name(theirs)), "")
+
+
+def _is_name(name: str) -> bool:
+    return name[0] in "'<"
+
+
+def _blank(match: re.Match[str]) -> str:
+    return "''" if _is_name(match[0]) else "#"
