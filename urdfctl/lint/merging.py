@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 
 from urdfctl.diagnostic import Diagnostic, Location, Remark, Severity
+from urdfctl.lint.causes import without_consequences
 from urdfctl.lint.likeness import difference
 from urdfctl.lint.results import Outcome, SuppressionUse
 from urdfctl.lint.selection import Selection
@@ -18,7 +19,7 @@ _MAX_LIKEWISE = 3
 def merge(outcomes: Iterable[Outcome], selection: Selection) -> list[Diagnostic]:
     """Return the diagnostics of a run, and its unused suppressions, in the order of a report."""
     outcomes = list(outcomes)
-    diagnostics = [outcome.diagnostics for outcome in outcomes]
+    diagnostics = [without_consequences(outcome.diagnostics) for outcome in outcomes]
     return sorted(_merged([*diagnostics, _unused(outcomes, selection)]), key=lambda diagnostic: diagnostic.order)
 
 

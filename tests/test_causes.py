@@ -1,0 +1,124 @@
+"""A fault that several rules see is reported once, by its cause."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from folder import Folder
+
+from urdfctl.diagnostic import Diagnostic, Location, Remark, Severity
+from urdfctl.lint.causes import LINKS, without_consequences
+from urdfctl.rules import all_rules
+
+XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
+BODY = (
+    '<inertial><mass value="1"/><inertia ixx="{0}" ixy="0" ixz="0" iyy="{0}" iyz="0" izz="{0}"/></inertial>'
+    '<collision><geometry><box size="0.1 0.1 0.1"/></geometry></collision>'
+)
+ARM = (
+    '<robot name="r"><link name="base"/><link name="fore">{body}</link>'
+    '<joint name="elbow" type="revolute"><parent link="base"/><child link="fore"/><axis xyz="0 0 1"/>'
+    '<limit lower="0" upper="1" effort="1" velocity="1"/></joint>{more}</robot>'
+)
+PACKAGE = '<package format="3"><name>{}</name></package>'
+
+
+def arm(more: str = "", body: str = BODY.format(0.002)) -> str:
+    return ARM.format(body=body, more=more)
+
+
+def control(joint: str, kind: str = "system", hardware: str = "gz_ros2_control/GazeboSimSystem") -> str:
+    given = f"<hardware><plugin>{hardware}</plugin></hardware>" if hardware else ""
+    return f'<ros2_control name="arm" type="{kind}">{given}<joint name="elbow">{joint}</joint></ros2_control>'
+
+
+CASES: dict[tuple[str, str], dict[str, str]] = {
+    ("UC003", "UC150"): {
+        "r.xacro": f'<robot name="r" {XACRO}><xacro:include filename="$(find gone)/m.xacro"/><link name="a"><visual>'
+        '<geometry><mesh filename="package://gone/a.stl"/></geometry></visual></link></robot>'
+    },
+    ("UC023", "UC002"): {
+        "body/r.xacro": f'<robot name="r" {XACRO}><xacro:include filename="$(find body)/urdf/m.xacro"/>'
+        '<link name="a"/></robot>'
+    },
+    ("UC028", "UC004"): {
+        "r.xacro": f'<robot name="r" {XACRO}><xacro:arg name="tool" default=""/>\n'
+        '<xacro:include filename="$(arg tool)"/>\n<link name="$(arg side)_a"/></robot>'
+    },
+    ("UC136", "UC137"): {"r.urdf": arm(body=BODY.format(9).replace('izz="9"', 'izz="90"'))},
+    ("UC151", "UC149"): {
+        "r.urdf": '<robot name="r"><link name="a"><visual><geometry><mesh filename="/home/me/a.stl"/></geometry>'
+        "</visual></link></robot>"
+    },
+    ("UC303", "UC305"): {"r.urdf": arm(control('<state_interface name="position"/>', "System", ""))},
+    ("UC345", "UC355"): {
+        "r.urdf": arm(control('<command_interface name="positon"/><state_interface name="position"/>'))
+    },
+    ("UC361", "UC513"): {
+        "r.urdf": arm(
+            '<gazebo><plugin filename="gz_ros2_control-system" '
+            'name="gz_ros2_control::GazeboSimROS2ControlPlugin"/></gazebo>'
+        )
+    },
+}
+"""Files in which both of two rules find something, and one fault is behind it."""
+
+
+@pytest.mark.parametrize("codes", CASES, ids="-".join)
+def test_one_fault_is_reported_by_its_cause(folder: Folder, codes: tuple[str, str]) -> None:
+    cause, consequence = codes
+    folder.write(CASES[codes])
+    arguments = ("side:=left",) if cause == "UC028" else ()
+
+    def found(selected: str) -> list[str]:
+        options = ("--select", selected, "--distro", "jazzy", "--format", "json", "--exit-zero")
+        return [
+            one["code"]
+            for one in json.loads(folder.run("lint", next(iter(CASES[codes])), *arguments, *options).stdout)["findings"]
+        ]
+
+    assert set(found(consequence)) == {consequence}
+    assert set(found(f"{cause},{consequence}")) == {cause}
+
+
+def found(code: str, message: str, line: int, severity: Severity = Severity.WARNING, excerpt: str = "") -> Diagnostic:
+    at = Location("/r.urdf", line, 1, line, 5, 10 * line, 10 * line + 4)
+    return Diagnostic(code, "wrong", severity, message, at, excerpt=excerpt)
+
+
+def test_the_cause_is_as_severe_as_what_it_explains_and_counts_it() -> None:
+    cause = found("UC524", "the robot is in namespace 'a', the controllers are in '/'", 1)
+    error = found("UC525", "spawner asks in '/'", 9, Severity.ERROR)
+    [one] = without_consequences([error, cause])
+    assert (one.code, one.severity) == ("UC524", Severity.ERROR)
+    assert one.notes[-1].message == "this explains 1 finding of UC525, not shown"
+
+
+def test_what_follows_at_the_same_place_needs_no_note() -> None:
+    [one] = without_consequences(
+        [found("UC136", "<inertia> is impossible", 1), found("UC137", "<inertia> fits 9 m", 1)]
+    )
+    assert one == found("UC136", "<inertia> is impossible", 1)
+
+
+def test_a_finding_that_has_another_cause_stays() -> None:
+    both = [found("UC136", "<inertia> is impossible", 1), found("UC137", "<inertia> fits 9 m", 2)]
+    assert without_consequences(both) == both
+    unrelated = [found("UC028", "argument 'tool' is empty", 1), found("UC007", "no 'side'", 2, excerpt="$(arg side)")]
+    assert without_consequences(unrelated) == unrelated
+    packages = [found("UC003", "package 'a' was not found", 1), found("UC150", "mesh package 'b' was not found", 2)]
+    assert without_consequences(packages) == packages
+
+
+def test_interfaces_are_missing_because_a_transmission_stands_for_the_joint() -> None:
+    cause = found("UC324", "transmission 't' in component 'c' uses the ROS 1 format", 1, Severity.ERROR)
+    cause = cause._replace(notes=(Remark('write <joint name="elbow"><command_interface name="position"/></joint>'),))
+    of_it, other = (found("UC450", f"no hardware exports '{name}'", 5) for name in ("elbow", "wrist"))
+    left = without_consequences([of_it, other, cause])
+    assert [one.message for one in left] == [other.message, cause.message]
+
+
+def test_causes_and_consequences_are_rules() -> None:
+    codes = {rule.code for rule in all_rules()}
+    assert {code for link in LINKS for code in (link.cause, *link.consequences)} <= codes
