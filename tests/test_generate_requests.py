@@ -174,8 +174,9 @@ PROPOSALS = {
     ),
     "two arms": (
         tuple(re.sub('"(shoulder|elbow|wrist)', rf'"{side}_\1', part) for side in ("left", "right") for part in ARM),
-        "left_arm_controller=trajectory:left_shoulder,left_elbow,left_wrist "
-        f"--controller {'right_arm_controller=trajectory:right_shoulder,right_elbow,right_wrist'}",
+        " --controller ".join(
+            f"{side}_arm_controller=trajectory:{side}_shoulder,{side}_elbow,{side}_wrist" for side in ("left", "right")
+        ),
     ),
 }  # fmt: skip
 

@@ -38,8 +38,8 @@ class GenerateOptions(TargetOptions):
     words: Annotated[
         _List,
         typer.Argument(
-            help="A robot, a list of joints (text, CSV, YAML, JSON, or - for standard input), and name:=value arguments. "
-            "Default: the robot found in this folder.",
+            help="A robot, a list of joints (text, CSV, YAML, JSON, or - for standard input), and name:=value "
+            "arguments. Default: the robot found in this folder.",
             metavar="[ROBOT|LIST|-] [NAME:=VALUE]...",
             show_default=False,
         ),
@@ -77,8 +77,15 @@ class ControllerOptions(GenerateOptions):
     frame: Annotated[_Text, _option("--frame", "Link of the sensor, or of the tool.")] = None
     broadcaster: Annotated[bool, _option("--broadcaster/--no-broadcaster", "Add a joint state broadcaster.")] = True
     rate: Annotated[
-        int, typer.Option("--rate", min=1, max=100_000, help="Update rate of the controller manager, in Hz.")
-    ] = 100
+        int | None,
+        typer.Option(
+            "--rate",
+            min=1,
+            max=100_000,
+            help="Update rate of the controller manager, in Hz. Default: 100, or 1000 if a PID loop commands efforts.",
+            show_default=False,
+        ),
+    ] = None
 
 
 @dataclass(kw_only=True)

@@ -56,6 +56,8 @@ def _of_robot(listed: JointFacts, robot: RobotFacts) -> JointFacts:
             )
         raise UserError(f"the robot has no joint '{listed.name}'{did_you_mean(listed.name, known)}")
     given = {key: value for key, value in listed._asdict().items() if value != JointFacts._field_defaults.get(key)}
+    if "inertia" in given:
+        given["load"] = None
     return joint._replace(**given)
 
 

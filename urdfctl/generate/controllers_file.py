@@ -10,7 +10,7 @@ from urdfctl.generate.parameters import Controller
 from urdfctl.generate.scalars import one_line
 from urdfctl.generate.settings import lines_of
 from urdfctl.generate.templates import Templates
-from urdfctl.generate.values import TODO, reference
+from urdfctl.generate.values import TODO, rate_of, reference
 from urdfctl.startup.hints import Any
 
 
@@ -23,7 +23,7 @@ def controllers_file(made: Sequence[Controller], options: Options, templates: Te
         command=one_line(options.command),
         title=one_line(title or "the robot"),
         distro=options.distro,
-        rate=options.rate,
+        rate=options.rate or max((rate_of(controller.task) for controller in made), default=_USUAL),
         simulated=options.simulated,
         namespace=space,
         indent="  " if space else "",
@@ -61,6 +61,7 @@ def _shown(controller: Controller, space: str) -> dict[str, Any]:
 
 
 _FEW = 6
+_USUAL = 100
 _ABOUT = {
     "effort": "efforts, in N or Nm",
     "velocity": "velocities, in rad/s or m/s",

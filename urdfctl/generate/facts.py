@@ -9,11 +9,24 @@ from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
 
+class Load(NamedTuple):
+    """What a joint moves in its worst pose.
+
+    `gravity` is the greatest effort that holds the weight, in N m or N. `heaviest` is the greatest inertia while all
+    other joints are locked, `lightest` the least one while they are free, in kg m2 or kg.
+    """
+
+    gravity: float
+    heaviest: float
+    lightest: float
+
+
 class JointFacts(NamedTuple):
     """A joint that moves. Limits are in rad or m, N m or N, rad/s or m/s, and None if the robot has none.
 
     `at` and `axis` are in the frame of the root link. `radius` is that of the wheel it turns, in m. `inertia` is the
-    load that it moves, in kg m2, or kg for a prismatic joint. `link` is the child link, `above` the next joint towards
+    load that it moves with all joints at zero, in kg m2, or kg for a prismatic joint; `load` is that of the worst
+    pose, None if it is unknown. `link` is the child link, `above` the next joint towards
     the root that moves, and `mimic` the joint that it follows, with multiplier and offset. `interface`, `gains`,
     `reduction`, `controller` and `controller_type` come from a joint list.
     """
@@ -37,6 +50,7 @@ class JointFacts(NamedTuple):
     mimic: tuple[str, float, float] | None = None
     controller: str | None = None
     controller_type: str | None = None
+    load: Load | None = None
 
     @property
     def can_move(self) -> bool:
@@ -108,4 +122,5 @@ NO_ROBOT = RobotFacts()
 
 def _joint(plain: Mapping[str, Any]) -> JointFacts:
     values: dict[str, Any] = {n: tuple(value) if isinstance(value, list) else value for n, value in plain.items()}
+    values["load"] = Load(*plain["load"]) if plain["load"] else None
     return JointFacts(**{**values, "gains": tuple((name, gain) for name, gain in plain["gains"])})

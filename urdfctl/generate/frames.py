@@ -43,7 +43,7 @@ class Bulk(NamedTuple):
         return whole - 2 * dot(away, cross(axis, self.moment)) + self.mass * dot(away, away)
 
 
-_NOTHING = Bulk(0.0, ZERO, (ZERO, ZERO, ZERO))
+NOTHING = Bulk(0.0, ZERO, (ZERO, ZERO, ZERO))
 
 
 class Measured(NamedTuple):
@@ -58,18 +58,18 @@ class Measured(NamedTuple):
 def measured(robot: Robot) -> dict[str, Measured]:
     """Return the measurements of each joint below the root, by name."""
     links = {link.name: link for link in robot.links if link.name}
-    order = list(_outwards(robot))
+    order = list(outwards(robot))
     frames: dict[str, Pose] = {}
     placed: list[tuple[Joint, str, str, Pose]] = []
     for joint, parent, child in order:
         above = frames.setdefault(parent, Pose())
-        frames[child] = above.then(_origin(next(joint.tag.named("origin"), None)))
+        frames[child] = above.then(origin_of(next(joint.tag.named("origin"), None)))
         placed.append((joint, parent, child, frames[child]))
-    bulks = {name: _bulk(links.get(name), frame) for name, frame in frames.items()}
+    bulks = {name: bulk_of(links.get(name), frame) for name, frame in frames.items()}
     measurements: dict[str, Measured] = {}
     for joint, parent, child, frame in reversed(placed):
         carried = bulks[child]
-        axis = _axis(joint, frame)
+        axis = axis_of(joint, frame)
         inertia = carried.mass if joint.type == "prismatic" else carried.about(frame.place, axis)
         if joint.name:
             radius = _radius(links.get(child))
@@ -84,8 +84,8 @@ def root_of(robot: Robot) -> str | None:
     return next((link.name for link in robot.links if link.name not in children), None)
 
 
-def _outwards(robot: Robot) -> Iterator[tuple[Joint, str, str]]:
-    """The joints with parent and child link, from the root outwards.
+def outwards(robot: Robot) -> Iterator[tuple[Joint, str, str]]:
+    """Yield the joints with parent and child link, from the root outwards.
 
     Joints that the root does not reach are left out.
     """
@@ -104,13 +104,14 @@ def _outwards(robot: Robot) -> Iterator[tuple[Joint, str, str]]:
                 yield joint, link, child
 
 
-def _bulk(link: Link | None, frame: Pose) -> Bulk:
+def bulk_of(link: Link | None, frame: Pose) -> Bulk:
+    """Return the mass of a link at a pose in the root's frame."""
     inertial = link.inertials[0] if link and link.inertials else None
     mass = inertial.mass.value if inertial and inertial.mass else None
     if inertial is None or link is None or not mass:
-        return _NOTHING
+        return NOTHING
     element = next(link.tag.named("inertial"), None)
-    own = frame.then(_origin(next(element.named("origin"), None) if element else None))
+    own = frame.then(origin_of(next(element.named("origin"), None) if element else None))
     values = {name: number.value or 0.0 for name, number in (inertial.inertia or {}).items()}
     xx, xy, xz = (values.get(name, 0.0) for name in ("ixx", "ixy", "ixz"))
     yy, yz, zz = (values.get(name, 0.0) for name in ("iyy", "iyz", "izz"))
@@ -121,7 +122,8 @@ def _bulk(link: Link | None, frame: Pose) -> Bulk:
     return Bulk(mass, scaled(own.place, mass), (rows[0], rows[1], rows[2]))
 
 
-def _axis(joint: Joint, frame: Pose) -> Vector:
+def axis_of(joint: Joint, frame: Pose) -> Vector:
+    """Return the axis of a joint, of length 1, turned as the frame of its child."""
     axis = _vector(joint.axis.text if joint.axis else None, (1.0, 0.0, 0.0))
     length = math.sqrt(dot(axis, axis))
     return turned(frame.turn, scaled(axis, 1 / length)) if length else (1.0, 0.0, 0.0)
@@ -138,7 +140,8 @@ def _radius(link: Link | None) -> float | None:
     return None
 
 
-def _origin(tag: Tag | None) -> Pose:
+def origin_of(tag: Tag | None) -> Pose:
+    """Return the pose in an `<origin>` element; no element means no offset."""
     attributes = tag.attributes if tag else {}
     return Pose(_vector(attributes.get("xyz"), ZERO), of_angles(*_vector(attributes.get("rpy"), ZERO)))
 

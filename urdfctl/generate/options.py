@@ -41,7 +41,8 @@ class Options(NamedTuple):
     `types` are short names or full names of controller types, `requests` are controllers with their joints.
     `interfaces` are the interfaces that they command, `states` those that they read: () for none. If `states` or
     `hardware` is None, it is derived from the other options.
-    With `chain`, each type commands the next. `rate` is the update rate of the controller manager, in Hz.
+    With `chain`, each type commands the next. `rate` is the update rate of the controller manager, in Hz;
+    None for the one that the controllers need.
 
     `controllers_file`, `description` and `package` are the places of the installed files. `robot_file` is the path by
     which a generated xacro file includes the robot, and `arguments` are its xacro arguments.
@@ -60,7 +61,7 @@ class Options(NamedTuple):
     sensor: str | None = None
     frame: str | None = None
     broadcaster: bool = True
-    rate: int = 100
+    rate: int | None = None
     package: str | None = None
     controllers_file: str = "config/controllers.yaml"
     description: str | None = None

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.generate.facts import JointFacts, PartFacts, RobotFacts
+from urdfctl.generate.facts import JointFacts, Load, PartFacts, RobotFacts
 from urdfctl.generate.frames import Measured, measured, root_of
+from urdfctl.generate.loads import loads_of
 from urdfctl.model.parts import Number
 from urdfctl.model.robot import Joint, Robot
 
@@ -23,6 +24,8 @@ def facts_of(robot: Robot) -> RobotFacts:
     moving = [_joint(name, joint, measurements.get(name)) for name, joint in named.items() if joint.type in _MOVING]
     above = _moving_above(robot)
     moving = [joint._replace(above=above.get(joint.name)) for joint in moving]
+    loads = loads_of(robot, moving)
+    moving = [joint._replace(load=loads.get(joint.name)) for joint in moving]
     mass = sum(link.inertials[0].mass.value or 0.0 for link in robot.links if link.inertials and link.inertials[0].mass)
     return RobotFacts(
         robot.name,
@@ -79,7 +82,8 @@ def _with_load(joints: list[JointFacts], mass: float) -> Iterator[JointFacts]:
     for joint in joints:
         if joint in wheels and len(wheels) > 1 and mass:
             share = mass / len(wheels) * (joint.radius or 0.0) ** 2
-            yield joint._replace(inertia=(joint.inertia or 0.0) + share)
+            inertia = (joint.inertia or 0.0) + share
+            yield joint._replace(inertia=inertia, load=Load(0.0, inertia, joint.inertia or inertia))
         else:
             yield joint
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 
+from urdfctl.generate.drive_limits import DRIVE_LIMITS, drive_limit
 from urdfctl.generate.facts import JointFacts, RobotFacts
-from urdfctl.generate.gains import Gains, starting_gains
+from urdfctl.generate.gains import Gains, Loop, starting_gains
 from urdfctl.generate.options import Options
 from urdfctl.generate.wheels import Measure, across, along, from_centre, radius
 from urdfctl.startup.records import NamedTuple
@@ -71,7 +72,22 @@ def answer(name: str, task: Task, joint: JointFacts | None) -> Answer | Left:
 
 def gains(task: Task, joint: JointFacts) -> Gains:
     """Return the gains of a joint, from the controller's reference and its command interface."""
-    return starting_gains(joint, reference(task), task.interface)
+    return starting_gains(joint, reference(task), task.interface, Loop(1 / rate_of(task), len(task.joints)))
+
+
+def rate_of(task: Task) -> int:
+    """Return the update rate that a controller needs, in Hz, unless the user gives one."""
+    if task.options.ros == 1:  # gazebo_ros_control updates at every step of the simulation
+        return _FAST
+    return task.options.rate or (_FAST if closes_loop(task) else _USUAL)
+
+
+_FAST, _USUAL = 1000, 100
+
+
+def closes_loop(task: Task) -> bool:
+    """Return whether a controller holds positions or velocities by commanding efforts."""
+    return task.interface == "effort" and task.kind in ("trajectory", "position", "velocity", "gripper", "pid")
 
 
 def reference(task: Task) -> str:
@@ -85,9 +101,39 @@ def _gain(letter: str) -> Callable[[Task, JointFacts], Answer | Left]:
     def found(task: Task, joint: JointFacts) -> Answer | Left:
         if task.interface == "position" or (task.kind in ("velocity", "effort") and task.kind == task.interface):
             return LEFT_OUT
-        return Answer(getattr(gains(task, joint), letter))
+        value = getattr(gains(task, joint), letter)
+        return LEFT_OUT if value is None else Answer(value)
 
     return found
+
+
+def _tolerance(part: float) -> Callable[[Task, JointFacts], Answer | Left]:
+    """A part of a joint's range, as a tolerance of its position."""
+
+    def found(task: Task, joint: JointFacts) -> Answer | Left:
+        del task
+        if joint.slides:
+            span = (joint.upper - joint.lower) if joint.lower is not None and joint.upper is not None else 0.1
+            return Answer(float(f"{max(span, 0.01) * part:.2g}"), "m")
+        return Answer(part, "rad")
+
+    return found
+
+
+def _bound(sign: float) -> Callable[[Task, JointFacts], Answer | Left]:
+    """The limits of the integral part, where there is one."""
+
+    def found(task: Task, joint: JointFacts) -> Answer | Left:
+        clamp = LEFT_OUT if task.options.ros == 1 else _gain("i_clamp")(task, joint)
+        return clamp if isinstance(clamp, Left) else Answer(sign * float(str(clamp.value)))
+
+    return found
+
+
+def _windup(task: Task, joint: JointFacts) -> Answer | Left:
+    if gains(task, joint).i:
+        return Answer("conditional_integration", "the integral part stops growing at the limits of the command")
+    return Answer("none", "not needed while i is 0")
 
 
 def _feed_forward(task: Task, joint: JointFacts) -> Answer | Left:
@@ -107,21 +153,6 @@ def _clamp(sign: float) -> Callable[[Task, JointFacts], Answer | Left]:
     def found(task: Task, joint: JointFacts) -> Answer | Left:
         limit = joint.effort if task.interface == "effort" else joint.velocity
         return Answer(sign * limit) if limit else LEFT_OUT
-
-    return found
-
-
-def _speed(task: Task) -> tuple[float, float] | None:
-    """The greatest speed that the wheels allow, in m/s, and their radius, in m."""
-    wheel = radius((*task.left, *task.right)).value
-    fastest = [joint.velocity for joint in (*task.left, *task.right) if joint.velocity]
-    return (round(min(fastest) * wheel, 3), wheel) if wheel and fastest else None
-
-
-def _max_speed(sign: float) -> Callable[[Task], Answer | Left]:
-    def found(task: Task) -> Answer | Left:
-        speed = _speed(task)
-        return Answer(sign * speed[0], "velocity limit of the wheels times their radius") if speed else LEFT_OUT
 
     return found
 
@@ -241,6 +272,12 @@ _OF_JOINT: Mapping[str, Callable[[Task, JointFacts], Answer | Left]] = {
     "p": _gain("p"),
     "i": _gain("i"),
     "d": _gain("d"),
+    "path_tolerance": _tolerance(0.2),
+    "goal_tolerance": _tolerance(0.05),
+    "i_clamp": _gain("i_clamp"),
+    "i_clamp_max": _bound(1.0),
+    "i_clamp_min": _bound(-1.0),
+    "windup": _windup,
     "ff": _feed_forward,
     "max_effort": _max_effort,
     "gpio_commands": _of_gpio(commands=True),
@@ -280,8 +317,23 @@ def _between(pair: Sequence[JointFacts]) -> Measure:
     return Measure(round(gap, 5), "measured between the joints") if gap else Measure(None, "")
 
 
+def _of_drive(name: str) -> Callable[[Task], Answer | Left]:
+    """A limit of a drive: `max_...`, `min_...`, or `true_if_...` if there is one."""
+
+    def found(task: Task) -> Answer | Left:
+        limit = drive_limit(name.rpartition("_")[2], task.left, task.right)
+        if limit is None:
+            return LEFT_OUT
+        if name.startswith("true_if"):
+            return Answer(value=True)
+        return Answer(-limit.value if name.startswith("min") else limit.value, limit.how)
+
+    return found
+
+
 _OTHERS: Mapping[str, Callable[[Task], Answer | Left]] = {
     "joints": lambda task: _names(task.joints),
+    "goal_time": lambda task: Answer(2.0 if closes_loop(task) else 1.0),
     "interface": lambda task: Answer(task.interface),
     "interfaces": lambda task: Answer([*task.interfaces]),
     "states": lambda task: Answer([*task.states]),
@@ -313,8 +365,6 @@ _OTHERS: Mapping[str, Callable[[Task], Answer | Left]] = {
     "tip": _tip,
     "sensor": _sensor,
     "frame": _frame,
-    "true_if_speed": lambda task: Answer(value=True) if _speed(task) else LEFT_OUT,
-    "max_speed": _max_speed(1.0),
-    "min_speed": _max_speed(-1.0),
+    **{name: _of_drive(name) for name in DRIVE_LIMITS},
 }
 NAMES = frozenset({*_OF_JOINT, *_MEASURED, *_OTHERS})

@@ -1,0 +1,60 @@
+"""The limits of a drive on two rows of wheels, from the limits of its wheels."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from urdfctl.generate.facts import JointFacts
+from urdfctl.generate.wheels import across, radius
+from urdfctl.startup.records import NamedTuple
+
+_IN = 0.5
+"""The time, in s, in which a drive reaches its greatest speed if the efforts of its wheels are unknown."""
+_GRIP = 4.0
+"""The greatest acceleration, in m/s2, that rubber wheels on a floor can give."""
+_PART_OF_EFFORT = 0.5
+_KINDS = ("speed", "push", "turn", "spin")
+DRIVE_LIMITS = tuple(f"{sign}_{kind}" for kind in _KINDS for sign in ("max", "min", "true_if"))
+"""The names of the limits in recipes: forward speed and acceleration, turning speed and acceleration."""
+
+
+class Limit(NamedTuple):
+    """A limit in m/s, m/s2, rad/s or rad/s2, and how it was determined."""
+
+    value: float
+    how: str
+
+
+def drive_limit(kind: str, left: Sequence[JointFacts], right: Sequence[JointFacts]) -> Limit | None:
+    """Return a limit of a drive, or None if the robot does not determine it."""
+    wheels = (*left, *right)
+    wheel, apart = radius(wheels).value, across(left, right).value
+    fastest = [joint.velocity for joint in wheels if joint.velocity]
+    if not wheel or not fastest:
+        return None
+    speed, how = min(fastest) * wheel, "velocity limit of the wheels times their radius"
+    if kind == "speed":
+        return Limit(round(speed, 3), how)
+    push, why = _push(wheels, wheel, speed)
+    if kind == "push":
+        return Limit(_short(push), why)
+    if not apart:
+        return None
+    if kind == "turn":
+        return Limit(_short(2 * speed / apart), "both rows of wheels at their velocity limit")
+    return Limit(_short(2 * push / apart), why)
+
+
+def _push(wheels: Sequence[JointFacts], wheel: float, speed: float) -> tuple[float, str]:
+    efforts = [joint.effort for joint in wheels if joint.effort]
+    share = [joint.inertia / wheel**2 for joint in wheels if joint.inertia]
+    if len(efforts) == len(share) == len(wheels):
+        push = _PART_OF_EFFORT * sum(efforts) / wheel / sum(share)
+        if push < _GRIP:
+            return push, "half of the wheels' effort limits, for the mass of the robot"
+        return _GRIP, "the grip of the wheels"
+    return min(speed / _IN, _GRIP), f"full speed in {_IN:g} s"
+
+
+def _short(value: float) -> float:
+    return float(f"{value:.3g}")
