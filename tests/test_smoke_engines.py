@@ -441,7 +441,7 @@ base:
     kinematics:
       base_frame_offset: {x: 0.0, y: 0.0, theta: 0.0}
       wheels_radius: 0.1
-      sum_of_robot_center_projection_on_X_Y_axis: 0.3
+      sum_of_robot_center_projection_on_X_Y_axis: 0.25
     base_frame_id: base_link
 """
 
@@ -452,7 +452,7 @@ def four_wheeled(right: str) -> str:
     more = []
     for name, y, axis in (("left_back", 0.15, "0 0 1"), ("right_back", -0.15, right)):
         more.append(
-            link(name, 0.5, 0.002)
+            link(name, 0.5, 0.002, '<cylinder radius="0.1" length="0.04"/>')
             + f'<joint name="{name}_wheel" type="continuous"><parent link="base_link"/><child link="{name}"/>'
             + f'<origin xyz="-0.2 {y} 0" rpy="-1.5707963 0 0"/><axis xyz="{axis}"/></joint>'
         )

@@ -136,4 +136,5 @@ def test_claims_that_conflict(tmp_path: Path, arm: Arm) -> None:
 def test_wheels_too_weak_to_move_the_robot(tmp_path: Path) -> None:
     rover = Rover()
     for engine in INSTALLED:
-        assert found(tmp_path, rover.urdf(effort="0.00001"), rover.yaml(), engine) == ["UC941"]
+        assert found(tmp_path, rover.urdf(effort="0.00001"), rover.yaml(), engine) == ["UC941", "UC962"]
+    assert found(tmp_path, rover.urdf(effort="0.00001"), rover.yaml()) == ["UC962"]

@@ -14,8 +14,8 @@ from urdfctl.rule import Rule
 from urdfctl.rules.examples import options_of, unmarked
 from urdfctl.rules.smoke.family import RULES
 
-STATIC = [rule for rule in RULES if rule.code < "UC920"]
-MOVED = [rule for rule in RULES if rule.code >= "UC920"]
+STATIC = [rule for rule in RULES if rule.code < "UC920" or rule.code >= "UC950"]
+MOVED = [rule for rule in RULES if "UC920" <= rule.code < "UC950"]
 
 
 def found(folder: Path, rule: Rule, files: Any) -> list[Diagnostic]:

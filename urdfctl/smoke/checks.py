@@ -15,13 +15,11 @@ from urdfctl.rules.smoke.joint_oscillates import joint_oscillates
 from urdfctl.rules.smoke.joint_too_fast import joint_too_fast
 from urdfctl.rules.smoke.joints_oscillate_together import joints_oscillate_together
 from urdfctl.smoke.engines import Standing
-from urdfctl.smoke.motions import CRUISE, Goal
+from urdfctl.smoke.motions import CRUISE, FORWARD, TURN, Goal
 from urdfctl.smoke.results import Trouble, trouble_of
 from urdfctl.smoke.tasks import Drive, Family, Task
 from urdfctl.startup.records import NamedTuple
 
-TIPPED = 0.35
-"""From this roll or pitch on, in rad, the robot counts as tipped over."""
 ERROR_OF_STEP, LEAST_ERROR, DROOP = 0.25, 0.01, 1.5
 """A joint reaches its target if its error is at most the largest of three limits: a quarter of its step; 0.01 rad or m;
 1.5 times the weight on it divided by the p gain."""
@@ -42,8 +40,6 @@ PAST_VELOCITY, SLACK = 1.2, 0.01
 """A joint may exceed its velocity limit by this factor, plus this much in rad/s or m/s."""
 MIMIC = 0.02
 """A joint may be this far from where it should mimic another one, in rad or m."""
-FORWARD, TURN = 0.3, 0.5
-"""The command to a mobile base: 0.3 m/s forward, 0.5 rad/s to the left."""
 STRAIGHT = (0.85, 1.15)
 """The range of the distance driven, as a fraction of the commanded one."""
 SLIPPING = 0.25

@@ -13,6 +13,7 @@ from urdfctl.lint.selection import Selection
 from urdfctl.lint.serialising import diagnostic_from_json, diagnostic_to_json, result_from_json, result_to_json
 from urdfctl.lint.target import lint_target
 from urdfctl.load.loader import Loader
+from urdfctl.load.meshes import mesh_path
 from urdfctl.load.target import Target
 from urdfctl.model.stage import Stage
 from urdfctl.rules import rule_of
@@ -144,10 +145,11 @@ def prepare_work(work: Work) -> dict[str, Any]:
 
 def prepared_robot(loader: Loader, target: Target, wanted: Wanted) -> PreparedRobot:
     """Return a target as a prepared robot, with the plan for an engine if one is wanted."""
-    judgement = judged(lint_target(loader, target, Selection()), wanted.only)
+    seen = lint_target(loader, target, Selection())
+    packages = loader.reading(seen.result.path)[1]
+    judgement = judged(seen, wanted.only, lambda address: mesh_path(address, packages, seen.result.path))
     plan = None
     if wanted.engines:
-        packages = loader.reading(judgement.seen.result.path)[1]
         plan, troubles = plan_of(judgement, packages, wanted.duration, gui=wanted.gui)
         judgement = judgement._replace(troubles=(*judgement.troubles, *troubles))
     smoked = judgement.smoked
@@ -259,7 +261,12 @@ def _not_simulated(smoked: Smoked, why: str) -> Tried:
 def _unexplained(troubles: Sequence[Trouble], known: Sequence[Trouble]) -> list[Trouble]:
     """The findings of an engine without those that known findings about the same controller explain."""
     explained = {(trouble.controller, rule.code) for trouble in known for rule in rule_of(trouble.code).explains}
-    return [trouble for trouble in troubles if (trouble.controller, trouble.code) not in explained]
+    same = {(trouble.subject, trouble.code) for trouble in known}
+    return [
+        trouble
+        for trouble in troubles
+        if (trouble.controller, trouble.code) not in explained and (trouble.subject, trouble.code) not in same
+    ]
 
 
 def _judged(controller: ControllerResult, result: Tried, troubles: Sequence[Trouble]) -> ControllerResult:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.lint.results import Outcome
@@ -16,6 +16,7 @@ from urdfctl.smoke.anchors import anchors_of, diagnostics_of, silenced
 from urdfctl.smoke.manager import Cycle, life_cycle
 from urdfctl.smoke.mechanism import Mechanism, mechanism_of
 from urdfctl.smoke.results import ROBOT, ControllerResult, Smoked, Trouble, Verdict, trouble_of
+from urdfctl.smoke.shapes import shapes_of, with_rims
 from urdfctl.smoke.stability import loop_troubles
 from urdfctl.smoke.statics import static_troubles
 from urdfctl.smoke.tasks import Task, task_of
@@ -72,8 +73,13 @@ class Judgement(NamedTuple):
         return Smoked(linted._replace(outcome=outcome, distro=self.cycle.distro), self.results)
 
 
-def judged(seen: LintedTarget, only: Sequence[str] = ()) -> Judgement:
-    """Return the judgement on a linted robot; on all its controllers, or on those with some names."""
+def judged(
+    seen: LintedTarget, only: Sequence[str] = (), find_mesh: Callable[[str], str | None] | None = None
+) -> Judgement:
+    """Return the judgement on a linted robot; on all its controllers, or on those with some names.
+
+    `find_mesh` returns the path of a mesh, or None; without it the meshes are unknown.
+    """
     project = seen.project
     cycle = life_cycle(project, seen.result.outcome.diagnostics)
     rate = _rate(project, cycle.ros)
@@ -84,8 +90,10 @@ def judged(seen: LintedTarget, only: Sequence[str] = ()) -> Judgement:
     if robot and robot.links and mechanism is None:
         why = "its links must form one tree, in which each link but the root is the child of exactly one joint"
         troubles.append(trouble_of(robot_not_spawned, ROBOT, why=why))
-    if mechanism is not None:
-        troubles += static_troubles(mechanism, tasks)
+    if robot and mechanism is not None:
+        shapes = shapes_of(robot, find_mesh)
+        mechanism = with_rims(mechanism, shapes)
+        troubles += static_troubles(mechanism, tasks, robot, shapes)
         troubles += loop_troubles(mechanism, tasks, rate)
     return Judgement(
         seen=seen, cycle=cycle, mechanism=mechanism, tasks=tasks, rate=rate, troubles=tuple(troubles), only=tuple(only)

@@ -21,6 +21,7 @@ from urdfctl.model.geometry import (
 )
 from urdfctl.model.parts import Number, Tag
 from urdfctl.model.robot import Joint, Link, Robot
+from urdfctl.model.ros2_control import Part
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
@@ -32,8 +33,9 @@ class Body(NamedTuple):
     """A link.
 
     `mass` is in kg. `centre` is the centre of mass in the link's frame, in m. `inertia` is the inertia about it along
-    the axes of that frame, in kg m². `radius` is that of the first cylinder or sphere of its collision geometry,
-    in m, or None. `falls` is False if gravity is turned off for the link.
+    the axes of that frame, in kg m². `radius` is how far its collision geometry reaches from the axis about which the
+    link turns, in m, or None; `aside` is the place along that axis where it reaches farthest, and `width` the length of
+    that part, in m. `falls` is False if gravity is turned off for the link.
     """
 
     name: str
@@ -42,6 +44,8 @@ class Body(NamedTuple):
     inertia: Rotation = (ZERO, ZERO, ZERO)
     radius: float | None = None
     falls: bool = True
+    aside: float = 0.0
+    width: float = 0.0
 
 
 class Hinge(NamedTuple):
@@ -49,7 +53,10 @@ class Hinge(NamedTuple):
 
     `pose` is that of the child in the parent's frame at position 0, and `axis` has length 1 in the child's frame.
     `lower` and `upper` are in rad or m, `effort` in N m or N, `velocity` in rad/s or m/s; each is None if the
-    description does not give it. `mimic` is the leading joint with multiplier and offset.
+    description does not give it. `damping` is in N m s/rad or N s/m, and `friction`, which does not depend on the
+    speed, in N m or N. `mimic` is the leading joint with multiplier and offset. `ranges` holds the command interfaces
+    for which `<ros2_control>` gives a range, each with its minimum and maximum; `initial` is the position that it gives
+    to start from, or None.
     """
 
     name: str
@@ -63,7 +70,10 @@ class Hinge(NamedTuple):
     effort: float | None = None
     velocity: float | None = None
     damping: float = 0.0
+    friction: float = 0.0
     mimic: tuple[str, float, float] | None = None
+    ranges: tuple[tuple[str, float, float], ...] = ()
+    initial: float | None = None
 
     @property
     def moves(self) -> bool:
@@ -89,9 +99,13 @@ class Hinge(NamedTuple):
 
     @property
     def start(self) -> float:
-        """Its position at spawn: 0, or the limit nearest to 0."""
+        """Its position at spawn: the initial one, or 0, or the limit nearest to that."""
         low, high = self.span
-        return min(max(0.0, low), high)
+        return min(max(self.initial or 0.0, low), high)
+
+    def range_of(self, interface: str) -> tuple[float, float]:
+        """Return the least and the greatest command that `<ros2_control>` allows for an interface."""
+        return next((entry[1:] for entry in self.ranges if entry[0] == interface), (-math.inf, math.inf))
 
     def moved(self, position: float) -> Pose:
         """Return the pose of the child in the parent's frame at a position."""
@@ -152,7 +166,7 @@ class Mechanism(NamedTuple):
         """Return the mechanism that plain data holds, in which tuples are lists."""
         bodies = [Body(**{**body, **_tuples(body, "centre", "inertia")}) for body in data["bodies"]]
         hinges = [
-            Hinge(**{**hinge, **_tuples(hinge, "axis", "mimic"), "pose": Pose(*_tuple(hinge["pose"]))})
+            Hinge(**{**hinge, **_tuples(hinge, "axis", "mimic", "ranges"), "pose": Pose(*_tuple(hinge["pose"]))})
             for hinge in data["hinges"]
         ]
         return cls(data["root"], {body.name: body for body in bodies}, tuple(hinges))
@@ -177,7 +191,8 @@ def _tuples(data: dict[str, Any], *names: str) -> dict[str, Any]:
 def mechanism_of(robot: Robot) -> Mechanism | None:
     """Return the mechanism of a robot description, or None if its links do not form a tree with one root."""
     names = [link.name for link in robot.links if link.name]
-    hinges = [hinge for joint in robot.joints if (hinge := _hinge(joint)) is not None]
+    controls = _controls(robot)
+    hinges = [hinge for joint in robot.joints if (hinge := _hinge(joint, controls.get(joint.name or ""))) is not None]
     children = [hinge.child for hinge in hinges]
     roots = [name for name in names if name not in children]
     unique = len(set(names)) == len(names) and len(set(children)) == len(children)
@@ -204,7 +219,14 @@ def _ordered(root: str, hinges: list[Hinge]) -> list[Hinge]:
     return ordered
 
 
-def _hinge(joint: Joint) -> Hinge | None:
+def _controls(robot: Robot) -> dict[str, Part]:
+    """The joints of `<ros2_control>` by name."""
+    return {
+        part.name: part for whole in robot.ros2_controls for part in whole.parts if part.kind == "joint" and part.name
+    }
+
+
+def _hinge(joint: Joint, control: Part | None) -> Hinge | None:
     parent, child = joint.parent, joint.child
     if not (joint.name and joint.type and parent and parent.name and child and child.name):
         return None
@@ -221,11 +243,38 @@ def _hinge(joint: Joint) -> Hinge | None:
         upper=_number(limit.upper, 0.0) if limit else None,
         effort=_number(limit.effort) if limit else None,
         velocity=_number(limit.velocity) if limit else None,
-        damping=_float(dynamics.attributes.get("damping", "0"), 0.0) if dynamics else 0.0,
+        damping=_resistance(dynamics, "damping"),
+        friction=_resistance(dynamics, "friction"),
         mimic=(mimic.joint, _number(mimic.multiplier, 1.0) or 0.0, _number(mimic.offset, 0.0) or 0.0)
         if mimic and mimic.joint
         else None,
+        ranges=tuple(_ranges(control)) if control else (),
+        initial=_initial(control) if control else None,
     )
+
+
+def _resistance(dynamics: Tag | None, name: str) -> float:
+    value = _float(dynamics.attributes.get(name, "0"), 0.0) if dynamics else 0.0
+    return value if 0 < value < math.inf else 0.0
+
+
+def _ranges(control: Part) -> Iterator[tuple[str, float, float]]:
+    for interface in control.interfaces:
+        given = [interface.parameter(name) for name in ("min", "max")]
+        least, most = (_float(parameter.value, math.nan) if parameter else math.nan for parameter in given)
+        if interface.kind == "command" and interface.name and least <= most:
+            yield interface.name, least, most
+
+
+def _initial(control: Part) -> float | None:
+    """The initial position: that of the position interfaces, the state's before the command's."""
+    named = [interface for interface in control.interfaces if interface.name == "position"]
+    for interface in sorted(named, key=lambda interface: interface.kind != "state"):
+        given = interface.parameter("initial_value")
+        value = _float(given.value, math.nan) if given else math.nan
+        if math.isfinite(value):
+            return value
+    return None
 
 
 def _body(link: Link, *, falls: bool) -> Body:

@@ -21,6 +21,8 @@ MOST_TURN, MOST_SHIFT = 0.2, 0.05
 """A joint is moved by this much at most, in rad and m."""
 CRUISE = 0.2
 """The velocity that a velocity loop should hold, in rad/s or m/s."""
+FORWARD, TURN = 0.3, 0.5
+"""The command to a mobile base: 0.3 m/s forward, 0.5 rad/s to the left."""
 PUSH = 1.0
 """An effort interface is pushed with this at most in addition to the weight, in N m or N."""
 PART_OF_EFFORT = 0.2
@@ -49,6 +51,11 @@ def goal_of(hinge: Hinge, start: float, weight: float, seconds: float) -> Goal:
     if hinge.velocity:
         far = min(far, PART_OF_VELOCITY * hinge.velocity * seconds)
     return Goal(hinge, start, far if start + 1.1 * far <= high else -far, weight)
+
+
+def speed_of(drive: Drive) -> float:
+    """Return the speed at which a base is driven, in m/s: its controller limits it."""
+    return min(FORWARD, drive.speed)
 
 
 def effort_of(hinge: Hinge) -> float:

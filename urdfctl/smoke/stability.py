@@ -14,10 +14,10 @@ from urdfctl.model.geometry import Square, Vector, cross, dot, minus, product, t
 from urdfctl.rules.smoke.loop_too_stiff_without_rotor import loop_too_stiff_without_rotor
 from urdfctl.rules.smoke.loop_underdamped import loop_underdamped
 from urdfctl.rules.smoke.loop_unstable import loop_unstable
+from urdfctl.smoke.loads import gravity_load
 from urdfctl.smoke.mechanism import Hinge, Mechanism
 from urdfctl.smoke.results import Trouble, trouble_of
-from urdfctl.smoke.statics import gravity_load, is_loop
-from urdfctl.smoke.tasks import Family, Gains, Task
+from urdfctl.smoke.tasks import Family, Gains, Task, is_loop
 
 MOST_GROWTH = 1.0003
 """The spectral radius up to which a loop counts as stable: slower growth is not visible."""

@@ -1,40 +1,47 @@
-"""The physics that needs no engine: the sides and axes of wheels, and the load of gravity on joints."""
+"""The physics that needs no engine: masses, limits and mimic joints; with the wheels, the ground and the efforts."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
-from urdfctl.model.geometry import Pose, Vector, cross, dot, minus, transposed, turned
-from urdfctl.rules.smoke.effort_too_weak_for_gravity import effort_too_weak_for_gravity
+from urdfctl.model.robot import Robot
+from urdfctl.rules.smoke.command_range_too_small import command_range_too_small
+from urdfctl.rules.smoke.inertia_too_small import inertia_too_small
 from urdfctl.rules.smoke.inertia_unusable import inertia_unusable
 from urdfctl.rules.smoke.joint_held_still import joint_held_still
-from urdfctl.rules.smoke.wheel_measures_differ import wheel_measures_differ
-from urdfctl.rules.smoke.wheel_sides_swapped import wheel_sides_swapped
-from urdfctl.rules.smoke.wheel_turns_backwards import wheel_turns_backwards
-from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
+from urdfctl.rules.smoke.mimic_beyond_limits import mimic_beyond_limits
+from urdfctl.rules.urdf.inertia_out_of_proportion import size_of
+from urdfctl.smoke.drives import drive_troubles
+from urdfctl.smoke.ground import ground_troubles
+from urdfctl.smoke.loads import effort_troubles
+from urdfctl.smoke.mechanism import Hinge, Mechanism
 from urdfctl.smoke.results import Trouble, trouble_of
-from urdfctl.smoke.tasks import Drive, Family, Task
+from urdfctl.smoke.shapes import Shapes
+from urdfctl.smoke.tasks import Task
 
-GRAVITY: Vector = (0.0, 0.0, -9.81)
-LATERAL = 0.7
-"""A wheel that drives forward has at least this much of its axis pointing sideways."""
-MEASURES_DIFFER = 0.15
-"""The accepted relative difference of a wheel's radius, or of the wheel separation, from the controller's parameter."""
+LEAST_REACH = 1 / 30
+"""The radius of gyration of a link should be at least this fraction of its largest dimension."""
+LEAST_MASS = 0.01
+"""Lighter links are not judged by their inertia, in kg."""
+LEAST_RANGE = 0.01
+"""The range of a command should be at least this fraction of the joint's own range."""
+BEYOND = 0.02
+"""A mimic joint may be asked to exceed its limits by this fraction of its range."""
 
 
-def static_troubles(mechanism: Mechanism, tasks: Sequence[Task]) -> Iterator[Trouble]:
+def static_troubles(mechanism: Mechanism, tasks: Sequence[Task], robot: Robot, shapes: Shapes) -> Iterator[Trouble]:
     """Yield what is wrong with a robot at rest, and with what its active controllers should move."""
-    yield from _masses(mechanism)
+    unusable = list(_masses(mechanism))
+    yield from unusable
+    yield from drive_troubles(mechanism, tasks)
     for task in tasks:
-        if task.drive is not None:
-            yield from _sides(mechanism, task, task.drive)
-            yield from _axes(mechanism, task, task.drive)
-            yield from _measures(mechanism, task, task.drive)
-        elif task.rolling is not None:
-            yield from _axes(mechanism, task, task.rolling)
-        yield from _velocity_limits(mechanism, task)
-    yield from _effort_limits(mechanism, tasks)
+        yield from _limits(mechanism, task)
+    yield from _mimics(mechanism)
+    if not unusable:
+        yield from effort_troubles(mechanism, tasks)
+        yield from _inertias(mechanism, tasks, robot)
+        yield from ground_troubles(mechanism, shapes, tasks)
 
 
 def _masses(mechanism: Mechanism) -> Iterator[Trouble]:
@@ -49,115 +56,68 @@ def _masses(mechanism: Mechanism) -> Iterator[Trouble]:
             yield trouble_of(inertia_unusable, f"link:{body.name}", link=body.name, problem=problem)
 
 
-# -- wheels ----------------------------------------------------------------------------------------------------------
-
-
-def _wheels(mechanism: Mechanism, names: Sequence[str], drive: Drive) -> list[tuple[Hinge, Pose]]:
-    """The wheels with some joint names, each with its pose in the base frame."""
-    poses = mechanism.poses(mechanism.start())
-    base = poses.get(drive.base, poses[mechanism.root])
-    back = transposed(base.turn)
-    wheels = []
-    for hinge in (mechanism.hinge(name) for name in names):
-        if hinge is not None:
-            pose = poses[hinge.child]
-            place = turned(back, minus(pose.place, base.place))
-            wheels.append((hinge, Pose(place).then(Pose(turn=back)).then(Pose(turn=pose.turn))))
-    return wheels
-
-
-def _sides(mechanism: Mechanism, task: Task, drive: Drive) -> Iterator[Trouble]:
-    left, right = _wheels(mechanism, drive.left, drive), _wheels(mechanism, drive.right, drive)
-    if left and right and _across(left) < _across(right):
-        note = "the robot turns right when commanded to turn left: swap the wheel names, or the signs of y"
-        subject, names = f"controller:{task.controller}", {"left": left[0][0].name, "right": right[0][0].name}
-        yield trouble_of(wheel_sides_swapped, subject, task.controller, (note,), **names)
-
-
-def _across(wheels: Sequence[tuple[Hinge, Pose]]) -> float:
-    """The mean distance of some wheels to the left, in m."""
-    return sum(pose.place[1] for _, pose in wheels) / len(wheels)
-
-
-def _axes(mechanism: Mechanism, task: Task, drive: Drive) -> Iterator[Trouble]:
-    for hinge, pose in _wheels(mechanism, (*drive.left, *drive.right, *drive.driven), drive):
-        axis = turned(pose.turn, hinge.axis)
-        if axis[1] >= LATERAL:
+def _inertias(mechanism: Mechanism, tasks: Sequence[Task], robot: Robot) -> Iterator[Trouble]:
+    """The links that are moved by efforts: their inertia decides how they move."""
+    pushed = {joint for task in tasks if task.interface == "effort" for joint in task.joints}
+    moved: set[str] = set()
+    for hinge in mechanism.hinges:
+        if hinge.name in pushed or hinge.parent in moved:
+            moved.add(hinge.child)
+    for link in robot.links:
+        body = mechanism.bodies.get(link.name or "")
+        if body is None or body.name not in moved or body.mass < LEAST_MASS:
             continue
-        how = "backwards" if axis[1] <= -LATERAL else "about an axis that cannot roll it forward"
-        shown = " ".join(f"{part:.2g}" for part in axis)
-        note = f"its axis in the base frame is {shown}; a wheel that rolls forward turns about 0 1 0"
-        subject = f"joint:{hinge.name}"
-        yield trouble_of(wheel_turns_backwards, subject, task.controller, (note,), joint=hinge.name, how=how)
-
-
-def _measures(mechanism: Mechanism, task: Task, drive: Drive) -> Iterator[Trouble]:
-    wheels = _wheels(mechanism, (*drive.left, *drive.right, *drive.driven), drive)
-    radii = {mechanism.bodies[hinge.child].radius for hinge, _ in wheels} - {None}
-    if len(radii) == 1 and (real := radii.pop()) and _differ(drive.radius, real):
-        yield _measure_differs(task, "radius", f"{drive.radius:g}", f"{real:g}")
-    if len(drive.left) == 1 == len(drive.right) and len(wheels) == 2:  # noqa: PLR2004 (of more, the middle ones slip)
-        apart = abs(wheels[0][1].place[1] - wheels[1][1].place[1])
-        if _differ(drive.separation, apart):
-            yield _measure_differs(task, "separation", f"{drive.separation:g}", f"{apart:.3g}")
-
-
-def _measure_differs(task: Task, measure: str, expected: str, actual: str) -> Trouble:
-    subject, fields = f"controller:{task.controller}", {"measure": measure, "expected": expected, "actual": actual}
-    return trouble_of(wheel_measures_differ, subject, task.controller, (), **fields)
-
-
-def _differ(given: float, real: float) -> bool:
-    return given > 0 and real > 0 and abs(given / real - 1) > MEASURES_DIFFER
+        size = size_of(link)
+        most = max(body.inertia[n][n] for n in range(3))
+        reach = math.sqrt(most / body.mass)
+        if size and 0 < reach < LEAST_REACH * size:
+            times = (size / math.sqrt(12) / reach) ** 2
+            fields = {"link": body.name, "times": f"{times:.1g}", "mass": f"{body.mass:g}", "size": f"{size:g}"}
+            yield trouble_of(inertia_too_small, f"link:{body.name}", None, (), **fields)
 
 
 # -- joints ----------------------------------------------------------------------------------------------------------
 
 
-def _velocity_limits(mechanism: Mechanism, task: Task) -> Iterator[Trouble]:
+def _limits(mechanism: Mechanism, task: Task) -> Iterator[Trouble]:
     for hinge in filter(None, map(mechanism.hinge, task.joints)):
         if hinge.velocity == 0 and hinge.moves:
             yield trouble_of(joint_held_still, f"joint:{hinge.name}", task.controller, joint=hinge.name)
+        elif hinge.moves:
+            yield from _ranges(hinge, task)
 
 
-def _effort_limits(mechanism: Mechanism, tasks: Sequence[Task]) -> Iterator[Trouble]:
-    owners = {joint: task.controller for task in reversed(tasks) if task.drive is None for joint in task.joints}
-    load = gravity_load(mechanism, mechanism.start())
-    for name, controller in owners.items():
-        hinge = mechanism.hinge(name)
-        if hinge is None or hinge.mimic or not hinge.effort or not hinge.moves:
-            continue
-        needed = abs(load.get(name, 0.0))
-        if needed > hinge.effort:
-            fields = {"joint": name, "needed": needed, "unit": hinge.effort_unit, "limit": hinge.effort}
-            yield trouble_of(effort_too_weak_for_gravity, f"joint:{name}", controller, (), **fields)
+def _ranges(hinge: Hinge, task: Task) -> Iterator[Trouble]:
+    """The range of commands that the hardware allows, against the range that the joint has."""
+    low, high = hinge.range_of(task.interface)
+    if low == -math.inf:
+        return
+    whole = {"position": hinge.span, "velocity": _both(hinge.velocity), "effort": _both(hinge.effort)}.get(
+        task.interface
+    )
+    if whole is None or not whole[1] > whole[0]:
+        return
+    common = min(high, whole[1]) - max(low, whole[0])
+    if common < LEAST_RANGE * (whole[1] - whole[0]):
+        fields = {"joint": hinge.name, "interface": task.interface, "low": low, "high": high}
+        given = {"least": whole[0], "most": whole[1]}
+        yield trouble_of(command_range_too_small, f"joint:{hinge.name}", task.controller, (), **fields, **given)
 
 
-def gravity_load(mechanism: Mechanism, positions: Mapping[str, float]) -> dict[str, float]:
-    """Return the effort of each hinge that holds the robot still, in N m or N, while its root is fixed."""
-    poses = mechanism.poses(positions)
-    weights = {name: _weight(body) for name, body in mechanism.bodies.items()}
-    places = {name: poses[name].at(body.centre) for name, body in mechanism.bodies.items()}
-    load = {}
+def _both(limit: float | None) -> tuple[float, float] | None:
+    return (-limit, limit) if limit else None
+
+
+def _mimics(mechanism: Mechanism) -> Iterator[Trouble]:
     for hinge in mechanism.hinges:
-        if not hinge.moves:
+        leader = mechanism.hinge(hinge.mimic[0]) if hinge.mimic else None
+        if leader is None or not hinge.mimic or not hinge.moves or "continuous" in (leader.type, hinge.type):
             continue
-        pose = poses[hinge.child]
-        axis = turned(pose.turn, hinge.axis)
-        total = 0.0
-        for link in mechanism.below(hinge.child):
-            lever = cross(axis, minus(places[link], pose.place)) if hinge.type != "prismatic" else axis
-            total -= dot(weights[link], lever)
-        load[hinge.name] = total
-    return load
-
-
-def _weight(body: Body) -> Vector:
-    mass = body.mass if body.falls else 0.0
-    return GRAVITY[0] * mass, GRAVITY[1] * mass, GRAVITY[2] * mass
-
-
-def is_loop(task: Task) -> bool:
-    """Return whether a controller closes a control loop by commanding efforts."""
-    closed = task.family in (Family.POSITION_PID, Family.VELOCITY_PID, Family.TRAJECTORY)
-    return closed and task.interface == "effort"
+        _, factor, offset = hinge.mimic
+        ends = sorted(factor * end + offset for end in leader.span)
+        low, high = hinge.span
+        slack = BEYOND * (high - low)
+        if ends[0] < low - slack or ends[1] > high + slack:
+            fields = {"joint": hinge.name, "leader": leader.name, "unit": hinge.unit}
+            asked = {"least": ends[0], "most": ends[1], "lower": low, "upper": high}
+            yield trouble_of(mimic_beyond_limits, f"joint:{hinge.name}", None, (), **fields, **asked)

@@ -12,6 +12,9 @@ from urdfctl.control.values import Values
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
+FREE = 1e9
+"""The limit of a controller that sets none."""
+
 
 class Family(Enum):
     """The way a controller moves its joints."""
@@ -41,8 +44,15 @@ class Gains(NamedTuple):
 
 
 class Drive(NamedTuple):
-    """The wheel joints of a mobile base, with radius, separation and wheelbase in m as the controller's parameters give
-    them (0: the controller measures the robot)."""
+    """The wheel joints of a mobile base, with measures in m as the controller's parameters give them.
+
+    A measure of 0 means that the controller measures the robot. `left_scale` and `right_scale` multiply the radius on
+    one side. `track` and `steering_track` are the distances between driven and between steered wheels. `roles` holds
+    the wheels for which the controller has names, each with 1 for front or -1 for rear, and 1 for left or -1 for right;
+    `reach` is half their wheelbase plus half their track. `angles` holds the directions from the centre to the wheels
+    of an omnidirectional base, in rad, and `arm` their distance. `speed`, `turning` and `acceleration` are the
+    controller's own limits, in m/s, rad/s and m/s².
+    """
 
     left: tuple[str, ...] = ()
     right: tuple[str, ...] = ()
@@ -52,11 +62,36 @@ class Drive(NamedTuple):
     separation: float = 0.0
     wheelbase: float = 0.0
     base: str = ""
+    left_scale: float = 1.0
+    right_scale: float = 1.0
+    track: float = 0.0
+    steering_track: float = 0.0
+    roles: tuple[tuple[str, int, int], ...] = ()
+    reach: float = 0.0
+    angles: tuple[float, ...] = ()
+    arm: float = 0.0
+    speed: float = FREE
+    turning: float = FREE
+    acceleration: float = FREE
+
+    def radius_of(self, name: str) -> float:
+        """Return the radius that the controller uses for a wheel, in m."""
+        scale = self.left_scale if name in self.left else self.right_scale if name in self.right else 1.0
+        return self.radius * scale
+
+    @property
+    def wheels(self) -> tuple[str, ...]:
+        """The joints of the driven wheels."""
+        return (*self.left, *self.right, *self.driven)
 
 
 def _drive_from(given: Any) -> Drive | None:
-    fields: Any = [tuple(field) if isinstance(field, list) else field for field in given or ()]
+    fields: Any = [_tuple(field) for field in given or ()]
     return Drive(*fields) if given else None
+
+
+def _tuple(value: Any) -> Any:
+    return tuple(map(_tuple, value)) if isinstance(value, list) else value
 
 
 class Task(NamedTuple):
@@ -75,6 +110,11 @@ class Task(NamedTuple):
     why: str = ""
     rolling: Drive | None = None
 
+    @property
+    def base(self) -> Drive | None:
+        """The wheels of a mobile base, whether they are simulated or not."""
+        return self.drive or self.rolling
+
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Task:
         """Return the task that plain data holds."""
@@ -86,6 +126,17 @@ class Task(NamedTuple):
     def to_json(self) -> dict[str, Any]:
         """Return the task as plain data."""
         return {**self._asdict(), "family": self.family.name}
+
+
+def driven_of(task: Task) -> tuple[str, ...]:
+    """Return the joints of the driven wheels of a mobile base."""
+    return task.base.wheels if task.base else ()
+
+
+def is_loop(task: Task) -> bool:
+    """Return whether a controller closes a control loop by commanding efforts."""
+    closed = task.family in (Family.POSITION_PID, Family.VELOCITY_PID, Family.TRAJECTORY)
+    return closed and task.interface == "effort"
 
 
 _BY_CLASS = {
@@ -108,7 +159,8 @@ _BY_CLASS = {
     "TricycleController": Family.STEERED,
 }
 """The way each class moves its joints; other classes are not simulated."""
-_ROLLING = ("MecanumDriveController",)
+_ROLLING = ("MecanumDriveController", "OmniWheelDriveController")
+_ROLES = (("front_left", 1, 1), ("front_right", 1, -1), ("rear_left", -1, 1), ("rear_right", -1, -1))
 _COMMANDED = {
     "PositionJointInterface": "position",
     "VelocityJointInterface": "velocity",
@@ -148,10 +200,26 @@ def task_of(configured: Configured) -> Task:
 
 
 def _rolling(configured: Configured, class_name: str) -> Task:
-    """A controller of wheels with rollers: only the direction in which its wheels turn can be checked."""
+    """A controller of wheels with rollers: what its wheels do is checked by formula, not in an engine."""
     joints = tuple(dict.fromkeys(claim.component for claim in configured.claims.command))
-    drive = Drive(driven=joints, base=_text(configured.values.get("base_frame_id")))
-    why = f"for a {class_name}, only the direction of its wheels is checked"
+    kind = configured.type
+    values = Values(kind, configured.values) if kind else configured.values
+    base = _text(values.get("base_frame_id"))
+    if class_name.startswith("Omni"):
+        count, offset = max(1, len(joints)), _float(values.get("wheel_offset"))
+        angles = tuple(offset + 2 * math.pi * n / count for n in range(count))
+        measures = _float(values.get("wheel_radius")), _float(values.get("robot_radius"))
+        drive = Drive(driven=joints, base=base, radius=measures[0], arm=measures[1], angles=angles)
+    else:
+        named = [(values.get(f"{role}_wheel_command_joint_name"), ahead, aside) for role, ahead, aside in _ROLES]
+        drive = Drive(
+            driven=joints,
+            base=base,
+            radius=_float(values.get("kinematics.wheels_radius")),
+            reach=_float(values.get("kinematics.sum_of_robot_center_projection_on_X_Y_axis")),
+            roles=tuple((_text(name), ahead, aside) for name, ahead, aside in named if _text(name)),
+        )
+    why = f"the rollers of the wheels of a {class_name} are not modelled; their axes, places and measures were checked"
     return Task(configured.name, Family.STRUCTURAL, joints, "velocity", why=why, rolling=drive)
 
 
@@ -198,6 +266,11 @@ def _drive(family: Family, values: Mapping[str, object]) -> Drive:
             radius=_float(values.get("wheel_radius")),
             separation=_float(values.get("wheel_separation")) * scale,
             base=_text(values.get("base_frame_id")),
+            left_scale=_scale(values, "left_wheel_radius_multiplier"),
+            right_scale=_scale(values, "right_wheel_radius_multiplier"),
+            speed=_limit(values, "linear.x", "velocity"),
+            turning=_limit(values, "angular.z", "velocity"),
+            acceleration=_limit(values, "linear.x", "acceleration"),
         )
     front = bool(values.get("front_steering", True))
     driven = _names(
@@ -215,10 +288,32 @@ def _drive(family: Family, values: Mapping[str, object]) -> Drive:
     return Drive(
         driven=driven,
         steered=steered,
-        radius=next((_float(values.get(name)) for name in radius if _float(values.get(name))), 0.0),
+        radius=_first(values, *radius),
         wheelbase=_float(values.get("wheelbase")),
         base=_text(values.get("base_frame_id")),
+        track=_first(
+            values, "traction_track_width", "wheel_track", "rear_wheel_track" if front else "front_wheel_track"
+        ),
+        steering_track=_first(values, "steering_track_width", "front_wheel_track" if front else "rear_wheel_track"),
+        speed=_limit(values, "linear", "velocity"),
     )
+
+
+def _first(values: Mapping[str, object], *names: str) -> float:
+    """The first of some parameters that is not 0."""
+    return next((number for name in names if (number := _float(values.get(name)))), 0.0)
+
+
+def _scale(values: Mapping[str, object], *names: str) -> float:
+    return _first(values, *names, "wheel_radius_multiplier") or 1.0
+
+
+def _limit(values: Mapping[str, object], way: str, quantity: str) -> float:
+    """A limit of a controller on its own command; a flag says in older releases whether it is used."""
+    if values.get(f"{way}.has_{quantity}_limits") is False:
+        return FREE
+    limit = abs(_float(values.get(f"{way}.max_{quantity}")))
+    return limit if 0 < limit < FREE else FREE
 
 
 def _names(values: Mapping[str, object], *names: str) -> tuple[str, ...]:

@@ -11,11 +11,8 @@ from urdfctl.rules.smoke.robot_tips_over import robot_tips_over
 from urdfctl.rules.smoke.simulation_explodes import simulation_explodes
 from urdfctl.rules.smoke.wheel_off_the_ground import wheel_off_the_ground
 from urdfctl.smoke.checks import (
-    FORWARD,
     MIMIC,
     SLIPPING,
-    TIPPED,
-    TURN,
     Journey,
     Track,
     forward_troubles,
@@ -24,11 +21,12 @@ from urdfctl.smoke.checks import (
     turn_troubles,
 )
 from urdfctl.smoke.engines import STEP, Engine, Refused, Setup, open_engine
+from urdfctl.smoke.ground import TIPPED
+from urdfctl.smoke.loads import gravity_load
 from urdfctl.smoke.mechanism import Hinge, Mechanism
-from urdfctl.smoke.motions import FREELY, Goal, Loop, Motion, Wheels, goal_of, hold, motion_of
+from urdfctl.smoke.motions import FORWARD, FREELY, TURN, Goal, Loop, Motion, Wheels, goal_of, hold, motion_of
 from urdfctl.smoke.results import ROBOT, Curve, Trouble, trouble_of
-from urdfctl.smoke.statics import gravity_load, is_loop
-from urdfctl.smoke.tasks import Drive, Family, Task
+from urdfctl.smoke.tasks import Drive, Family, Task, is_loop
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 

@@ -131,6 +131,144 @@ GAINS = """
         gains:
           lift: {p: 4000.0, i: 100.0, d: 400.0}
 """
+GRIPPER = """
+    <robot name="gripper">
+      <link name="world"/>
+      <joint name="bench" type="fixed"><parent link="world"/><child link="palm"/></joint>
+      <link name="palm">
+        <inertial><mass value="1"/><inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/></inertial>
+      </link>
+      <link name="one">
+        <inertial><mass value="0.1"/><inertia ixx="0.0001" ixy="0" ixz="0" iyy="0.0001" iyz="0" izz="0.0001"/></inertial>
+      </link>
+      <joint name="finger" type="prismatic">
+        <parent link="palm"/><child link="one"/><axis xyz="0 1 0"/>
+        <limit lower="0" upper="0.04" effort="20" velocity="0.2"/>
+      </joint>
+      <link name="two">
+        <inertial><mass value="0.1"/><inertia ixx="0.0001" ixy="0" ixz="0" iyy="0.0001" iyz="0" izz="0.0001"/></inertial>
+      </link>
+      <joint name="thumb" type="prismatic">
+        <parent link="palm"/><child link="two"/><axis xyz="0 -1 0"/>
+        <limit lower="0" upper="0.04" effort="20" velocity="0.2"/><mimic joint="finger" multiplier="1"/>
+      </joint>
+      <ros2_control name="gripper" type="system">
+        <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+        <joint name="finger">
+          <command_interface name="position"/><state_interface name="position"/><state_interface name="velocity"/>
+        </joint>
+      </ros2_control>
+    </robot>
+"""
+GRIPPER_CONTROLLER = """
+    controller_manager:
+      ros__parameters:
+        update_rate: 100
+        states: {type: joint_state_broadcaster/JointStateBroadcaster}
+        gripper: {type: forward_command_controller/ForwardCommandController}
+    gripper:
+      ros__parameters: {joints: [finger], interface_name: position}
+"""
+PLAIN_WHEELS = """
+    controller_manager:
+      ros__parameters:
+        update_rate: 100
+        states: {type: joint_state_broadcaster/JointStateBroadcaster}
+        wheels: {type: forward_command_controller/ForwardCommandController}
+    wheels:
+      ros__parameters: {joints: [left_wheel, right_wheel], interface_name: velocity}
+"""
+
+
+def _wheel(name: str, place: str, parent: str = "base_link") -> str:
+    return f"""
+      <link name="{name}_link">
+        <inertial><mass value="0.5"/><inertia ixx="0.002" ixy="0" ixz="0" iyy="0.002" iyz="0" izz="0.003"/></inertial>
+        <collision><geometry><cylinder radius="0.1" length="0.04"/></geometry></collision>
+      </link>
+      <joint name="{name}" type="continuous">
+        <parent link="{parent}"/><child link="{name}_link"/><origin xyz="{place}" rpy="-1.5708 0 0"/>
+        <axis xyz="0 0 1"/><limit effort="50" velocity="20"/>
+      </joint>
+    """
+
+
+def _control(name: str, interface: str) -> str:
+    states = '<state_interface name="position"/><state_interface name="velocity"/>'
+    return f'<joint name="{name}"><command_interface name="{interface}"/>{states}</joint>'
+
+
+def _base(wheels: str, controls: str) -> str:
+    """A base with some wheels, and with the control of some joints."""
+    return f"""
+    <robot name="base">
+      <link name="base_footprint"/>
+      <joint name="foot" type="fixed"><parent link="base_footprint"/><child link="base_link"/></joint>
+      <link name="base_link">
+        <inertial><mass value="20"/><inertia ixx="0.3" ixy="0" ixz="0" iyy="0.6" iyz="0" izz="0.8"/></inertial>
+        <collision><origin xyz="0 0 0.05"/><geometry><box size="0.6 0.3 0.15"/></geometry></collision>
+      </link>
+      {wheels}
+      <ros2_control name="base" type="system">
+        <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+        {controls}
+      </ros2_control>
+    </robot>
+    """
+
+
+MECANUM = _base(
+    _wheel("fl", "0.2 0.2 0") + _wheel("fr", "0.2 -0.2 0") + _wheel("rl", "-0.2 0.2 0") + _wheel("rr", "-0.2 -0.2 0"),
+    "".join(_control(name, "velocity") for name in ("fl", "fr", "rl", "rr")),
+)
+MECANUM_CONTROLLER = """
+    controller_manager:
+      ros__parameters:
+        update_rate: 100
+        states: {type: joint_state_broadcaster/JointStateBroadcaster}
+        base: {type: mecanum_drive_controller/MecanumDriveController}
+    base:
+      ros__parameters:
+        front_left_wheel_command_joint_name: fl
+        front_right_wheel_command_joint_name: fr
+        rear_left_wheel_command_joint_name: rl
+        rear_right_wheel_command_joint_name: rr
+        base_frame_id: base_link
+        kinematics:
+          base_frame_offset: {x: 0.0, y: 0.0, theta: 0.0}
+          wheels_radius: 0.1
+          sum_of_robot_center_projection_on_X_Y_axis: 0.4
+"""
+TRICYCLE = _base(
+    """
+      <link name="fork">
+        <inertial><mass value="0.5"/><inertia ixx="0.002" ixy="0" ixz="0" iyy="0.002" iyz="0" izz="0.002"/></inertial>
+      </link>
+      <joint name="steer" type="revolute">
+        <parent link="base_link"/><child link="fork"/><origin xyz="0.3 0 0"/><axis xyz="0 0 1"/><!-- steer -->
+        <limit lower="-0.6" upper="0.6" effort="50" velocity="3"/>
+      </joint>
+    """
+    + _wheel("front", "0 0 0", "fork")
+    + _wheel("rear_left", "-0.3 0.2 0")
+    + _wheel("rear_right", "-0.3 -0.2 0"),
+    _control("rear_left", "velocity") + _control("rear_right", "velocity") + _control("steer", "position"),
+)
+TRICYCLE_CONTROLLER = """
+    controller_manager:
+      ros__parameters:
+        update_rate: 100
+        states: {type: joint_state_broadcaster/JointStateBroadcaster}
+        base: {type: tricycle_steering_controller/TricycleSteeringController}
+    base:
+      ros__parameters:
+        traction_joints_names: [rear_right, rear_left]
+        steering_joints_names: [steer]
+        wheelbase: 0.6
+        traction_track_width: 0.4
+        traction_wheels_radius: 0.1
+        base_frame_id: base_link
+"""
 
 
 def found_by_smoke_test(_: Project) -> Iterator[Finding]:

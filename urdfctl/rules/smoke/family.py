@@ -7,35 +7,48 @@ fault calls `trouble_of` with the rule and the fields of its message.
 from __future__ import annotations
 
 from urdfctl.rule import Rule
+from urdfctl.rules.smoke.base_without_mass import base_without_mass
 from urdfctl.rules.smoke.collision_mesh_left_out import collision_mesh_left_out
+from urdfctl.rules.smoke.command_range_too_small import command_range_too_small
 from urdfctl.rules.smoke.controller_not_activated import controller_not_activated
 from urdfctl.rules.smoke.controller_not_configured import controller_not_configured
 from urdfctl.rules.smoke.controller_not_loaded import controller_not_loaded
 from urdfctl.rules.smoke.does_not_drive_forward import does_not_drive_forward
 from urdfctl.rules.smoke.does_not_turn_left import does_not_turn_left
 from urdfctl.rules.smoke.effort_too_weak_for_gravity import effort_too_weak_for_gravity
+from urdfctl.rules.smoke.effort_too_weak_in_a_pose import effort_too_weak_in_a_pose
+from urdfctl.rules.smoke.effort_too_weak_to_move import effort_too_weak_to_move
 from urdfctl.rules.smoke.engine_died import engine_died
 from urdfctl.rules.smoke.engine_refuses_robot import engine_refuses_robot
 from urdfctl.rules.smoke.hardware_not_started import hardware_not_started
+from urdfctl.rules.smoke.inertia_too_small import inertia_too_small
 from urdfctl.rules.smoke.inertia_unusable import inertia_unusable
 from urdfctl.rules.smoke.joint_does_not_follow import joint_does_not_follow
 from urdfctl.rules.smoke.joint_held_still import joint_held_still
 from urdfctl.rules.smoke.joint_leaves_limits import joint_leaves_limits
 from urdfctl.rules.smoke.joint_moves_wrong_way import joint_moves_wrong_way
 from urdfctl.rules.smoke.joint_oscillates import joint_oscillates
+from urdfctl.rules.smoke.joint_resists_its_motor import joint_resists_its_motor
 from urdfctl.rules.smoke.joint_too_fast import joint_too_fast
 from urdfctl.rules.smoke.joints_oscillate_together import joints_oscillate_together
 from urdfctl.rules.smoke.loop_too_stiff_without_rotor import loop_too_stiff_without_rotor
 from urdfctl.rules.smoke.loop_underdamped import loop_underdamped
 from urdfctl.rules.smoke.loop_unstable import loop_unstable
+from urdfctl.rules.smoke.mimic_beyond_limits import mimic_beyond_limits
 from urdfctl.rules.smoke.mimic_not_kept import mimic_not_kept
 from urdfctl.rules.smoke.robot_not_spawned import robot_not_spawned
 from urdfctl.rules.smoke.robot_tips_over import robot_tips_over
 from urdfctl.rules.smoke.simulation_explodes import simulation_explodes
+from urdfctl.rules.smoke.steering_range_too_small import steering_range_too_small
+from urdfctl.rules.smoke.steering_turns_backwards import steering_turns_backwards
+from urdfctl.rules.smoke.wheel_cannot_roll import wheel_cannot_roll
+from urdfctl.rules.smoke.wheel_in_the_wrong_place import wheel_in_the_wrong_place
 from urdfctl.rules.smoke.wheel_measures_differ import wheel_measures_differ
 from urdfctl.rules.smoke.wheel_off_the_ground import wheel_off_the_ground
 from urdfctl.rules.smoke.wheel_sides_swapped import wheel_sides_swapped
 from urdfctl.rules.smoke.wheel_turns_backwards import wheel_turns_backwards
+from urdfctl.rules.smoke.wheels_mirrored import wheels_mirrored
+from urdfctl.rules.smoke.wheels_too_weak import wheels_too_weak
 
 RULES: tuple[Rule, ...] = (
     robot_not_spawned,
@@ -67,4 +80,17 @@ RULES: tuple[Rule, ...] = (
     wheel_off_the_ground,
     does_not_drive_forward,
     does_not_turn_left,
+    effort_too_weak_in_a_pose,
+    joint_resists_its_motor,
+    effort_too_weak_to_move,
+    mimic_beyond_limits,
+    command_range_too_small,
+    wheel_cannot_roll,
+    steering_range_too_small,
+    inertia_too_small,
+    base_without_mass,
+    wheels_mirrored,
+    wheel_in_the_wrong_place,
+    steering_turns_backwards,
+    wheels_too_weak,
 )

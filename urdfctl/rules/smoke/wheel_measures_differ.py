@@ -12,7 +12,7 @@ from urdfctl.rules.smoke.common import ROVER, WHEELS, found_by_smoke_test
     "UC913",
     stage=Stage.MOVE,
     severity=Severity.ERROR,
-    message="controller '{controller}' expects a wheel {measure} of {expected} m, but the robot has {actual} m",
+    message="controller '{controller}' expects a {measure} of {expected} m, but the robot has {actual} m",
     authority="diff_drive_controller takes wheel_radius and wheel_separation as they are given",
     options=["--distro=jazzy"],
     bad={

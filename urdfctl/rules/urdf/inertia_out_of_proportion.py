@@ -60,15 +60,15 @@ def inertia_out_of_proportion(project: Project) -> Iterator[Finding]:
         most = principal_moments(moments)[2]
         if most <= 0:
             continue
-        reach, size = math.sqrt(most / mass), _size(link)
+        reach, size = math.sqrt(most / mass), size_of(link)
         if reach > LARGEST_REACH or (size and (reach > LARGER * size or reach < SMALLER * size)):
             body = f"a body {2 * reach:.3g} m wide ({most:g} kg m² at {mass:g} kg)"
             actual = f", but the link is {size:g} m wide" if size else ""
             yield Finding(inertial.inertia_at, f"<inertia> of {label('link', link.name)} fits {body}{actual}")
 
 
-def _size(link: Link) -> float | None:
-    """The largest dimension of a link's shapes in m; None if one is a mesh or cannot be read."""
+def size_of(link: Link) -> float | None:
+    """Return the largest dimension of a link's shapes in m; None if one is a mesh or cannot be read."""
     extents = []
     for geometry in link.geometries:
         shape = geometry.shape

@@ -1,0 +1,146 @@
+"""How a robot stands on the ground, by geometry: it rests where its centre of mass is lowest."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+from urdfctl.model.geometry import (
+    UPRIGHT,
+    ZERO,
+    Pose,
+    Rotation,
+    Vector,
+    about,
+    plus,
+    product,
+    scaled,
+    transposed,
+    turned,
+)
+from urdfctl.rules.smoke.base_without_mass import base_without_mass
+from urdfctl.rules.smoke.robot_tips_over import robot_tips_over
+from urdfctl.rules.smoke.wheel_off_the_ground import wheel_off_the_ground
+from urdfctl.smoke.mechanism import Mechanism
+from urdfctl.smoke.results import ROBOT, Trouble, trouble_of
+from urdfctl.smoke.shapes import Shape, Shapes
+from urdfctl.smoke.tasks import Task, driven_of
+from urdfctl.startup.records import NamedTuple
+
+TIPPED = 0.35
+"""From this roll or pitch on, in rad, the robot counts as tipped over."""
+TOUCHING = 0.003
+"""A wheel that is at most this far above the ground, in m, touches it: contacts give way that much."""
+_STEPS = (0.02, 0.004, 0.0008)
+"""The tilts that are tried one after the other, in rad."""
+_WAYS = tuple((math.cos(n * math.pi / 4), math.sin(n * math.pi / 4), 0.0) for n in range(8))
+_FAR = 0.8
+
+
+class Resting(NamedTuple):
+    """A robot at rest: its rotation, and the height of each link's lowest point above the ground, in m."""
+
+    turn: Rotation
+    heights: dict[str, float]
+
+    @property
+    def tilt(self) -> float:
+        """The angle between the robot's z axis and straight up, in rad."""
+        return math.acos(max(-1.0, min(1.0, self.turn[2][2])))
+
+
+class _Body(NamedTuple):
+    """The robot at spawn as one rigid body: its centre of mass, and its shapes with the poses of their links."""
+
+    centre: Vector
+    shapes: tuple[tuple[str, Shape, Pose], ...]
+
+    def depth(self, down: Vector) -> float:
+        """The distance from the origin to the lowest point, in m, if this direction is down."""
+        return max(_reach(shape, pose, down) for _, shape, pose in self.shapes)
+
+
+def _reach(shape: Shape, pose: Pose, way: Vector) -> float:
+    point = pose.at(shape.farthest(turned(transposed(pose.turn), way)))
+    return point[0] * way[0] + point[1] * way[1] + point[2] * way[2]
+
+
+def resting(mechanism: Mechanism, shapes: Shapes) -> Resting | None:
+    """Return how a robot comes to rest on flat ground with its joints held at spawn; None if nothing holds it up."""
+    poses = mechanism.poses(mechanism.start())
+    placed = tuple((name, shape, poses[name]) for name in mechanism.bodies for shape in shapes.known.get(name, ()))
+    mass = sum(body.mass for body in mechanism.bodies.values())
+    if not placed or not mass > 0:
+        return None
+    centre = ZERO
+    for name, body in mechanism.bodies.items():
+        centre = plus(centre, scaled(poses[name].at(body.centre), body.mass / mass))
+    turn = _settled(_Body(centre, placed))
+    down = turned(transposed(turn), (0.0, 0.0, -1.0))
+    depth = max(_reach(shape, pose, down) for _, shape, pose in placed)
+    heights: dict[str, float] = {}
+    for name, shape, pose in placed:
+        heights[name] = min(heights.get(name, math.inf), depth - _reach(shape, pose, down))
+    return Resting(turn, heights)
+
+
+def _settled(body: _Body) -> Rotation:
+    """The rotation in which the centre of mass is lowest, reached downhill from upright."""
+    turn = UPRIGHT
+    height = _height(body, turn)
+    for step in _STEPS:
+        while turn[2][2] > math.cos(_FAR):
+            tilts = [product(about(way, step), turn) for way in _WAYS]
+            heights = [_height(body, tilt) for tilt in tilts]
+            best = min(range(len(tilts)), key=heights.__getitem__)
+            if heights[best] > height - 1e-9:
+                break
+            turn, height = tilts[best], heights[best]
+    return turn
+
+
+def _height(body: _Body, turn: Rotation) -> float:
+    """The height of the centre of mass above the ground."""
+    down = turned(transposed(turn), (0.0, 0.0, -1.0))
+    return body.depth(down) - sum(a * b for a, b in zip(body.centre, down, strict=True))
+
+
+def ground_troubles(mechanism: Mechanism, shapes: Shapes, tasks: Sequence[Task]) -> Iterator[Trouble]:
+    """Yield what is wrong with how a robot with driven wheels stands."""
+    drives = [task for task in tasks if task.base]
+    if not drives:
+        return
+    yield from _base(mechanism, shapes)
+    wheels = {name: task.controller for task in reversed(drives) for name in driven_of(task)}
+    hinges = [hinge for hinge in mechanism.hinges if hinge.name in wheels]
+    bare = [hinge for hinge in hinges if not shapes.known.get(hinge.child) and hinge.child not in shapes.unknown]
+    for hinge in bare:
+        yield _lifted(hinge.name, wheels[hinge.name])
+    at_rest = resting(mechanism, shapes) if shapes.complete else None
+    if at_rest is None or bare:
+        return
+    if at_rest.tilt > TIPPED:
+        roll, pitch = math.atan2(at_rest.turn[2][1], at_rest.turn[2][2]), -math.asin(at_rest.turn[2][0])
+        notes = ("check that it has enough wheels or casters",)
+        yield trouble_of(robot_tips_over, ROBOT, None, notes, roll=roll, pitch=pitch)
+        return
+    for hinge in hinges:
+        if at_rest.heights.get(hinge.child, 0.0) > TOUCHING:
+            yield _lifted(hinge.name, wheels[hinge.name])
+
+
+def _lifted(joint: str, controller: str) -> Trouble:
+    return trouble_of(wheel_off_the_ground, f"joint:{joint}", controller, joint=joint)
+
+
+def _base(mechanism: Mechanism, shapes: Shapes) -> Iterator[Trouble]:
+    """The largest part of a robot's base must have a mass."""
+    rigid = {mechanism.root}
+    for hinge in mechanism.hinges:
+        if hinge.parent in rigid and not hinge.moves:
+            rigid.add(hinge.child)
+    volumes = {name: sum(shape.volume for shape in shapes.known.get(name, ())) for name in rigid}
+    largest = max(volumes, key=volumes.__getitem__)
+    if volumes[largest] > 0 and not mechanism.bodies[largest].mass:
+        rest = sum(mechanism.bodies[name].mass for name in rigid)
+        yield trouble_of(base_without_mass, f"link:{largest}", None, (), link=largest, rest=f"{rest:.3g}")
