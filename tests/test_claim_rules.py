@@ -241,3 +241,30 @@ def test_in_ros_1_controllers_without_transmissions_are_an_error_only_in_gazebos
     settings = Settings(distro="noetic", workspace=str(tmp_path))
     found = lint_target(Loader(settings), target, Selection(("UC471",))).result.outcome.diagnostics
     assert [finding.severity.value for finding in found] == severity
+
+
+# -- controllers that have nothing to claim ----------------------------------------------------------------------------
+
+
+def test_a_broadcaster_without_any_state_interface_is_refused(tmp_path: Path) -> None:
+    bench = Bench(tmp_path, "UC472")
+    states = controllers("states", kind="joint_state_broadcaster/JointStateBroadcaster")
+    assert bench.codes(component(joint("elbow", POSITION)), states) == ["error UC472"]
+    assert bench.codes(component(joint("elbow", POSITION + STATES)), states) == []
+
+
+def test_a_driver_may_export_more_states_than_it_lists(tmp_path: Path) -> None:
+    bench = Bench(tmp_path, "UC472")
+    states = controllers("states", kind="joint_state_broadcaster/JointStateBroadcaster")
+    ours = component(joint("elbow", POSITION)).replace("mock_components/GenericSystem", "our_hardware/Arm")
+    assert bench.codes(ours, states) == ["warning UC472"]
+
+
+@pytest.mark.parametrize(("gpio", "expected"), [("io", []), ("other", ["error UC472"])])
+def test_gpio_controllers_need_no_lists_if_the_robot_has_states_of_their_gpios(
+    tmp_path: Path, gpio: str, expected: list[str]
+) -> None:
+    bench = Bench(tmp_path, "UC431", "UC434", "UC472")
+    part = component(f'<gpio name="{gpio}"><state_interface name="in"/></gpio>')
+    sens = controllers("sens", kind="gpio_controllers/GpioCommandController")
+    assert bench.codes(part, sens + "sens: {ros__parameters: {gpios: [io]}}\n") == expected

@@ -363,3 +363,48 @@ def test_a_whole_number_of_an_extra_joint_is_mended(tmp_path: Path) -> None:
     assert told(found) == ["UC442 warning 4"]
     assert found[0].fix is not None
     assert [edit.text for edit in found[0].fix.edits] == ["-1.0"]
+
+
+# -- values that never arrive, or are not what they seem ---------------------------------------------------------------
+
+
+def test_a_value_for_all_nodes_that_each_controller_overrides_has_no_effect(tmp_path: Path) -> None:
+    shared = "/**:\n  ros__parameters:\n    joints: [nope]\n    use_sim_time: true\n"
+    found = findings(tmp_path, MANAGER % FORWARD + shared + FORWARDS % "shoulder, elbow")
+    assert told(found) == ["UC438 warning 7"]
+
+
+def test_a_default_for_all_nodes_that_one_controller_needs_is_accepted(tmp_path: Path) -> None:
+    manager = MANAGER % FORWARD + f"    hand: {{type: {FORWARD}}}\n"
+    shared = "/**:\n  ros__parameters:\n    interface_name: position\n"
+    own = "arm: {ros__parameters: {joints: [shoulder], interface_name: velocity}}\n"
+    assert told(findings(tmp_path, manager + shared + own + "hand: {ros__parameters: {joints: [elbow]}}\n")) == []
+
+
+def test_a_string_tag_makes_a_string_of_a_number(tmp_path: Path) -> None:
+    text = (MANAGER % FORWARD).replace("update_rate: 100", "update_rate: !!str 100") + FORWARDS % "shoulder"
+    assert told(findings(tmp_path, text)) == ["UC432 error 3"]
+
+
+def test_a_params_file_of_another_type_is_ignored_by_the_manager(tmp_path: Path) -> None:
+    text = (MANAGER % f"{FORWARD}, params_file: 5") + FORWARDS % "shoulder"
+    assert told(findings(tmp_path, text)) == ["UC432 warning 4"]
+
+
+@pytest.mark.parametrize(
+    "kind", ["parallel_gripper_controller/GripperActionController", "gripper_controllers/GripperActionController"]
+)
+def test_a_type_named_after_its_ros_package_is_unknown(tmp_path: Path, kind: str) -> None:
+    assert told(findings(tmp_path, MANAGER % kind))[0] == "UC421 error 4"
+
+
+def test_an_unreadable_file_of_a_plugin_is_taken_for_the_file_of_the_same_name(tmp_path: Path) -> None:
+    plugin = (
+        '<gazebo><plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
+        "<parameters>%s</parameters></plugin></gazebo></robot>"
+    )
+    text = MANAGER % FORWARD + "arm: {ros__parameters: {joints: [shoulder]}}\n"
+    beside = ARM.replace("</robot>", plugin % "/opt/ws/install/arm/share/arm/config/controllers.yaml")
+    assert [finding.code for finding in findings(tmp_path, text, robot=beside)] == ["UC431"]
+    other = ARM.replace("</robot>", plugin % "/opt/ws/install/arm/share/arm/config/more.yaml")
+    assert findings(tmp_path, text, robot=other) == []

@@ -12,6 +12,13 @@ from urdfctl.source.opaque import UNKNOWN
 
 JTC = "joint_trajectory_controller/JointTrajectoryController"
 STATES = "must be one of these combinations: position; position, velocity; position, velocity, acceleration"
+TRACKING = "gains.a.tracking_time_constant"
+PID_ARM = {
+    "joints": ["a"],
+    "command_interfaces": ["effort"],
+    "state_interfaces": ["position", "velocity"],
+    "gains.a.p": 1.0,
+}
 ARM = {"joints": ["a", "b"], "command_interfaces": ["position"], "state_interfaces": ["position", "velocity"]}
 
 
@@ -76,11 +83,42 @@ def said(kind: str, distro: str, values: dict[str, object]) -> list[str]:
             {"wheel_names": ["a", "b"]},
             ["error: wheel_names must have at least 3 elements, not 2"],
         ),
+        (JTC, "jazzy", {**ARM, "gains.a.u_clamp_max": -1.0, "gains.a.u_clamp_min": 1.0}, []),  # runs no PID
         (
-            "gpio_controllers/GpioCommandController",
+            JTC,
             "jazzy",
-            {"gpios": ["io"]},
-            ["error: command_interfaces.io.interfaces or 'state_interfaces.io.interfaces' is required"],
+            {**PID_ARM, "gains.a.u_clamp_max": 0.0, "gains.a.u_clamp_min": 0.0},
+            ["error: gains.a.u_clamp_max must be greater than 'gains.a.u_clamp_min' (0.0), not 0.0"],
+        ),
+        (
+            JTC,
+            "kilted",
+            {**PID_ARM, "gains.a.i_clamp_max": -1.0},
+            ["error: gains.a.i_clamp_max must be ≥ 0.0, not -1.0"],
+        ),
+        (JTC, "humble", {**PID_ARM, "gains.a.i_clamp": -1.0}, ["error: gains.a.i_clamp must be ≥ 0.0, not -1.0"]),
+        (
+            JTC,
+            "jazzy",
+            {**PID_ARM, "gains.a.antiwindup_strategy": "back_calculation", TRACKING: -1.0},
+            [f"error: {TRACKING} must be ≥ 0.0 if 'gains.a.antiwindup_strategy' is back_calculation, not -1.0"],
+        ),
+        (JTC, "jazzy", {**PID_ARM, TRACKING: -1.0}, []),
+        (
+            "pid_controller/PidController",
+            "jazzy",
+            {"dof_names": ["a"], "reference_and_state_interfaces": ["position", "position"], "gains.a.p": 1.0},
+            ["error: reference_and_state_interfaces must not contain duplicates"],
+        ),
+        (
+            "ackermann_steering_controller/AckermannSteeringController",
+            "kilted",
+            {
+                "traction_joints_names": ["a", "b"],
+                "steering_joints_names": ["c", "d"],
+                "velocity_rolling_window_size": 0,
+            },
+            ["error: velocity_rolling_window_size must not be 0"],
         ),
         (
             "force_torque_sensor_broadcaster/ForceTorqueSensorBroadcaster",

@@ -193,7 +193,7 @@ SCALARS = [  # what PyYAML 6 and rcl_yaml_param_parser make of a plain text
     ("deg(90)", Kind.FLOAT, math.pi / 2, Kind.STRING, "deg(90)"),
     ("rad(pi/2)", Kind.FLOAT, math.pi / 2, Kind.STRING, "rad(pi/2)"),
     ("!degrees 180", Kind.FLOAT, math.pi, Kind.INT, 180),
-    ("!!str 5", Kind.STRING, "5", Kind.INT, 5),
+    ("!!str 5", Kind.STRING, "5", Kind.STRING, "5"),
     ("!mine 5", Kind.OTHER, None, Kind.INT, 5),
     ("'5'", Kind.STRING, "5", Kind.STRING, "5"),
     ('"true"', Kind.STRING, "true", Kind.STRING, "true"),

@@ -22,6 +22,7 @@ class Parameter(NamedTuple):
     validators: checks that the controller makes; it refuses values that fail one.
     useful: checks that the controller does not make; values that fail one have no effect.
     floats_only: integers are refused.
+    lenient: a value of another type is ignored with a message; elsewhere ROS 2 refuses it.
     if_absent: what a controller does that runs without the parameter: `crash` or `idle`.
     deprecated: the distro still reads it, but upstream wants it gone.
     replacement: the parameter to use instead.
@@ -43,6 +44,7 @@ class Parameter(NamedTuple):
     note: str | None = None
     since: str | None = None
     ignored: bool = False
+    lenient: bool = False
 
     @property
     def types(self) -> tuple[str, ...]:
@@ -186,6 +188,7 @@ class ControllerType(NamedTuple):
     joints_must_be_in_urdf: it refuses joints that the robot description does not have.
     publishes_joint_states: it publishes /joint_states.
     open: it may read other parameters too.
+    needs_interface: the stage at which it is refused if it has no interface to claim; None if it is not.
     """
 
     type: str
@@ -209,6 +212,7 @@ class ControllerType(NamedTuple):
     joints_must_be_in_urdf: bool = False
     publishes_joint_states: bool = False
     open: bool = False
+    needs_interface: str | None = None
 
     @property
     def undeclared(self) -> tuple[str, ...]:

@@ -100,6 +100,7 @@ def controller_type(entry: Plain, distro: str) -> ControllerType | None:
         joints_must_be_in_urdf=own.get("joints_must_be_in_urdf", False),
         publishes_joint_states=own.get("publishes_joint_states", False),
         open=own.get("open", False),
+        needs_interface=own.get("needs_interface"),
     )
 
 
@@ -128,6 +129,7 @@ def _parameter(name: str, own: Plain, distro: str) -> Parameter:
         validators=own.get("validators", NOTHING),
         useful=own.get("useful", NOTHING),
         floats_only=own.get("floats_only", False),
+        lenient=own.get("lenient", False),
         if_absent=own.get("if_absent"),
         deprecated=_flag(own.get("deprecated", False), distro),
         replacement=own.get("replacement"),

@@ -50,23 +50,24 @@ def typed(project: Project) -> tuple[Typed, ...]:
 
 
 @once_for_the_last
-def _known(project: Project) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """The types that come with ros_control and with ros2_control themselves, by generation."""
-    return tuple(tuple(_own_types(project, family)) for family in (ROS1, ROS2))  # type: ignore[return-value]
+def _known(project: Project) -> tuple[dict[str, str], dict[str, str]]:
+    """The types that come with ros_control and with ros2_control themselves, by generation, with their ROS packages."""
+    return tuple(dict(_own_types(project, family)) for family in (ROS1, ROS2))  # type: ignore[return-value]
 
 
-def _own_types(project: Project, family: tuple[str, ...]) -> Iterator[str]:
+def _own_types(project: Project, family: tuple[str, ...]) -> Iterator[tuple[str, str]]:
     catalog = project.catalog
     for distro in family:
         for name in catalog.known_types(distro):
             kind = catalog.controller(name, distro)
             if kind is not None and not kind.external:
-                yield name
+                yield name, kind.package
 
 
 def meant_by(project: Project, unknown: Typed) -> str | None:
     """Return the known type that an unknown type means; None if it may be from another package."""
-    types = list(dict.fromkeys(_known(project)[unknown.ros - 1]))
+    packages = _known(project)[unknown.ros - 1]
+    types = list(packages)
     own = nearest(unknown.type.strip(), project.own.controllers)
     if own is not None:
         return own
@@ -80,14 +81,15 @@ def meant_by(project: Project, unknown: Typed) -> str | None:
         return same
     if len(parts) == 1:
         return next((each for each in types if each.partition("/")[2] == name), None) or _only_one_of(package, types)
-    return _of_package(package, name, types) or _of_alike_package(package, name, types)
+    named_after = [each for each, ros_package in packages.items() if ros_package == package]
+    return _of_package(package, name, types, named_after) or _of_alike_package(package, name, types)
 
 
-def _of_package(package: str, name: str, types: list[str]) -> str | None:
-    """The type that is meant if the package is right, or is the source package of some types."""
+def _of_package(package: str, name: str, types: list[str], named_after: list[str]) -> str | None:
+    """The type that is meant if the package is right, or is the ROS package of types that start with another name."""
     inside = [each for each in types if each.partition("/")[0] == package]
-    if not inside and package != "gripper_controllers":  # the types in this package start with another name
-        return None
+    if not inside:
+        return next((each for each in named_after if each.partition("/")[2] == name), None)
     classes = {each.partition("/")[2]: each for each in types}
     if name in classes:
         return classes[name]

@@ -10,10 +10,12 @@ from collections.abc import Iterator
 from enum import Enum
 
 from urdfctl.catalog.distros import generation
+from urdfctl.catalog.entries import ParameterRule
 from urdfctl.control.chains import Chained, chained_claims, circle, late
 from urdfctl.control.claims import Claim
 from urdfctl.control.conflicts import claimed_twice, conflicts
 from urdfctl.control.hardware import Absence, Kind
+from urdfctl.control.needed_interfaces import nothing_to_claim
 from urdfctl.control.parameter_rules import breaches
 from urdfctl.control.session import Configured, Session
 from urdfctl.model.stage import Stage
@@ -33,6 +35,7 @@ class Reason(Enum):
     NOT_EXPORTED = "another controller does not export a claimed interface"
     NOT_CHAINABLE = "another controller exports no interfaces"
     CLAIMED_TWICE = "it claims an interface twice"
+    NOTHING_TO_CLAIM = "it has no interface to claim"
     CONFLICT = "another controller has claimed an interface"
     NOT_STARTED = "a controller whose interface it claims is not started first"
     CIRCLE = "controllers claim each other's interfaces in a loop"
@@ -40,6 +43,12 @@ class Reason(Enum):
 
 AT_LOAD = frozenset({"combinations", "one_group_set", "any_set", "length", "needs"})
 """Kinds of rules on parameters that ROS 2 controllers check on load, when they declare the parameters."""
+
+
+def stage_of_breach(rule: ParameterRule) -> Stage:
+    """Return the stage at which ROS 2 rejects a controller that breaks a rule on its parameters."""
+    stage = rule.details.get("stage")
+    return Stage(stage) if stage else Stage.LOAD if rule.kind in AT_LOAD else Stage.CONFIGURE
 
 
 class Stop(NamedTuple):
@@ -99,13 +108,15 @@ def _stops(session: Session, controller: Configured) -> Iterator[Stop]:
     for breach in breaches(controller.type, controller.values):
         if breach.rule.severity == "error":
             words = f"'{breach.parameter}' {breach.message}"
-            stage = Stage.LOAD if ros1 or breach.rule.kind in AT_LOAD else Stage.CONFIGURE
-            yield Stop(stage, Reason.PARAMETERS, words=words)
+            yield Stop(Stage.LOAD if ros1 else stage_of_breach(breach.rule), Reason.PARAMETERS, words=words)
     for _, claim in claimed_twice(controller, session.distro):
         yield Stop(Stage.ACTIVATE if ros1 else Stage.CONFIGURE, Reason.CLAIMED_TWICE, claim)
     for missing in controller.missing:
         stage = Stage.LOAD if ros1 else Stage.ACTIVATE
         yield Stop(stage, Reason.NOT_OFFERED, missing.claim, missing.kind, absence=missing.absence)
+    absence = None if ros1 else nothing_to_claim(session, controller)
+    if absence is not None:
+        yield Stop(Stage(controller.type.needs_interface), Reason.NOTHING_TO_CLAIM, absence=absence)
     yield from _chain_stops(session, controller)
 
 

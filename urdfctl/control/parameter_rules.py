@@ -6,7 +6,8 @@ from collections.abc import Callable, Iterator, Mapping
 
 from urdfctl.catalog.entries import Condition, ControllerType, ParameterRule
 from urdfctl.catalog.map_parameters import expanded
-from urdfctl.catalog.values import elements, is_known, is_set
+from urdfctl.catalog.validators import problem
+from urdfctl.catalog.values import elements, is_known, is_list, is_set
 from urdfctl.control.values import Values
 from urdfctl.names import enumerated
 from urdfctl.startup.records import NamedTuple
@@ -140,6 +141,24 @@ def _greater(rule: ParameterRule, values: Values) -> Iterator[Breach]:
             yield Breach(rule, name, f"must be greater than '{other}' ({limit}), not {value}")
 
 
+def _valid(rule: ParameterRule, values: Values) -> Iterator[Breach]:
+    """Each of `params`, for the elements for which `where` holds, passes the validators."""
+    where, limits = rule.details.get("where"), rule.details["validators"]
+    assert isinstance(limits, Mapping)  # noqa: S101 (by the schema)
+    for pattern in rule.params:
+        names = expanded(pattern, values)
+        deciding = expanded(str(where["param"]), values) if isinstance(where, Mapping) else names
+        for name, decides in zip(names, deciding, strict=True):
+            if isinstance(where, Mapping) and values.get(decides) != where["is"]:
+                continue
+            value = values.get(name)
+            broken = problem(value, limits)
+            if broken is not None:
+                because = f" if '{decides}' is {where['is']}" if isinstance(where, Mapping) else ""
+                actual = "" if broken.startswith("must not") or is_list(value) else f", not {value}"
+                yield Breach(rule, name, f"{broken}{because}{actual}")
+
+
 def _is_used(name: str, values: Values) -> bool:
     return any(is_set(values.get(each)) for each in (values.given_below(name) or [name]))
 
@@ -196,4 +215,5 @@ _KINDS: Mapping[str, Callable[[ParameterRule, Values], Iterator[Breach]]] = {
     "one_group_set": _one_group_set,
     "greater": _greater,
     "full_interface_names": _full_interface_names,
+    "valid": _valid,
 }

@@ -88,6 +88,7 @@ def controllers_of(
         tuple(parts.others),
         tuple(references),
         nodes=tuple(others),
+        shared=tuple(parts.shared),
     )
 
 
@@ -95,9 +96,14 @@ class _Parts(NamedTuple):
     managers: list[Manager]
     controllers: list[Controller]
     others: list[Section]
+    shared: Sequence[Section] = ()
 
     def plus(self, other: _Parts) -> _Parts:
-        return _Parts(self.managers + other.managers, self.controllers + other.controllers, self.others + other.others)
+        return self._replace(
+            managers=self.managers + other.managers,
+            controllers=self.controllers + other.controllers,
+            others=self.others + other.others,
+        )
 
 
 # -- the form of a file ----------------------------------------------------------------------------------------------
@@ -190,7 +196,7 @@ class _Ros2:
         used = {section.path for manager in managers for section in manager.sections}
         used |= {section.path for controller in controllers for section in controller.sections}
         others = [section for section in self.sections if section.path not in used and not section.is_shared]
-        return _Parts(managers, controllers, others)
+        return _Parts(managers, controllers, others, [section for section in self.sections if section.is_shared])
 
     def nodes(self, name: str) -> list[Controller]:
         """Return the nodes of a name, one for each section that names it; from wildcards if none does."""

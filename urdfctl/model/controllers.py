@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from enum import Enum, auto
 
@@ -243,6 +244,7 @@ class Controllers(NamedTuple):
     moveit: controllers that MoveIt sends trajectories to, from a MoveIt file beside one of the files.
     moveit_lists: joints that MoveIt files for ROS 1 list.
     nodes: other nodes whose parameters the user defines.
+    shared: ROS 2: the sections for several nodes, with a wildcard as the last part of the path.
     """
 
     files: tuple[ControllersFile, ...]
@@ -254,11 +256,18 @@ class Controllers(NamedTuple):
     moveit: tuple[MoveItController, ...] = ()
     moveit_lists: tuple[MoveItList, ...] = ()
     nodes: tuple[Controller, ...] = ()
+    shared: tuple[Section, ...] = ()
 
     @property
     def complete(self) -> bool:
-        """Whether every file is known and readable. If not, no rule may report that something is missing."""
-        return self.whole and all(file.readable for file in self.files) and all(r.exists for r in self.references)
+        """Whether every file is known and readable. If not, no rule may report that something is missing.
+
+        A reference that cannot be read, with the name of a file that was read, is taken for an installed copy of it.
+        """
+        if not self.whole or not all(file.readable for file in self.files):
+            return False
+        names = {os.path.basename(file.path) for file in self.files}
+        return all(each.exists or os.path.basename(each.text.strip()) in names for each in self.references)
 
     @property
     def faults(self) -> tuple[Fault, ...]:

@@ -7,7 +7,7 @@ from functools import cache
 
 from urdfctl.catalog.values import is_set
 from urdfctl.control.gains import Fate, missing_gains
-from urdfctl.control.life import AT_LOAD
+from urdfctl.control.life import STAGES, stage_of_breach
 from urdfctl.control.parameter_rules import breaches
 from urdfctl.control.session import Configured
 from urdfctl.diagnostic import Diagnostic
@@ -70,8 +70,8 @@ def _stage_of_parameter_checks(configured: Configured) -> Stage:
     required = (name for name, parameter in kind.parameters.items() if parameter.needed and not parameter.is_map)
     if any(not is_set(configured.values.get(name)) for name in required):
         return Stage.LOAD
-    broken = [breach.rule.kind for breach in breaches(kind, configured.values) if breach.rule.severity == "error"]
-    return Stage.LOAD if any(rule in AT_LOAD for rule in broken) else Stage.CONFIGURE
+    broken = [breach.rule for breach in breaches(kind, configured.values) if breach.rule.severity == "error"]
+    return min(map(stage_of_breach, broken), key=STAGES.index, default=Stage.CONFIGURE)
 
 
 def concerns(finding: Diagnostic, controller: Controller) -> bool:

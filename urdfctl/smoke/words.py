@@ -92,6 +92,7 @@ def reason_of(stop: Stop) -> str:
         Reason.NOT_OFFERED: f"no hardware offers {_resource_of_ros1(stop.claim) or f'the {kind} interface {claim}'}",
         Reason.NOT_EXPORTED: f"{other} does not export {claim}",
         Reason.NOT_CHAINABLE: f"it claims {claim} of {other}, which exports no interfaces",
+        Reason.NOTHING_TO_CLAIM: "the hardware exports no interface that it could claim",
         Reason.CLAIMED_TWICE: f"it claims {claim} twice",
         Reason.CONFLICT: f"{other} has already claimed {claim}",
         Reason.NOT_STARTED: f"it needs {claim} of {other}, which is not started before it",

@@ -45,12 +45,12 @@ def is_literal(text: str) -> bool:
 def typed_by_rcl(scalar: Scalar) -> Typed:
     """Return a scalar as get_value of rcl_yaml_param_parser types it.
 
-    It ignores tags, and rejects an empty plain scalar, which has the kind NULL here.
+    It ignores all tags but `!!str`, and rejects an empty plain scalar, which has the kind NULL here.
     """
     text = scalar.text
     if not is_literal(text):
         return Typed(Kind.UNKNOWN, None)
-    if scalar.style in ("'", '"'):
+    if scalar.style in ("'", '"') or scalar.tag == f"{_STANDARD}str":
         return Typed(Kind.STRING, text)
     return _by_rcl(text)
 

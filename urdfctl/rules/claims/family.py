@@ -22,6 +22,7 @@ from urdfctl.rules.claims.joint_states_not_published import joint_states_not_pub
 from urdfctl.rules.claims.joint_states_published_twice import joint_states_published_twice
 from urdfctl.rules.claims.joint_without_transmission import joint_without_transmission
 from urdfctl.rules.claims.mapped_interface_not_exported import mapped_interface_not_exported
+from urdfctl.rules.claims.nothing_to_claim import nothing_to_claim
 from urdfctl.rules.claims.state_interface_not_exported import state_interface_not_exported
 
 RULES: tuple[Rule, ...] = (
@@ -45,4 +46,5 @@ RULES: tuple[Rule, ...] = (
     gazebo_gains_given,
     mapped_interface_not_exported,
     controllers_without_hardware,
+    nothing_to_claim,
 )

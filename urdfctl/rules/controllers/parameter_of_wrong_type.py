@@ -74,7 +74,7 @@ def _wrong(reader: Reader) -> Iterator[Finding]:
         if problem is not None:
             message = f"'{given.name}' {problem}"
             ros1_refuses = parameter.needed or parameter.floats_only or parameter.if_absent == "crash"
-            refused = not is_ros1(reader) or ros1_refuses
+            refused = ros1_refuses if is_ros1(reader) else not parameter.lenient
             severity = Severity.ERROR if refused else Severity.WARNING
             yield Finding(given.value.at, message, fix=_fix(given.value, parameter), severity=severity)
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.readers import Reader, in_each_distro
-from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.control.readers import Reader, controllers_in, in_each_distro, readers_of
+from urdfctl.model.parameters import Value
+from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.controllers.parameters import known_as
 
 
@@ -47,7 +48,8 @@ def parameter_without_effect(project: Project) -> Iterator[Finding]:
 
     The parameter is documented or looks plausible, but the node does not read it. The value is ignored silently.
     """
-    return in_each_distro(project, _ignored)
+    yield from in_each_distro(project, _ignored)
+    yield from _overridden(project)
 
 
 def _ignored(reader: Reader) -> Iterator[Finding]:
@@ -61,3 +63,25 @@ def _ignored(reader: Reader) -> Iterator[Finding]:
         if given is not None and reader.type is not None:
             message = f"'{name}' has no effect; controller type '{reader.type.type}' does not read it"
             yield Finding(given.key, message, severity=Severity.WARNING)
+
+
+def _overridden(project: Project) -> Iterator[Finding]:
+    """The parameters of sections with a wildcard that each controller which reads them sets to another value itself."""
+    controllers = controllers_in(project)
+    readers = [each[-1] for each in readers_of(project) if each[-1].controller is not None]
+    if controllers.others or len(readers) < len(controllers.controllers):
+        return  # another node may read them
+    for section in controllers.shared:
+        for leaf in section.parameters.leaves:
+            reading = [reader for reader in readers if known_as(reader, leaf.name)]
+            setting = [each for reader in reading if (each := reader.own.get(leaf.name)) and each is not leaf]
+            if not reading or len(setting) < len(reading) or any(_same(each.value, leaf.value) for each in setting):
+                continue
+            if any(reader.located.value(leaf.name) is leaf.value for reader in reading):
+                continue  # it wins: UC417
+            message = f"'{leaf.name}' has no effect: each controller that reads it sets it in its own section"
+            yield Finding(leaf.key, message, (Note("this value is used", setting[0].value.at),))
+
+
+def _same(value: Value, other: Value) -> bool:
+    return value.text == other.text and [item.text for item in value.items] == [item.text for item in other.items]
