@@ -74,7 +74,9 @@ def test_a_log_as_json_contains_everything() -> None:
     assert first["values"] == [{"joint": "elbow"}, {"joint": "wrist"}]
     assert first["causes"][0]["rules"] == [{"code": "UC201", "name": "transmission-joint-without-interface"}]
     assert [message["kind"] for message in log["messages"]] == ["failure", "consequence", "harmless"]
-    assert log["unknown"] == [{"line": 4, "count": 1, "text": "the flux capacitor is empty", "nearest": None}]
+    assert log["unknown"] == [
+        {"line": 4, "count": 1, "text": "the flux capacitor is empty", "level": "error", "nearest": None}
+    ]
     assert log["next"][0].startswith("urdfctl lint robot.xacro")
 
 

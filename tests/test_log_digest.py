@@ -134,11 +134,17 @@ def test_a_line_after_a_truncated_message_is_read_on_its_own() -> None:
     assert {known.line for known in found.known} >= {2}
 
 
-def test_unknown_errors_are_reported_and_other_unknown_lines_are_not() -> None:
-    found = log("[INFO] [1.0]: all is well\n[ERROR] [1.0]: the flux capacitor is empty\n[WARN] [1.0]: it rains\n")
-    assert [(unknown.line, unknown.text, unknown.nearest) for unknown in found.unknown] == [
-        (2, "the flux capacitor is empty", None)
+def test_unknown_lines_are_reported_errors_first_and_lines_of_level_info_are_not() -> None:
+    found = log("[INFO] [1.0]: all is well\n[WARN] [1.0]: it rains\n[ERROR] [1.0]: the flux capacitor is empty\n")
+    assert [(unknown.line, unknown.level, unknown.text, unknown.nearest) for unknown in found.unknown] == [
+        (3, "error", "the flux capacitor is empty", None),
+        (2, "warning", "it rains", None),
     ]
+
+
+def test_lines_without_a_level_are_listed_as_unknown_in_a_short_log_and_not_in_a_long_one() -> None:
+    assert [unknown.text for unknown in log("the flux capacitor is empty\n").unknown] == ["the flux capacitor is empty"]
+    assert log("the flux capacitor is empty\n" * 99).unknown == ()
 
 
 def test_a_line_marked_as_harmless_is_not_an_error_whatever_it_says() -> None:

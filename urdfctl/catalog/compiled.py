@@ -92,10 +92,15 @@ def _log_messages() -> Iterator[tuple[str, dict[str, Any]]]:
                 yield own.pop("id"), own
 
 
-def _cause(cause: str | dict[str, str]) -> list[str]:
-    """The text of a cause and the codes of the rules that find it, from `UC201, UC223: text` or the text alone."""
+def _cause(cause: str | dict[str, str]) -> list[str] | dict[str, Any]:
+    """The text of a cause and the codes of the rules that find it, from `UC201, UC223: text` or the text alone.
+
+    A cause with conditions remains a map.
+    """
     if isinstance(cause, str):
         return [cause]
+    if "text" in cause:
+        return {**cause, "rules": cause["rules"].split(", ")} if "rules" in cause else dict(cause)
     ((codes, text),) = cause.items()
     return [text, *codes.split(", ")]
 

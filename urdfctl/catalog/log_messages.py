@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
 
 from urdfctl.catalog.distros import ALL, spanned
@@ -10,20 +10,33 @@ from urdfctl.catalog.store import log_message_entries
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
-KINDS = ("failure", "consequence", "warning", "harmless")
-"""The kinds of messages, most urgent first. A consequence reports a failure whose reason is in another line."""
+KINDS = ("failure", "consequence", "warning", "harmless", "progress")
+"""The kinds of messages, most urgent first. A consequence reports a failure whose reason is in another line. Progress
+is only evidence about other messages, and is not reported."""
 
 
 class Cause(NamedTuple):
-    """A cause of a message, and the codes of the rules that find it."""
+    """A cause of a message.
+
+    rules: the codes of the rules that find it.
+    first_if, only_if: conditions on the rest of the log; urdfctl/logs/evidence.py describes them.
+    fix: what to do about this cause, if the message's fix does not fit.
+    """
 
     text: str
     rules: tuple[str, ...] = ()
+    first_if: str = ""
+    only_if: str = ""
+    fix: str = ""
 
 
 class LogMessage(NamedTuple):
     """A message with all its patterns. In the texts, `{joint}` is replaced by the value in the line; data/README.md
-    describes the grammar."""
+    describes the grammar.
+
+    info: whether it has its kind in a line of level INFO too. Others are then only progress.
+    settles: the ids of earlier messages that this one makes harmless.
+    """
 
     id: str
     kind: str
@@ -34,6 +47,8 @@ class LogMessage(NamedTuple):
     causes: tuple[Cause, ...]
     fix: str
     authority: str
+    info: bool = False
+    settles: tuple[str, ...] = ()
 
     @property
     def rules(self) -> tuple[str, ...]:
@@ -55,8 +70,18 @@ def _message(key: str, entry: Mapping[str, Any]) -> LogMessage:
         by=entry["by"],
         distros=(*spanned(span, 1), *spanned(span, 2)) if span else ALL,
         patterns=tuple(entry["messages"]),
-        meaning=entry["meaning"],
-        causes=tuple(Cause(text, tuple(rules)) for text, *rules in entry["causes"]),
+        meaning=entry.get("meaning", ""),
+        causes=tuple(map(_cause, entry["causes"])),
         fix=entry.get("fix", ""),
         authority=entry["authority"],
+        info=entry.get("info", False),
+        settles=tuple(entry.get("settles", ())),
     )
+
+
+def _cause(entry: Sequence[str] | Mapping[str, Any]) -> Cause:
+    """A cause from its text and rules, or from a map of its fields."""
+    if isinstance(entry, Mapping):
+        return Cause(**{**entry, "rules": tuple(entry.get("rules", ()))})
+    text, *rules = entry
+    return Cause(text, tuple(rules))

@@ -1,49 +1,42 @@
-"""Summarize a log: each known message once, with its count and first line, and the unknown errors."""
+"""Summarize a log: each known message once, with its count and first line, and the unknown lines."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from itertools import chain, islice
 
 from urdfctl.catalog.log_messages import KINDS, LogMessage
-from urdfctl.logs.index import Hit, Spelling, found_among, index
+from urdfctl.logs.evidence import Reading, reading
+from urdfctl.logs.index import Hit, Spelling, found_among, index, loose_index
+from urdfctl.logs.line import PROCESS, Line, plain, records
 from urdfctl.logs.partial import partial
 from urdfctl.logs.pattern import single_blanks
 from urdfctl.startup.records import NamedTuple
 
 _MOST_VALUES = 100
-"""Distinct sets of values kept per message."""
+"""Distinct sets of values kept per message, and processes that print it."""
 _MOST_UNKNOWN = 100
-"""Distinct unknown errors kept."""
+"""Distinct unknown lines kept."""
 _MOST_SEARCHES = 400
 """Slow searches for partial messages, one per distinct line; numbers in a line do not count."""
 _MOST_WRAPPED = 6
 """Lines over which a message may be wrapped."""
-_MOST_PREFIXES = 12
-"""Prefixes removed from a line."""
 _MOST_CANDIDATES = 3
 """Messages reported for a truncated pasted line; with more candidates, the line is unknown."""
-_STRAIGHT = str.maketrans("‘’“”", "''\"\"")  # noqa: RUF001 (web pages replace straight quotes)
-_LEVELS = r"ERROR|Error|error|Err|FATAL|Fatal|critical|WARN|WARNING|Warning|warning|Wrn"
-_SUSPICIOUS = re.compile(rf"\[\s*(?:{_LEVELS})\s*\]|\b(?:{_LEVELS})\b\s*:|\b[Ee]xception\b|what\(\):")
-_NOT_SUSPICIOUS = re.compile(r"\[\s*(?:INFO|DEBUG|Msg|Dbg|info|debug)\s*\]")
-_ERROR = re.compile(r"\[\s*(?:ERROR|error|Err|FATAL|critical)\s*\]|\b(?:ERROR|Error|FATAL)\b\s*:|what\(\):")
-_PROCESS = re.compile(r"\[[\w.-]+ *-\d+\] ?")
-_PREFIX = re.compile(
-    rf"""(?: \[[\w.-]+\ *-\d+\]                                         # [controller_manager-1]
-          | \[\s*(?:{_LEVELS}|INFO|DEBUG|Msg|Dbg|info|debug)\s*\]     # [ERROR], [Err]
-          | \[[\d.,:/ -]+\] | \[WallTime:[^\]]*\]                    # [1623.45, 0.2]
-          | \[[\w/.-]+\]: | \[[\w./-]+:\d+\]                         # [controller_manager]:, [file.cc:12]
-          | \(?\d{{4}}-\d\d-\d\d[T ][\d:.,]+Z?\)? | : )\s*""",
-    re.VERBOSE,
-)
+_SHORT = 40
+"""Lines up to which a log is read like pasted lines: those without a level may be errors too."""
+_URGENT = ("failure", "consequence", "warning")
+_SAYS_NOTHING = re.compile(r"\W*(?:\w+\W*){0,2}$")
+"""Lines of at most two words are not listed as unknown."""
 
 
 class Known(NamedTuple):
     """A known message in a log.
 
     line: the number of its first line. times: how often it occurs. text: the text of its first occurrence.
-    values: the values by name, once per distinct set.
+    values: the values by name, once per distinct set. settled: the line in which a later message makes it harmless,
+    0 if there is none. reading: what it means in this log.
     """
 
     message: LogMessage
@@ -51,19 +44,37 @@ class Known(NamedTuple):
     times: int
     text: str
     values: tuple[dict[str, str], ...]
+    settled: int = 0
+    reading: Reading = Reading("", (), "")
+
+    @property
+    def kind(self) -> str:
+        """The kind of the message; a message that was settled is harmless."""
+        return "harmless" if self.settled else self.message.kind
+
+    @property
+    def rules(self) -> tuple[str, ...]:
+        """The codes of the rules that find its causes, most likely first."""
+        return tuple(dict.fromkeys(code for cause in self.reading.causes for code in cause.rules))
 
 
 class Unknown(NamedTuple):
-    """An unknown text; nearest: the most similar known message, None if none is similar."""
+    """An unknown text.
+
+    level: "error", "warning", or "" if the line has none. nearest: the most similar known message, None if none is
+    similar.
+    """
 
     line: int
     times: int
     text: str
+    level: str
     nearest: Spelling | None
 
 
 class Digest(NamedTuple):
-    """The known messages (most urgent first, then by line) and the unknown errors. lines: number of lines read."""
+    """The known messages (most urgent first, then by line) and the unknown lines (errors first). lines: number of
+    lines read."""
 
     lines: int
     known: tuple[Known, ...]
@@ -73,33 +84,45 @@ class Digest(NamedTuple):
 def digest(lines: Iterable[str], *, pasted: bool) -> Digest:
     """Return the messages in the lines.
 
-    pasted: search every line for partial messages; otherwise only lines that look like errors.
+    pasted: search every line for partial messages; otherwise only lines that look like errors, or all lines without
+    a level if there are few.
     """
-    reader = _Reader(pasted=pasted)
-    for line in lines:
+    rest = iter(lines)
+    first = list(islice(rest, _SHORT + 1))
+    reader = _Reader(pasted=pasted, short=len(first) <= _SHORT)
+    for line in chain(first, rest):
         reader.read(line)
     return reader.finished()
 
 
 class _Wrapped(NamedTuple):
-    """A line that may end in the middle of a message, which continues in the next line."""
+    """A line that may end in the middle of a message, which continues in the next line.
+
+    quiet: whether it is not reported if it does not continue.
+    """
 
     number: int
+    line: Line
     text: str
     hits: tuple[Hit, ...]
-    is_error: bool
     lines: int = 1
+    quiet: bool = False
 
 
 class _Reader:
     """Read lines one by one and collect the messages."""
 
-    def __init__(self, *, pasted: bool) -> None:
+    def __init__(self, *, pasted: bool, short: bool) -> None:
         self._index = index()
         self._partial = partial()
         self._pasted = pasted
+        self._short = short
         self._number = 0
         self._known: dict[str, Known] = {}
+        self._last: dict[str, dict[str, int]] = {}
+        """By the id of a message, the last line in which each process prints it."""
+        self._settling: dict[str, dict[str, int]] = {}
+        """The same for the messages that make it harmless."""
         self._unknown: dict[str, Unknown] = {}
         self._searched: dict[str, tuple[Hit, ...]] = {}
         self._wrapped: _Wrapped | None = None
@@ -107,49 +130,98 @@ class _Reader:
     def read(self, line: str) -> None:
         """Read the next line."""
         self._number += 1
-        if self._pasted and not line.isascii():
-            line = line.translate(_STRAIGHT)
-        hits = self._index.hits(line)
+        for record in records(line):
+            self._read(record)
+
+    def _read(self, line: Line) -> None:
+        hits = self._index.hits(line.text)
         wrapped, self._wrapped = self._wrapped, None
-        if wrapped and not hits and self._continues(wrapped, line):
+        if wrapped and (not hits or wrapped.quiet) and self._continues(wrapped, line):
             return
         if wrapped:
             self._record(wrapped)
         for hit in hits:
             self._keep(hit, self._number, line)
-        if not hits and (self._pasted or _is_suspicious(line)) and line.strip():
+        if hits:
+            self._search_open_end(hits[-1], line)
+        elif self._is_searched(line) and line.text.strip():
             self._search_partial(line)
 
     def finished(self) -> Digest:
         """Return the collected messages."""
         if self._wrapped:
             self._record(self._wrapped)
-        known = sorted(self._known.values(), key=lambda entry: (KINDS.index(entry.message.kind), entry.line))
-        return Digest(self._number, tuple(known), tuple(self._unknown.values()))
+        seen = self._known.keys()
+        known = [self._read_in_context(entry, seen) for entry in self._known.values()]
+        shown = [entry for entry in known if entry.kind != "progress"]
+        shown.sort(key=lambda entry: (KINDS.index(entry.kind), entry.line))
+        unknown = sorted(self._unknown.values(), key=lambda entry: ("error", "warning", "").index(entry.level))
+        return Digest(self._number, tuple(shown), tuple(unknown))
 
-    def _search_partial(self, line: str) -> None:
-        """Search for a partial message in a line without a complete one."""
-        text = plain(line)
+    def _read_in_context(self, known: Known, seen: Iterable[str]) -> Known:
+        message = known.message
+        return known._replace(
+            settled=self._settled(message.id) if message.kind in _URGENT else 0,
+            reading=reading(message, known.values[0], frozenset(seen)),
+        )
+
+    def _settled(self, name: str) -> int:
+        """The line that settles a message of each process that printed it; 0 if one of them is not settled."""
+        settling = self._settling.get(name, {})
+        settled = 0
+        for process, last in self._last[name].items():
+            later = [
+                line for other, line in settling.items() if line >= last and (not process or other in {"", process})
+            ]
+            if not later:
+                return 0
+            settled = max(settled, *later)
+        return settled
+
+    def _is_searched(self, line: Line) -> bool:
+        """Whether a line without known messages is searched for partial ones, and listed as unknown."""
+        if self._pasted:
+            return line.level != "info" or not self._known
+        if line.level:
+            return line.level != "info"
+        return self._short and _SAYS_NOTHING.match(line.text) is None
+
+    def _search_partial(self, line: Line) -> None:
+        """Search for a message that is written differently or truncated in a line without a complete one."""
+        text = plain(line.text)
         shape = re.sub(r"\d+", "0", text)
         if shape not in self._searched:
             if len(self._searched) >= _MOST_SEARCHES:
                 return
+            hits = loose_index().hits(text)
+            if hits:
+                for hit in hits:
+                    self._keep(hit, self._number, line._replace(text=text), loose=True)
+                return
             self._searched[shape] = tuple(self._partial.cut(text))
-        is_error = self._pasted or _ERROR.search(line) is not None
-        cut = _Wrapped(self._number, text, self._searched[shape], is_error)
+        cut = _Wrapped(self._number, line, text, self._searched[shape])
         if cut.hits:
             self._wrapped = cut
         else:
             self._record(cut)
 
-    def _continues(self, wrapped: _Wrapped, line: str) -> bool:
+    def _search_open_end(self, hit: Hit, line: Line) -> None:
+        """Search for the beginning of a message behind one that names its reason, which goes on in the next line."""
+        rest = single_blanks(line.text)[hit.match.end :].strip(" :")
+        if hit.message.kind != "consequence" or " " not in rest or len(self._searched) >= _MOST_SEARCHES:
+            return
+        begun = tuple(one for one in self._partial.cut(rest) if one.message.id != hit.message.id)
+        if begun:
+            self._wrapped = _Wrapped(self._number, line, rest, begun, quiet=True)
+
+    def _continues(self, wrapped: _Wrapped, line: Line) -> bool:
         """Whether a line continues the message in which the line before ends."""
-        text = single_blanks(_PROCESS.sub("", line, count=1))
+        text = single_blanks(PROCESS.sub("", line.text, count=1))
         spellings = [Spelling(hit.message, hit.pattern) for hit in wrapped.hits]
         for joined in (f"{wrapped.text} {text}", wrapped.text + text):
             hits = found_among(spellings, joined)
             if hits:
-                self._keep(hits[0], wrapped.number, joined)
+                self._keep(hits[0], wrapped.number, wrapped.line._replace(text=joined))
                 return True
         for joined in (f"{wrapped.text} {text}", wrapped.text + text):
             longer = tuple(self._partial.cut(joined)) if wrapped.lines < _MOST_WRAPPED else ()
@@ -160,42 +232,47 @@ class _Reader:
 
     def _record(self, cut: _Wrapped) -> None:
         """Record a line that does not continue: a truncated message, or an unknown one."""
+        if cut.quiet:
+            return
         if cut.hits and len(cut.hits) <= (_MOST_CANDIDATES if self._pasted else 1):
             for hit in cut.hits:
-                self._keep(hit, cut.number, cut.text)
-        elif cut.is_error:
+                self._keep(hit, cut.number, cut.line._replace(text=cut.text))
+        else:
             self._keep_unknown(cut)
 
-    def _keep(self, hit: Hit, number: int, line: str) -> None:
-        known = self._known.get(hit.message.id)
+    def _keep(self, hit: Hit, number: int, line: Line, *, loose: bool = False) -> None:
+        message = hit.message
+        if line.level == "info" and message.kind in _URGENT and not message.info:
+            return
+        for name in message.settles:
+            _add(self._settling.setdefault(name, {}), line.process, number)
+        _add(self._last.setdefault(message.id, {}), line.process, number)
+        known = self._known.get(message.id)
         values = dict(hit.match.values)
         if known is None:
-            text = single_blanks(line)
+            text = single_blanks(line.text)
             start = text.rfind(" ", 0, hit.match.start) + 1 if not hit.pattern.literals[0] else hit.match.start
-            self._known[hit.message.id] = Known(hit.message, number, 1, text[start:], (values,))
+            self._known[message.id] = Known(message, number, 1, text if loose else text[start:], (values,))
             return
         more = (values,) if values not in known.values and len(known.values) < _MOST_VALUES else ()
-        self._known[hit.message.id] = known._replace(times=known.times + 1, values=known.values + more)
+        self._known[message.id] = known._replace(times=known.times + 1, values=known.values + more)
 
     def _keep_unknown(self, cut: _Wrapped) -> None:
         known = self._unknown.get(cut.text)
         if known is not None:
             self._unknown[cut.text] = known._replace(times=known.times + 1)
         elif len(self._unknown) < _MOST_UNKNOWN:
-            self._unknown[cut.text] = Unknown(cut.number, 1, cut.text, self._partial.nearest(cut.text))
+            nearest = self._partial.nearest(cut.text)
+            self._unknown[cut.text] = Unknown(cut.number, 1, cut.text, cut.line.level, nearest)
 
 
-def _is_suspicious(line: str) -> bool:
-    """Whether a line looks like an error or a warning."""
-    return _SUSPICIOUS.search(line) is not None and _NOT_SUSPICIOUS.search(line) is None
+def _add(lines: dict[str, int], process: str, number: int) -> None:
+    if process in lines or len(lines) < _MOST_VALUES:
+        lines[process] = number
 
 
-def plain(line: str) -> str:
-    """Return a line without the prefixes of its message: times, levels, names of nodes and files."""
-    text, at = single_blanks(line), 0
-    for _ in range(_MOST_PREFIXES):
-        prefix = _PREFIX.match(text, at)
-        if prefix is None:
-            break
-        at = prefix.end()
-    return text[at:]
+def values_of(known: Iterable[Known]) -> Iterator[str]:
+    """Yield the values that the messages print."""
+    for entry in known:
+        for values in entry.values:
+            yield from values.values()

@@ -8,10 +8,15 @@ from collections.abc import Iterable, Mapping
 from functools import lru_cache
 
 from urdfctl.catalog.log_messages import LogMessage, log_messages
+from urdfctl.logs.line import cleaned
+from urdfctl.logs.loose import loosened, lower
 from urdfctl.logs.pattern import Match, Pattern, found_in, parsed, single_blanks
 from urdfctl.startup.records import NamedTuple
 
 WORD = re.compile(r"[A-Za-z_][A-Za-z_0-9]{2,}")
+_LEAST_LOOSE = 16
+"""Letters that a pattern for loose comparison must have."""
+_REASONS = ("failure", "warning")
 
 
 class Spelling(NamedTuple):
@@ -42,10 +47,15 @@ class Hit(NamedTuple):
 
 
 class Index:
-    """All patterns of the messages, indexed by their rarest word."""
+    """All patterns of the messages, indexed by their rarest word.
 
-    def __init__(self, messages: Iterable[LogMessage]) -> None:
-        self.spellings = [Spelling(message, parsed(text)) for message in messages for text in message.patterns]
+    loose: compare without quotes, articles and capitals; patterns that say little then are left out.
+    """
+
+    def __init__(self, messages: Iterable[LogMessage], *, loose: bool = False) -> None:
+        self._loose = loose
+        spellings = [Spelling(message, parsed(cleaned(text))) for message in messages for text in message.patterns]
+        self.spellings = [one for one in map(_loose, spellings) if one is not None] if loose else spellings
         self.words = [spelling.words for spelling in self.spellings]
         self.frequency = Counter(word for words in self.words for word in words)
         self._by_anchor: dict[str, list[Spelling]] = defaultdict(list)
@@ -63,28 +73,33 @@ class Index:
 
         Consequences are omitted if the line also contains another kind of message.
         """
+        line, source = (lower(loosened(line)), loosened(line)) if self._loose else (line, line)
         candidates = self.candidates(line)
-        return found_among(candidates, line) if candidates else []
+        return found_among(candidates, line, source) if candidates else []
 
 
-def found_among(spellings: Iterable[Spelling], line: str) -> list[Hit]:
-    """Return the given patterns that are in a line, filtered like `Index.hits`."""
-    line = single_blanks(line)
+def found_among(spellings: Iterable[Spelling], line: str, source: str | None = None) -> list[Hit]:
+    """Return the given patterns that are in a line, filtered like `Index.hits`.
+
+    source: the line with its capitals, from which the values are taken.
+    """
+    line, source = single_blanks(line), single_blanks(source or line)
     hits = [
         Hit(spelling.message, spelling.pattern, match)
         for spelling in spellings
-        if (match := found_in(spelling.pattern, line)) is not None
+        if (match := found_in(spelling.pattern, line, source)) is not None
     ]
     return _without_consequences(_without_parts(hits)) if len(hits) > 1 else hits
 
 
 def _without_consequences(hits: list[Hit]) -> list[Hit]:
-    """The hits that are not consequences, with the values that the omitted consequences name."""
-    reasons = [hit for hit in hits if hit.message.kind != "consequence"]
-    if not reasons:
-        return hits[:1]
-    values = {name: value for hit in hits if hit not in reasons for name, value in hit.match.values.items()}
-    return [_with(hit, values) for hit in reasons] if values else reasons
+    """The hits without consequences whose reason is there too, with the values that these name; else the innermost."""
+    consequences = [hit for hit in hits if hit.message.kind == "consequence"]
+    if not any(hit.message.kind in _REASONS for hit in hits):
+        return [hit for hit in hits if hit not in consequences[:-1]]
+    values = {name: value for hit in consequences for name, value in hit.match.values.items()}
+    others = [hit for hit in hits if hit not in consequences]
+    return [_with(hit, values) for hit in others] if values else others
 
 
 def _with(hit: Hit, values: Mapping[str, str]) -> Hit:
@@ -102,7 +117,27 @@ def _without_parts(hits: list[Hit]) -> list[Hit]:
     return sorted(kept, key=lambda hit: hit.match.start)
 
 
+def _loose(spelling: Spelling) -> Spelling | None:
+    """A pattern for loose comparison, or None if too little of it is left to be sure."""
+    literals = [lower(loosened(literal)) for literal in spelling.pattern.literals]
+    literals[-1] = literals[-1].rstrip(" .!:")
+    pattern = spelling.pattern._replace(literals=tuple(map(_single, literals)))
+    loose = spelling._replace(pattern=pattern)
+    return loose if pattern.weight >= _LEAST_LOOSE and loose.words else None
+
+
+def _single(literal: str) -> str:
+    """A literal with single blanks, also at its ends."""
+    return re.sub(r"\s+", " ", literal)
+
+
 @lru_cache(maxsize=1)
 def index() -> Index:
     """Return the index of all messages in the catalogue."""
     return Index(log_messages())
+
+
+@lru_cache(maxsize=1)
+def loose_index() -> Index:
+    """Return the index of all messages in the catalogue for loose comparison."""
+    return Index(log_messages(), loose=True)

@@ -62,6 +62,8 @@ class Partial:
     def _by_word(self) -> dict[str, list[int]]:
         numbers: dict[str, list[int]] = defaultdict(list)
         for number, spelling in enumerate(self._index.spellings):
+            if spelling.message.kind == "progress":
+                continue
             for word in {word.lower() for word in WORD.findall(spelling.pattern.shown)}:
                 numbers[word].append(number)
         return numbers

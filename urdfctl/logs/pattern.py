@@ -1,6 +1,7 @@
 """Patterns of messages: literal texts, with gaps between them for the values.
 
-A gap is written `{joint}`, or `{joint:word}` if its value contains no blank; `{}` has no name. Printed braces are
+A gap is written `{joint}`, or `{joint:word}` if its value contains no blank, or `{joint:first}` for the first word of
+what is there; `{}` has no name. Printed braces are
 written twice. The literals are searched one after the other, so the time is always linear in the length of the line.
 """
 
@@ -11,17 +12,21 @@ from collections.abc import Mapping
 
 from urdfctl.startup.records import NamedTuple
 
-_GAP = re.compile(r"\{\{|\}\}|\{(\w*)(:word)?\}")
+_GAP = re.compile(r"\{\{|\}\}|\{(\w*)(:word|:first)?\}")
+_AROUND_WORD = "',;:)]}\""
+"""Marks behind a word that are not part of it."""
 
 
 class Gap(NamedTuple):
     """A place for a value.
 
     name: empty if the value is not used. word: whether the value is a single word.
+    first: whether the value is the first word of what is there.
     """
 
     name: str
     word: bool = False
+    first: bool = False
 
 
 class Pattern(NamedTuple):
@@ -62,7 +67,7 @@ def parsed(text: str) -> Pattern:
         if gap[0] in {"{{", "}}"}:
             literals[-1] += gap[0][0]
         else:
-            gaps.append(Gap(gap[1], gap[2] is not None))
+            gaps.append(Gap(gap[1], gap[2] == ":word", gap[2] == ":first"))
             literals.append("")
     literals[-1] += text[at:]
     return Pattern(tuple(literals), tuple(gaps))
@@ -78,8 +83,11 @@ def single_blanks(text: str) -> str:
     return " ".join(text.split())
 
 
-def found_in(pattern: Pattern, line: str) -> Match | None:
-    """Return the first match of a pattern in a line with single blanks, None if there is none."""
+def found_in(pattern: Pattern, line: str, source: str | None = None) -> Match | None:
+    """Return the first match of a pattern in a line with single blanks, None if there is none.
+
+    source: the line as it was, of the same length, from which the values are taken.
+    """
     places, at = [], 0
     for literal in pattern.literals:
         start = line.find(literal, at)
@@ -91,7 +99,7 @@ def found_in(pattern: Pattern, line: str) -> Match | None:
     if len(literals) > 1 and literals[0] and literals[1]:  # the nearest to the second literal: the shortest value
         start = line.rfind(literals[0], places[0][0], places[1][0])
         places[0] = (start, start + len(literals[0]))
-    values = _values(pattern, line, places)
+    values = _values(pattern, source or line, places)
     if values is None:
         return None
     start = places[0][0] if literals[0] else places[1][0]
@@ -107,7 +115,9 @@ def _values(pattern: Pattern, line: str, places: list[tuple[int, int]]) -> dict[
             value = value.rsplit(" ", 1)[-1]
         elif number == len(pattern.gaps) - 1 and not pattern.literals[-1]:
             value = line[places[number][1] :].strip()
-        if gap.word and (not value or " " in value):
+        if gap.first:
+            value = value.split(" ", 1)[0].rstrip(_AROUND_WORD) if value.strip() else ""
+        if (gap.word or gap.first) and (not value or " " in value):
             return None
         if gap.name:
             values.setdefault(gap.name, value)

@@ -6,7 +6,6 @@ import json
 
 from urdfctl import __version__
 from urdfctl.logs.digest import Digest, Known, Unknown
-from urdfctl.logs.pattern import filled
 from urdfctl.report.log_next import next_commands
 from urdfctl.rules import rule_of
 from urdfctl.startup.hints import Any
@@ -27,25 +26,27 @@ def render_log_json(digest: Digest, *, complete: bool) -> str:
 
 
 def _message(known: Known) -> dict[str, Any]:
-    message, values = known.message, known.values[0]
+    message, reading = known.message, known.reading
     return {
         "id": message.id,
-        "kind": message.kind,
+        "kind": known.kind,
         "line": known.line,
         "count": known.times,
         "text": known.text,
         "values": list(known.values),
         "printed_by": message.by,
         "distros": list(message.distros),
-        "meaning": filled(message.meaning, values),
+        "settled_in_line": known.settled or None,
+        "meaning": reading.meaning,
         "causes": [
             {
-                "cause": filled(cause.text, values),
+                "cause": cause.text,
                 "rules": [{"code": code, "name": rule_of(code).name} for code in cause.rules],
+                "found": [place._asdict() for place in cause.found],
             }
-            for cause in message.causes
+            for cause in reading.causes
         ],
-        "fix": filled(message.fix, values),
+        "fix": reading.best_fix,
         "authority": message.authority,
     }
 
@@ -56,5 +57,6 @@ def _unknown(unknown: Unknown) -> dict[str, Any]:
         "line": unknown.line,
         "count": unknown.times,
         "text": unknown.text,
+        "level": unknown.level or None,
         "nearest": {"id": nearest.message.id, "text": nearest.pattern.shown} if nearest else None,
     }

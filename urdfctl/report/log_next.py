@@ -21,8 +21,8 @@ class Command(NamedTuple):
 def next_commands(known: Iterable[Known]) -> tuple[Command, ...]:
     """Return the commands that find the causes: of the failures, or of the other messages if there are no failures."""
     known = tuple(known)
-    urgent = [entry for entry in known if entry.message.kind in _URGENT]
-    codes = list(dict.fromkeys(code for entry in urgent or known for code in entry.message.rules))
+    urgent = [entry for entry in known if entry.kind in _URGENT]
+    codes = list(dict.fromkeys(code for entry in urgent or known for code in entry.rules))
     if not codes:
         return (Command("urdfctl lint robot.xacro controllers.yaml", "finds other errors"),) if urgent else ()
     more = f" and {len(codes) - _MOST_CODES} more" if len(codes) > _MOST_CODES else ""

@@ -6,8 +6,8 @@ import textwrap
 from collections.abc import Iterator, Sequence
 
 from urdfctl.catalog.distros import in_words
-from urdfctl.catalog.log_messages import Cause
 from urdfctl.logs.digest import Digest, Known, Unknown
+from urdfctl.logs.evidence import LikelyCause
 from urdfctl.logs.pattern import filled
 from urdfctl.report.common import visible
 from urdfctl.report.log_next import next_commands
@@ -32,11 +32,11 @@ def render_log(digest: Digest, *, pasted: bool, complete: bool) -> str:
     """
     parts = [] if pasted else [_summary(digest, complete=complete)]
     single = pasted and len(digest.known) == 1
-    fails = any(known.message.kind == "failure" for known in digest.known)
+    fails = any(known.kind == "failure" for known in digest.known)
     for kind, heading in _HEADINGS.items():
         if kind == "harmless" and digest.unknown:
             parts.append("\n".join(_unknown_errors(digest.unknown, pasted=pasted)))
-        chosen = [known for known in digest.known if known.message.kind == kind]
+        chosen = [known for known in digest.known if known.kind == kind]
         if chosen and not single:
             parts.append(f"== {heading} ==")
         brief = not pasted and (kind == "harmless" or (kind == "consequence" and fails))
@@ -52,7 +52,7 @@ def render_log(digest: Digest, *, pasted: bool, complete: bool) -> str:
 
 def _summary(digest: Digest, *, complete: bool) -> str:
     """The number of lines, and of messages of each kind."""
-    kinds = [known.message.kind for known in digest.known]
+    kinds = [known.kind for known in digest.known]
     counts = [
         f"{number} {kind}{'s' if number > 1 and kind != 'harmless' else ''}"
         for kind in _HEADINGS
@@ -71,20 +71,22 @@ def _where(known: Known, *, pasted: bool) -> str:
 
 def _explained(known: Known, *, brief: bool) -> Iterator[str]:
     """The meaning, the causes (unless `brief`) and the fix."""
-    message, values = known.message, known.values[0]
-    meaning, fix = filled(message.meaning, values), filled(message.fix, values)
-    if brief:
-        yield from _paragraph(f"{meaning} {fix}")
+    reading = known.reading
+    if known.settled:
+        yield from _paragraph(f"Settled in line {known.settled}: nothing to do.")
         return
-    yield from _paragraph(meaning)
-    causes = [filled(cause.text, values) + _rules(cause) for cause in message.causes]
+    if brief:
+        yield from _paragraph(f"{reading.meaning} {reading.best_fix}")
+        return
+    yield from _paragraph(reading.meaning)
+    causes = [cause.text + _rules(cause) for cause in reading.causes]
     if len(causes) == 1:
         yield from _paragraph(causes[0], "  Likely cause: ", "    ")
     elif causes:
         yield "  Causes, most likely first:"
         for number, cause in enumerate(causes, 1):
             yield from _paragraph(cause, f"    {number}. ", "       ")
-    yield from _paragraph(fix, "  Fix: ", "    ")
+    yield from _paragraph(reading.best_fix, "  Fix: ", "    ")
 
 
 def _source(known: Known) -> str:
@@ -92,7 +94,7 @@ def _source(known: Known) -> str:
     return "\n".join(_paragraph(f"Printed by {message.by} ({in_words(message.distros)}): {message.authority}", "", ""))
 
 
-def _rules(cause: Cause) -> str:
+def _rules(cause: LikelyCause) -> str:
     named = ", ".join(f"{code} {rule_of(code).name}" for code in cause.rules)
     return f" -> {named}" if named else ""
 
@@ -110,7 +112,7 @@ def _others(values: Sequence[dict[str, str]]) -> str:
 
 
 def _unknown_errors(unknown: Sequence[Unknown], *, pasted: bool) -> Iterator[str]:
-    yield "== Unknown errors ==" if not pasted or len(unknown) > 1 else "urdfctl does not know this message:"
+    yield "== Unknown lines ==" if not pasted or len(unknown) > 1 else "urdfctl does not know this message:"
     for error in unknown[:_MOST_UNKNOWN]:
         yield _short(error.text) if pasted else f"line {error.line}: {_short(error.text)}"
         if error.nearest is not None:
