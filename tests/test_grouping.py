@@ -35,6 +35,23 @@ def test_findings_at_one_place_are_listed_by_name() -> None:
     assert likewise(one) == "also 'b', 'c', 'd' and 'e'"
 
 
+def test_the_worst_of_equal_findings_at_one_place_is_shown() -> None:
+    severities = {"a": Severity.INFO, "b": Severity.WARNING, "c": Severity.INFO}
+    [one] = grouped(found(f"package '{name}' is not declared", 1, severity=kind) for name, kind in severities.items())
+    assert (one.severity, one.message, likewise(one)) == (
+        Severity.WARNING,
+        "package 'b' is not declared",
+        "also 'a' and 'c'",
+    )
+
+
+def test_one_piece_of_advice_for_several_names_joins_them() -> None:
+    [one] = grouped(
+        found(f"no parameter 'limits.{name}'; did you mean '{name}'?", line) for line, name in enumerate("ab", 1)
+    )
+    assert likewise(one) == "also 'limits.b' (line 2)"
+
+
 def test_other_rules_files_severities_words_and_advice_stay_apart() -> None:
     apart = [
         found("link 'a' is wrong", 1),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from folder import Folder
-from robots import Robot, notes
+from robots import Robot, notes, whole
 
 SOUND = """
     <transmission name="elbow_trans">
@@ -537,3 +537,35 @@ def test_a_transmission_of_two_joints_is_an_error_only_in_gazebo(robot: Robot) -
 def test_joints_that_the_parser_skips_do_not_count_in_gazebo(robot: Robot) -> None:
     dropped = DIFFERENTIAL.replace(f"joint2</role>{EFFORT}", "joint2</role>")
     assert robot.says(dropped, simulator="gazebo-classic") == ["error UC201"]
+
+
+# -- mimic joints ----------------------------------------------------------------------------------------------------
+
+FINGER = """
+    <link name="finger"><inertial><mass value="1"/>
+      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+    <joint name="tip" type="revolute"><parent link="fore"/><child link="finger"/><axis xyz="0 0 1"/>
+      <limit lower="-1" upper="1" effort="10" velocity="2"/><mimic joint="elbow"/></joint>
+"""
+CONTROLLER = """
+states: {type: joint_state_controller/JointStateController, publish_rate: 50}
+fingers: {type: effort_controllers/JointGroupEffortController, joints: [%s]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("controllers", "expected"),
+    [
+        (None, ["info UC224"]),
+        (CONTROLLER % "elbow", ["warning UC224"]),
+        (CONTROLLER % "elbow, tip", []),
+    ],
+)
+def test_a_mimic_joint_needs_a_controller_of_its_own(
+    folder: Folder, controllers: str | None, expected: list[str]
+) -> None:
+    tip = SOUND.replace("elbow", "tip")
+    folder.write({"r.urdf": whole("r.urdf", SOUND + tip + FINGER), "c.yaml": controllers or ""})
+    files = ("r.urdf", "c.yaml") if controllers else ("r.urdf",)
+    told = folder.run("lint", *files, "--distro", "noetic", "--select", "UC224", "--format", "concise").stdout
+    assert [" ".join(line.split()[1:3]) for line in told.splitlines()] == expected

@@ -106,7 +106,10 @@ def test_only_newer_readers_accept_a_space_before_a_number(tmp_path: Path, distr
 def test_a_joint_may_have_the_name_of_a_link_in_ros_1(tmp_path: Path) -> None:
     text = joint(LIMIT).replace('joint name="wrist"', 'joint name="tool"')
     assert codes(tmp_path, text, distro="noetic") == []
-    assert codes(tmp_path, text, distro="jazzy") == ["UC113 warning"]
+    assert codes(tmp_path, text, distro="jazzy") == ["UC113 info"]
+    friction = '<gazebo reference="base"><mu1>1</mu1></gazebo>'
+    assert codes(tmp_path, with_more(text, friction), distro="jazzy") == ["UC113 warning"]
+    assert codes(tmp_path, text, distro="jazzy", simulator="gz") == ["UC113 error"]
     assert codes(tmp_path, text.replace("revolute", "fixed"), distro="jazzy") == []
 
 
@@ -353,7 +356,8 @@ def test_the_number_of_joints_lost_with_a_link_is_reported(tmp_path: Path) -> No
 
 def test_a_robot_without_any_mass_is_reported_once(tmp_path: Path) -> None:
     text = joint(LIMIT).replace(MASS, "")
-    assert codes(tmp_path, text) == ["UC133 warning"]
+    assert codes(tmp_path, text) == ["UC133 info"]
+    assert codes(tmp_path, text, simulator="gz") == ["UC133 warning"]
     assert codes(tmp_path, text, simulator="none") == []
 
 

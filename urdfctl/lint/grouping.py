@@ -20,8 +20,11 @@ Key = Callable[[Diagnostic], object]
 
 
 def grouped(findings: Iterable[Diagnostic]) -> list[Diagnostic]:
-    """Return the findings, with equal ones of a file joined, in the order of their first places."""
-    equal = _joined(list(findings), _likeness, MOST_ERRORS)
+    """Return the findings, with equal ones of a file joined, in the order of their first places.
+
+    At one place, also those of different severity are joined: the worst is shown.
+    """
+    equal = _joined(_joined(list(findings), _likeness, MOST_ERRORS), _place, MOST_ERRORS)
     counts: dict[tuple[str, str], int] = {}
     for finding in equal:
         counts[_rule_in_file(finding)] = counts.get(_rule_in_file(finding), 0) + 1
@@ -49,13 +52,20 @@ def _likeness(finding: Diagnostic) -> object:
     return finding.code, finding.at.file, finding.severity, shape(finding.message), kind, applies
 
 
+def _place(finding: Diagnostic) -> object:
+    """What equal findings at one place have in common."""
+    at = finding.at
+    kind = finding.fix and (finding.fix.safe, bool(finding.fix.edits))
+    return finding.code, at.file, at.start, at.end, shape(finding.message), kind
+
+
 def _joined(findings: Sequence[Diagnostic], key: Key, most_errors: int = 0) -> list[Diagnostic]:
     groups: dict[object, list[Diagnostic]] = {}
     for finding in findings:
         groups.setdefault(key(finding), []).append(finding)
     joined = []
     for group in groups.values():
-        if len(group) > (most_errors if group[0].severity is Severity.ERROR else 1):
+        if len(group) > (most_errors if all(one.severity is Severity.ERROR for one in group) else 1):
             joined.append(_one(group))
         else:
             joined += group
@@ -63,8 +73,8 @@ def _joined(findings: Sequence[Diagnostic], key: Key, most_errors: int = 0) -> l
 
 
 def _one(group: Sequence[Diagnostic]) -> Diagnostic:
-    first = group[0]
-    others = [Remark(finding.message, finding.at) for finding in group[1:]]
+    first = max(group, key=lambda finding: finding.severity.weight)
+    others = [Remark(finding.message, finding.at) for finding in group if finding is not first]
     also = [remark for finding in group for remark in finding.also]
     return first._replace(also=(*others, *also), fix=_fix([finding.fix for finding in group if finding.fix]))
 

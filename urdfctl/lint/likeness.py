@@ -12,10 +12,24 @@ _ADVICE = re.compile(r"(?:did you mean|\buse|\bwrite|replacement:|\binstead of) 
 
 
 def shape(message: str) -> str:
-    """Return a message without its names and numbers. What it advises is kept, so that two pieces of advice differ."""
-    advice = _ADVICE.search(message)
-    fault = message[: advice.start()] if advice else message
-    return _LIST.sub("''", _NAME.sub(_blank, fault)) + (advice[0] if advice else "")
+    """Return a message without its names and numbers.
+
+    What it advises is kept, so that two pieces of advice differ; but a name that is part of another, or that another is
+    part of, is advised alike for other names: 'a.x' and 'b.x' without their prefixes.
+    """
+    found = _ADVICE.search(message)
+    fault, advice = (message[: found.start()], found[0]) if found else (message, "")
+    names = [name.strip("'<>") for name in _NAME.findall(fault) if _is_name(name)]
+
+    def kept(match: re.Match[str]) -> str:
+        advised = match[0].strip("'<>")
+        return "''" if any(_is_part(advised, name) or _is_part(name, advised) for name in names) else match[0]
+
+    return _LIST.sub("''", _NAME.sub(_blank, fault)) + _NAME.sub(kept, advice)
+
+
+def _is_part(name: str, other: str) -> bool:
+    return name != "" and other.endswith((f".{name}", f"/{name}", f":{name}"))
 
 
 def difference(first: str, other: str) -> str:

@@ -45,7 +45,7 @@ def transmission_not_read_by_ros2(project: Project) -> Iterator[Finding]:
     """Transmission of ROS 1 in a ROS 2 robot.
 
     ROS 2 ignores transmissions in the root. Joints that are in no `<ros2_control>` cannot be controlled. For the other
-    joints, the transmissions are leftovers.
+    joints, the transmissions are leftovers, which is only worth knowing.
     """
     robot = robot_in(project)
     if robot is None or project.ros != 2:  # noqa: PLR2004 (the generation)
@@ -61,4 +61,5 @@ def transmission_not_read_by_ros2(project: Project) -> Iterator[Finding]:
         if missing:
             message += f"; {label('joint', missing[0].name)} is in none"
         first = [(joint.name, [text.value for text in joint.interfaces]) for joint in missing[:1]]
-        yield Finding(transmission.at, message, tuple(replacement(first, controlled)))
+        severity = None if missing else Severity.INFO
+        yield Finding(transmission.at, message, tuple(replacement(first, controlled)), severity=severity)

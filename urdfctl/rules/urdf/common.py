@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Robot
 from urdfctl.names import enumerated
-from urdfctl.rule import Finding, Note, Project
+from urdfctl.rule import Finding, Note, Project, Severity
 from urdfctl.rules.common import in_words, is_known
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
@@ -45,6 +45,19 @@ def duplicates(kind: str, parts: Iterable[tuple[str | None, Place]]) -> Iterator
         if before is not at:
             note = Note("first defined here", before["name"])
             yield Finding(at["name"], f"{kind} '{name}' is already defined; rename or remove one", (note,))
+
+
+def severity_in_gazebo(project: Project, *, refused_by: Collection[str] = ()) -> Severity:
+    """Return the severity of what only Gazebo does not accept.
+
+    An error if the user names a simulator in `refused_by`; a warning if Gazebo may run the robot, which has elements or
+    plugins for it; info if nothing shows that.
+    """
+    if project.named_simulator in refused_by:
+        return Severity.ERROR
+    robot = project.robot
+    is_for_gazebo = project.simulator in ("gz", "gazebo-classic") or (robot is not None and bool(robot.gazebos))
+    return Severity.WARNING if is_for_gazebo else Severity.INFO
 
 
 def commanded_joints(robot: Robot) -> set[str]:

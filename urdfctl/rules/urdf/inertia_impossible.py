@@ -45,12 +45,13 @@ def inertia_impossible(project: Project) -> Iterator[Finding]:
     """Physically impossible inertia.
 
     No principal moment may be negative, or greater than the sum of the other two. urdfdom does not check this. Gazebo
-    rejects the robot from sdformat 9 on, and other engines become unstable.
+    rejects the robot from sdformat 9 on, and other engines become unstable. It is an error with `--simulator gz`.
     """
     robot = robot_in(project)
     if robot is None:
         return
     tolerance = TOLERANCE_OF_SDFORMAT if may_be_ros2(project) else TOLERANCE_ELSEWHERE
+    severity = Severity.ERROR if project.named_simulator == "gz" else None
     for link in robot.links:
         inertial = inertial_of(link)
         moments = moments_of(inertial)
@@ -58,7 +59,8 @@ def inertia_impossible(project: Project) -> Iterator[Finding]:
             continue
         fault = _fault(moments, tolerance)
         if fault:
-            yield Finding(inertial.inertia_at, f"<inertia> of {label('link', link.name)} is impossible: {fault}")
+            message = f"<inertia> of {label('link', link.name)} is impossible: {fault}"
+            yield Finding(inertial.inertia_at, message, severity=severity)
 
 
 def _fault(moments: Moments, tolerance: float) -> str:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import whole_robot_in
 from urdfctl.rules.urdf.bodies import inertial_of, vanishing
+from urdfctl.rules.urdf.common import severity_in_gazebo
 
 
 @rule(
@@ -35,7 +36,8 @@ def moving_link_without_inertial(project: Project) -> Iterator[Finding]:
     """Moving link without <inertial>.
 
     No link that is fixed to it has an <inertial> either. Gazebo drops the link, its joint and everything below it;
-    older versions do so silently. Its control plugin then does not know the joint. Real hardware is not affected.
+    older versions do so silently. Its control plugin then does not know the joint. Real hardware and RViz are not affected: if
+    nothing of the robot is for Gazebo, it is only worth knowing.
     """
     robot = whole_robot_in(project)
     if robot is None or not project.may_be_simulated:
@@ -44,11 +46,12 @@ def moving_link_without_inertial(project: Project) -> Iterator[Finding]:
         return
     lost = [body for body in vanishing(robot) if not any(inertial_of(link) for link in body.links)]
     if lost and not any(link.inertials for link in robot.links):
-        yield Finding(robot.at, "no link of the robot has an <inertial>; Gazebo drops all moving links")
+        message = "no link of the robot has an <inertial>; Gazebo drops all moving links"
+        yield Finding(robot.at, message, severity=severity_in_gazebo(project))
         return
     for body in lost:
         loss = f"and {body.lost} moving joints" if body.lost > 1 else "and its joint"
         joint = body.joint.name if body.joint else None
         link = f"link '{body.head.name}' of joint '{joint}'" if joint else f"root link '{body.head.name}'"
         message = f"{link} has no <inertial>; Gazebo drops it {loss}"
-        yield Finding(body.head.at["name"], message)
+        yield Finding(body.head.at["name"], message, severity=severity_in_gazebo(project))
