@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 
 from urdfctl.catalog.distros import APPLIES
@@ -16,6 +17,7 @@ MOST_OF_A_RULE = 10
 _OF_THE_WORKSPACE = ("UC003", "UC150")
 """Rules about a package that is missing: equal findings in several files are one fault."""
 
+Group = list[Diagnostic]
 Key = Callable[[Diagnostic], object]
 
 
@@ -24,18 +26,24 @@ def grouped(findings: Iterable[Diagnostic]) -> list[Diagnostic]:
 
     At one place, also those of different severity are joined: the worst is shown.
     """
-    equal = _joined(_joined(list(findings), _likeness, MOST_ERRORS), _place, MOST_ERRORS)
-    counts: dict[tuple[str, str], int] = {}
-    for finding in equal:
-        counts[_rule_in_file(finding)] = counts.get(_rule_in_file(finding), 0) + 1
-    if max(counts.values(), default=0) <= MOST_OF_A_RULE:
-        return equal
+    groups = _joined([[finding] for finding in findings], _likeness)
+    groups = [part for group in groups for part in _apart(group)]
+    groups = _joined(groups, _place)
+    counts = Counter(_rule_in_file(group[0]) for group in groups)
 
     def of_many(finding: Diagnostic) -> object:
         place = _rule_in_file(finding)
         return (place, finding.severity) if counts[place] > MOST_OF_A_RULE else finding.order
 
-    return _joined(equal, of_many)
+    if max(counts.values(), default=0) > MOST_OF_A_RULE:
+        groups = _joined(groups, of_many)
+    return sorted(map(_one, groups), key=lambda finding: finding.order)
+
+
+def _apart(group: Group) -> list[Group]:
+    """A few errors stay apart: each is shown with its line."""
+    is_short = len(group) <= MOST_ERRORS and group[0].severity is Severity.ERROR
+    return [[finding] for finding in group] if is_short else [group]
 
 
 def _rule_in_file(finding: Diagnostic) -> tuple[str, str]:
@@ -56,27 +64,24 @@ def _place(finding: Diagnostic) -> object:
     """What equal findings at one place have in common."""
     at = finding.at
     kind = finding.fix and (finding.fix.safe, bool(finding.fix.edits))
+    if finding.severity is Severity.ERROR:
+        return finding.order
     return finding.code, at.file, at.start, at.end, shape(finding.message), kind
 
 
-def _joined(findings: Sequence[Diagnostic], key: Key, most_errors: int = 0) -> list[Diagnostic]:
-    groups: dict[object, list[Diagnostic]] = {}
-    for finding in findings:
-        groups.setdefault(key(finding), []).append(finding)
-    joined = []
-    for group in groups.values():
-        if len(group) > (most_errors if all(one.severity is Severity.ERROR for one in group) else 1):
-            joined.append(_one(group))
-        else:
-            joined += group
-    return sorted(joined, key=lambda finding: finding.order)
+def _joined(groups: Iterable[Group], key: Key) -> list[Group]:
+    joined: dict[object, Group] = {}
+    for group in groups:
+        joined.setdefault(key(group[0]), []).extend(group)
+    return list(joined.values())
 
 
-def _one(group: Sequence[Diagnostic]) -> Diagnostic:
+def _one(group: Group) -> Diagnostic:
+    if len(group) == 1:
+        return group[0]
     first = max(group, key=lambda finding: finding.severity.weight)
-    others = [Remark(finding.message, finding.at) for finding in group if finding is not first]
-    also = [remark for finding in group for remark in finding.also]
-    return first._replace(also=(*others, *also), fix=_fix([finding.fix for finding in group if finding.fix]))
+    others = tuple(Remark(finding.message, finding.at) for finding in group if finding is not first)
+    return first._replace(also=others, fix=_fix([finding.fix for finding in group if finding.fix]))
 
 
 def _fix(fixes: Sequence[Repair]) -> Repair | None:
