@@ -13,7 +13,7 @@ from sampling import sample
 from urdfctl.catalog.catalog import CATALOG
 from urdfctl.catalog.distros import ALL, ROS1
 from urdfctl.errors import UserError
-from urdfctl.generate.facts import JointFacts
+from urdfctl.generate.facts import JointFacts, PartFacts, RobotFacts
 from urdfctl.generate.options import Options, Roles
 from urdfctl.generate.recipes import recipes
 
@@ -174,11 +174,62 @@ def test_hardware_that_the_distro_does_not_have_is_told() -> None:
 
 
 def test_nothing_is_written_twice_that_the_robot_has() -> None:
-    has = ROBOT._replace(components=("System",), hosts=("gz_ros2_control-system",))
-    files = made("gen-all", Options("jazzy", "gz", ("effort",), package="all"), robot=has)
-    control = next(file.text for file in files if file.name == "urdf/control.xacro")
-    assert "<ros2_control" not in control
-    assert "<plugin" not in control
+    parts = tuple(PartFacts("joint", joint.name, ("effort",), ("position",)) for joint in JOINTS)
+    has = ROBOT._replace(components=("RobotSystem",), hosts=("gz_ros2_control-system",), parts=parts)
+    files = {
+        file.name: file.text for file in made("gen-all", Options("jazzy", "gz", ("effort",), package="all"), robot=has)
+    }
+    assert "urdf/control.xacro" not in files
+    assert "control.xacro" not in files["urdf/robot.urdf.xacro"]
+    with pytest.raises(UserError, match="<ros2_control> already has all of these joints"):
+        made("gen-ros2-control", Options("jazzy"), robot=has)
+
+
+def test_a_ros2_control_tag_is_extended_by_what_it_lacks() -> None:
+    parts = tuple(PartFacts("joint", joint.name, ("effort",), ("position",)) for joint in JOINTS[:-1])
+    has = ROBOT._replace(components=("RobotSystem",), parts=parts)
+    [file] = made("gen-ros2-control", Options("jazzy", types=("effort",)), robot=has)
+    assert file.text.count("<joint ") == 1
+    assert '<joint name="arm">' in file.text
+    assert '<ros2_control name="RobotSystem2"' in file.text
+
+
+REFUSALS = {
+    ("jazzy", "diff_drive"): """'diff_drive_controller' (diff_drive_controller/DiffDriveController) commands
+        'velocity' of joint 'front_left', which has only 'position' in <ros2_control>: choose a type that commands
+        position, or add <command_interface name="velocity"/> to the joint""",
+    ("noetic", "diff_drive"): """'diff_drive_controller' (diff_drive_controller/DiffDriveController) commands
+        'velocity' of joint 'front_left', whose transmission has 'position': choose a type that commands position,
+        or change it (gen-transmissions --interface velocity --joint front_left)""",
+    ("jazzy", "effort"): """'effort_controller' (forward_command_controller/ForwardCommandController) commands
+        'effort' of joint 'front_left', which has only 'position' in <ros2_control>: choose a type that commands
+        position, or add <command_interface name="effort"/> to the joint""",
+}
+
+
+@pytest.mark.parametrize(("distro", "kind"), REFUSALS)
+def test_a_controller_of_another_interface_than_the_robot_has_is_refused(distro: str, kind: str) -> None:
+    parts = tuple(PartFacts("joint", joint.name, ("position",), ("position", "velocity")) for joint in JOINTS)
+    has = ROBOT._replace(parts=parts, interfaces={joint.name: ("position",) for joint in JOINTS})
+    for command_name in ("gen-controllers", "gen-launch", "gen-all"):
+        with pytest.raises(UserError) as caught:
+            made(command_name, Options(distro, types=(kind,), package="all"), robot=has)
+        assert str(caught.value) == " ".join(REFUSALS[distro, kind].split())
+    if kind == "effort":
+        with pytest.raises(UserError, match="use --interface position, or add"):
+            made("gen-controllers", Options(distro, types=("trajectory",), interfaces=("effort",)), robot=has)
+
+
+@pytest.mark.parametrize(("distro", "parameters"), [("jazzy", 0), ("humble", 2)])
+def test_a_mimic_joint_has_states_only_and_up_to_iron_parameters(distro: str, parameters: int) -> None:
+    finger = JointFacts("finger", "prismatic", lower=0, upper=0.1)
+    other = JointFacts("other", "prismatic", mimics=True, mimic=("finger", -1.0, 0.0))
+    robot = RobotFacts("hand", joints=(finger, other))
+    [file] = made("gen-ros2-control", Options(distro, "gz", ("gripper",)), (finger,), robot)
+    block = file.text.partition('<joint name="other">')[2].partition("</joint>")[0]
+    assert "<command_interface" not in block
+    assert block.count("<state_interface") == 2
+    assert block.count("<param") == parameters
 
 
 def test_a_block_is_inserted_and_every_other_byte_stays(folder: Folder) -> None:

@@ -13,7 +13,7 @@ from urdfctl.generate.assignment import Wish, assigned, without_conflicts
 from urdfctl.generate.facts import NO_ROBOT, JointFacts, RobotFacts
 from urdfctl.generate.options import Options, Request
 from urdfctl.generate.parameters import Controller, controller
-from urdfctl.generate.recipes import BROADCASTER, Kind, kind_of, type_of
+from urdfctl.generate.recipes import BROADCASTER, Kind, kind_of, only_deprecated, type_of
 from urdfctl.generate.tasks import tasks_of
 from urdfctl.generate.values import Task
 
@@ -47,8 +47,10 @@ def _side_by_side(
     made: list[tuple[int, Controller]] = []
     named: set[str] = set()
     for index, job in assigned(wishes, joints, options, robot):
-        kind, request = job.kind, job.request
-        tasks = list(tasks_of(kind, job.joints, job.options, job.robot))
+        kind, request, its = job.kind, job.request, job.options
+        if len(wishes) > 1 and its.interface and only_deprecated(kind, its.interface, catalog, its):
+            its = its._replace(interfaces=())
+        tasks = list(tasks_of(kind, job.joints, its, job.robot))
         created = [one for task in tasks for one in _of_task(kind, task, catalog)]
         if request.name and len(created) == 1:
             created = [created[0]._replace(name=request.name)]

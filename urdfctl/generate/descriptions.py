@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.distros import since
 from urdfctl.catalog.hardware import HardwareType
 from urdfctl.control.claims import claims
 from urdfctl.errors import UserError
-from urdfctl.generate.facts import JointFacts
+from urdfctl.generate.facts import NO_ROBOT, JointFacts, RobotFacts
 from urdfctl.generate.hardware import hardware, host
 from urdfctl.generate.options import Options
 from urdfctl.generate.parameters import Controller
@@ -36,6 +36,7 @@ class Part(NamedTuple):
     name: str
     commands: tuple[Command, ...]
     states: tuple[str, ...]
+    parameters: tuple[tuple[str, str], ...] = ()
 
 
 def transmissions(joints: Sequence[JointFacts], options: Options, templates: Templates, given: dict[str, str]) -> str:
@@ -61,23 +62,55 @@ def transmissions(joints: Sequence[JointFacts], options: Options, templates: Tem
 
 
 def component(
-    joints: Sequence[JointFacts], options: Options, catalog: Catalog, templates: Templates, made: Sequence[Controller]
-) -> str:
-    """Return a component with the interfaces that the controllers claim, or that the options give for each joint."""
+    joints: Sequence[JointFacts],
+    options: Options,
+    catalog: Catalog,
+    templates: Templates,
+    made: Sequence[Controller],
+    robot: RobotFacts = NO_ROBOT,
+) -> str | None:
+    """Return a component with the interfaces that the controllers claim, or that the options give for each joint.
+
+    Parts that a component of the robot has are left out; None if nothing remains.
+    """
     if options.ros == 1:
         raise UserError(f"{options.distro} does not read <ros2_control>; use gen-transmissions")
     plugin = hardware(options, catalog)
-    parts = _parts(joints, options, made)
+    there = {part.name for part in robot.parts}
+    parts = [part for part in _parts(joints, options, made) if part.name not in there]
+    if there:
+        parts = [part for part in parts if part.commands or part.kind != "joint"]
+    parts += _mimicking(parts, robot, plugin, there)
+    if there and not parts:
+        return None
     _check(parts, plugin)
     about = "a simulator" if plugin.simulator in ("gz", "gazebo-classic", "mujoco") else "hardware"
     return templates.render(
         "ros2_control/component.xacro",
-        name="RobotSystem",
+        name=_unused("RobotSystem", robot.components),
         type=plugin.component_types[0] if "system" not in plugin.component_types else "system",
         plugin=plugin.type,
         about="mock hardware, which copies commands to states" if plugin.simulator == "mock" else about,
         parts=parts,
     )
+
+
+def _mimicking(parts: Sequence[Part], robot: RobotFacts, plugin: HardwareType, there: set[str]) -> Iterator[Part]:
+    """The joints that mimic one of the parts, with its states. Up to iron, parameters say what they mimic."""
+    leaders = {part.name: part for part in parts if part.kind == "joint"}
+    for joint in robot.joints:
+        leader = leaders.get(joint.mimic[0]) if joint.mimic else None
+        if leader is None or joint.mimic is None or joint.name in leaders or joint.name in there:
+            continue
+        named = plugin.joint_parameters or {}
+        given = {"mimic": joint.mimic[0], "multiplier": yaml_float(float(joint.mimic[1]))}
+        parameters = tuple((name, value) for name, value in given.items() if name in named)
+        yield Part("joint", joint.name, (), leader.states, parameters)
+
+
+def _unused(name: str, taken: Sequence[str]) -> str:
+    number = next(n for n in range(1, len(taken) + 2) if (name if n == 1 else f"{name}{n}") not in taken)
+    return name if number == 1 else f"{name}{number}"
 
 
 def _check(parts: Sequence[Part], plugin: HardwareType) -> None:

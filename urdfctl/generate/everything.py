@@ -18,6 +18,7 @@ from urdfctl.generate.descriptions import (
     wanted_interfaces,
 )
 from urdfctl.generate.facts import JointFacts, RobotFacts
+from urdfctl.generate.fit import check_fit
 from urdfctl.generate.options import File, Options
 from urdfctl.generate.parameters import Controller
 from urdfctl.generate.parse_again import checked
@@ -77,8 +78,22 @@ def _transmissions(order: Order) -> list[File]:
 
 
 def _ros2_control(order: Order) -> list[File]:
-    block = component(order.joints, order.options, order.catalog, order.templates, order.made_if_typed())
+    made = order.made_if_typed()
+    block = _component(order, made)
+    if block is None:
+        raise UserError("the robot's <ros2_control> already has all of these joints, sensors and gpios")
     return [_wrapped(order, "urdf/ros2_control.xacro", block)]
+
+
+def _component(order: Order, made: Sequence[Controller]) -> str | None:
+    return component(
+        joints=order.joints,
+        options=order.options,
+        catalog=order.catalog,
+        templates=order.templates,
+        made=made,
+        robot=order.robot,
+    )
 
 
 def _gazebo(order: Order) -> list[File]:
@@ -100,6 +115,7 @@ def _typed(order: Order) -> tuple[Controller, ...]:
     if not (order.options.types or order.options.requests):
         raise UserError("--type is missing: use e.g. --type effort, --type trajectory or --type diff_drive")
     made = order.controllers()
+    check_fit(made, order.robot, order.options)
     if order.options.ros == 1:
         _check_joints(made, order.robot)
         for controller in made if order.options.simulated else ():
@@ -134,18 +150,20 @@ def _all(order: Order) -> list[File]:
     without = [joint for joint in order.joints if joint.name not in robot.interfaces]
     if options.ros == 1 and without and (not wanted or {*wanted.values()} & {*OF_TRANSMISSIONS}):
         blocks.append(transmissions(without, options, order.templates, wanted))
-    if options.ros == 2 and not robot.components:  # noqa: PLR2004
-        blocks.append(component(order.joints, options, order.catalog, order.templates, made))
+    if options.ros == 2:  # noqa: PLR2004
+        block = _component(order, made)
+        blocks += [block] if block else []
     hosted = options.simulator in ("gz", "gazebo-classic")
     known = (order.catalog.simulator_plugin(name, options.distro) for name in robot.hosts)
     if hosted and not any(plugin and plugin.hosts_control for plugin in known):
         blocks.append(simulator_plugin(options, order.catalog, order.templates))
-    includes = [order.options.robot_file, f"$(find {options.package})/urdf/control.xacro"]
+    includes = [order.options.robot_file]
+    includes += [f"$(find {options.package})/urdf/control.xacro"] if blocks else []
     depends = dependencies(made, options, order.catalog, robot.package)
     manifest = order._replace(options=options._replace(command=_one_dash(options.command)))
     return [
         controllers_file(made, options, order.templates, order.title),
-        _wrapped(order, "urdf/control.xacro", *blocks),
+        *([_wrapped(order, "urdf/control.xacro", *blocks)] if blocks else []),
         _wrapped(order, "urdf/robot.urdf.xacro", includes=includes, robot=robot.name or "robot"),
         _launch_file(order._replace(options=options._replace(arguments=())), made),
         *package_files(depends, manifest.options, order.templates, order.title),

@@ -17,7 +17,7 @@ def host(options: Options, catalog: Catalog) -> SimulatorPlugin:
     fit = [plugin for plugin in hosts if plugin.simulator == options.simulator]
     if not fit:
         raise UserError(f"{options.distro} has no plugin that runs controllers in '{options.simulator}'")
-    return next((plugin for plugin in fit if not plugin.deprecated), fit[0])
+    return min(fit, key=lambda plugin: (plugin.deprecated, plugin.id != options.simulator))  # not a manufacturer's
 
 
 def hardware(options: Options, catalog: Catalog) -> HardwareType:

@@ -93,6 +93,18 @@ def type_of(kind: Kind, interfaces: Sequence[str], catalog: Catalog, options: Op
     return next((entry for entry in available if not entry.deprecated), available[0])
 
 
+def only_deprecated(kind: Kind, interface: str, catalog: Catalog, options: Options) -> bool:
+    """Return whether a distro has no types of a kind for an interface but deprecated ones, and others for its own."""
+    plain = recipes()["kinds"].get(kind.short)
+    listed = _listed(plain, options) if plain else {}
+    current = {
+        name: any(entry and not entry.deprecated for entry in (catalog.controller(t, options.distro) for t in types))
+        for name, types in listed.items()
+        if name not in _MARKS
+    }
+    return not current.get(interface, True) and current.get(kind.interface or "", False)
+
+
 def recipe_of(controller: ControllerType) -> Mapping[str, Any] | None:
     """Return the recipe of a type: [value, comment] by parameter. None if there is no recipe."""
     own: Mapping[str, Any] | None = recipes()["parameters"].get(controller.type)

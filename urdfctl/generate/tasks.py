@@ -37,7 +37,13 @@ def tasks_of(kind: Kind, joints: Sequence[JointFacts], options: Options, robot: 
             raise UserError(f"'{kind.name}' commands one interface per joint, not {', '.join(interfaces)}")
         states = _read(kind, interfaces, members, options, robot)
         yield Task(
-            kind=kind.short, interfaces=interfaces, joints=tuple(members), robot=robot, options=options, states=states
+            kind=kind.short,
+            interfaces=interfaces,
+            joints=tuple(members),
+            robot=robot,
+            options=options,
+            states=states,
+            fit=kind.fit,
         )
 
 

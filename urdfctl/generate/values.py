@@ -31,7 +31,7 @@ class Task(NamedTuple):
     """A controller to create: its joints, by role if it is a drive, and the interfaces that it commands and reads.
 
     `passive` are the wheels of a drive that are neither driven nor steered. `below` is the prefix of the commanded
-    interfaces: the name of another controller and a slash.
+    interfaces: the name of another controller and a slash. `fit` are the interfaces that such a controller can command.
     """
 
     kind: str
@@ -46,6 +46,7 @@ class Task(NamedTuple):
     steering: tuple[JointFacts, ...] = ()
     passive: tuple[JointFacts, ...] = ()
     below: str = ""
+    fit: tuple[str, ...] = ()
 
     @property
     def interface(self) -> str:

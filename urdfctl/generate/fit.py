@@ -1,0 +1,60 @@
+"""Compare what controllers command with what the robot already offers, before anything is written."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from urdfctl.control.claims import claims
+from urdfctl.errors import UserError
+from urdfctl.generate.facts import RobotFacts
+from urdfctl.generate.options import Options
+from urdfctl.generate.parameters import Controller
+
+_ROS1 = re.compile(r"(?:hardware_interface/)?(\w+)JointInterface")
+
+
+def check_fit(made: Sequence[Controller], robot: RobotFacts, options: Options) -> None:
+    """UserError if a controller commands a joint through an interface that its part of the robot does not have.
+
+    Joints that the robot does not offer at all are no fault: they can be added.
+    """
+    offered = _offered(robot, options)
+    own = {controller.name for controller in made}
+    for controller in made:
+        claimed = claims(controller.type, controller.name, controller.values)
+        for claim in claimed.command if claimed else ():
+            interface = _plain(claim.interface, options)
+            there = offered.get(claim.component)
+            if there is None or interface is None or interface in there or claim.component.partition("/")[0] in own:
+                continue
+            raise UserError(_message(controller, claim.component, interface, there, options))
+
+
+def _offered(robot: RobotFacts, options: Options) -> dict[str, tuple[str, ...]]:
+    if options.ros == 1:
+        return dict(robot.interfaces)
+    return {part.name: part.commands for part in robot.of_kind("joint") if part.commands}
+
+
+def _plain(interface: str, options: Options) -> str | None:
+    if options.ros == 2:  # noqa: PLR2004
+        return interface
+    match = _ROS1.fullmatch(interface)
+    return match[1].lower() if match else None
+
+
+def _message(controller: Controller, joint: str, interface: str, there: tuple[str, ...], options: Options) -> str:
+    has = " and ".join(there)
+    title = f"'{controller.name}' ({controller.type.type}) commands '{interface}' of joint '{joint}'"
+    other = f"use --interface {there[0]}" if there[0] in _choices(controller) else f"choose a type that commands {has}"
+    if options.ros == 1:
+        change = f"change it (gen-transmissions --interface {interface} --joint {joint})"
+        return f"{title}, whose transmission has '{has}': {other}, or {change}"
+    change = f'add <command_interface name="{interface}"/> to the joint'
+    return f"{title}, which has only '{has}' in <ros2_control>: {other}, or {change}"
+
+
+def _choices(controller: Controller) -> tuple[str, ...]:
+    """The interfaces that controllers of this kind can command."""
+    return controller.task.fit
