@@ -81,8 +81,8 @@ def test_a_byte_order_mark_shifts_no_column() -> None:
         (b"<a/>\ntext", "2:1 text after the end of the root element"),
         (b"\n<?xml version='1.0'?><a/>", "2:1 the XML declaration <?xml ...?> is not at the start of the file"),
         (b"  <?xml version='1.0'?><a/>", "1:3 the XML declaration <?xml ...?> is not at the start of the file"),
-        (b"<a><xacro:b/></a>", "1:4 prefix 'xacro:' is not declared"),
-        (b"<a><b x:y='1'/></a>", "1:4 prefix 'x:' is not declared"),
+        (b"<a><xacro:b/></a>", "1:1 prefix 'xacro:' is not declared in the root element"),
+        (b"<a><b x:y='1'/></a>", "1:1 prefix 'x:' is not declared in the root element"),
         (b"<a><b>", "1:7 <b> in line 1 has no end tag"),
         (b"<a>\n<b", "2:1 <a> in line 1 has no end tag"),
         (b"<a x='1 & 2'/>", "1:9 a bare '&' is not valid XML"),
@@ -96,7 +96,16 @@ def test_a_byte_order_mark_shifts_no_column() -> None:
         (b"\x7fELF\x00\x01", "1:5 the file is binary, not XML"),
         ("<a/>".encode("utf-16"), "1:1 the file is UTF-16; xacro and urdfdom read UTF-8"),
         (b"just text", "1:1 not XML: an XML file starts with a tag"),
-        (b"<a b=1/>", "1:6 not well-formed XML: unexpected '1'"),
+        (b"<a b=1/>", "1:6 the value of attribute 'b' has no quotes"),
+        (b"<a b=1'/>", "1:6 the value of attribute 'b' has no quotes"),
+        (b"<a b='1 c='2'/>", "1:6 the value of attribute 'b' has no closing quote"),
+        (b"<a b='1>\n<c/></a>", "1:4 the value of attribute 'b' has no closing quote"),
+        (b"<a b='1 < 2'/>", "1:9 '<' is not allowed in the value of an attribute"),
+        (b"<a b='${x && y}'/>", "1:11 '&&' is not valid in XML, nor in an expression of xacro"),
+        (b"<a>\n<!-- x -- y --></a>", "2:8 '--' in the comment that begins in line 2; XML does not allow it inside a comment"),  # noqa: E501
+        (b"<a><!-- x --- y --></a>", "1:12 '--' in the comment that begins in line 1; XML does not allow it inside a comment"),  # noqa: E501
+        (b"<a><!-- x\n<!-- y --> --></a>", "2:1 a comment inside the comment that begins in line 1; XML comments cannot be nested"),  # noqa: E501
+        (b"<a><!-- x --><!-- y -- --></a>", "1:21 '--' in the comment that begins in line 1; XML does not allow it inside a comment"),  # noqa: E501
         (b"<a></a></b>", "1:8 end tag </b> has no matching start tag"),
         (b"<a></a>\n\t</b >", "2:2 end tag </b> has no matching start tag"),
         (b"<?xml version='1.0'?>", "1:22 not well-formed XML: no element found"),

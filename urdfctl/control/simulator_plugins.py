@@ -85,11 +85,16 @@ class LoadedPlugin(NamedTuple):
 
 
 @once_for_the_last
+def written_plugins(project: Project) -> tuple[LoadedPlugin, ...]:
+    """Return the plugins of the whole robot, for any simulator."""
+    robot = robot_in(project)
+    return tuple(_loaded(project, plugin) for plugin in (robot.plugins if robot else ()))
+
+
+@once_for_the_last
 def loaded_plugins(project: Project) -> tuple[LoadedPlugin, ...]:
     """Return the plugins of the whole robot, without those of another simulator than the one the user names."""
-    robot = robot_in(project)
-    plugins = (_loaded(project, plugin) for plugin in (robot.plugins if robot else ()))
-    wanted = project.named_simulator
+    plugins, wanted = written_plugins(project), project.named_simulator
     return tuple(sim_plugin for sim_plugin in plugins if wanted is None or sim_plugin.simulator in (None, wanted))
 
 
@@ -125,6 +130,24 @@ def _fit(plugin: Plugin, known: tuple[SimulatorPlugin, ...]) -> int:
     """The number of a plugin's settings that a ROS version reads; -1 if it has no such plugin."""
     read = {name.partition("/")[0] for entry in known for name in entry.children}
     return sum(tag.name in read for tag in plugin.tag.children) if known else -1
+
+
+def started_simulator(project: Project) -> str | None:
+    """Return the simulator that the user names or the launch file starts: `gz`, `gazebo-classic`, or None."""
+    launch = project.launch
+    named = [project.named_simulator]
+    named += [simulation.simulator for simulation in launch.simulations if simulation.sure] if launch else []
+    return next((simulator for simulator in named if simulator in IN_GAZEBO), None)
+
+
+def sure_simulator(project: Project) -> str | None:
+    """Return the simulator that the robot certainly runs in: `gz`, `gazebo-classic`, or None.
+
+    It is started, or a component has hardware that only this simulator has. A plugin in <gazebo> alone proves nothing:
+    real robots have such plugins too.
+    """
+    found = (started_simulator(project), *(simulator_of(project, control) for control in components(project)))
+    return next((simulator for simulator in found if simulator in IN_GAZEBO), None)
 
 
 def components(project: Project) -> tuple[Ros2Control, ...]:

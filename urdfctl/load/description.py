@@ -10,7 +10,7 @@ from urdfctl.source.files import FileProblem
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.xacro.expansion import HARMLESS, Expander, Expansion
-from urdfctl.source.xml import LATE_DECLARATION, parse
+from urdfctl.source.xml import parse
 from urdfctl.startup.records import NamedTuple
 
 MakeExpander = Callable[[type[Expander]], Expander]
@@ -54,6 +54,8 @@ def _read(source: SourceText, expander: Expander) -> tuple[Document | None, list
         return parse(source, expander.cloning, declarations=expander.trust), []
     except ReadError as error:
         problem = error.problem
+    from urdfctl.source.xml_mistakes import LATE_DECLARATION
+
     if problem.subject != LATE_DECLARATION:
         return None, [problem]
     late = problem._replace(kind=ProblemKind.LATE_DECLARATION)

@@ -81,12 +81,27 @@ def parameters_of(leaves: Iterable[Leaf], base: int = 0) -> Parameters:
 def read_by_rcl(file: YamlFile) -> Flat:
     """Return the sections of a parameter file, as parse.c of rcl_yaml_param_parser reads them: all documents as one."""
     flat = Flat([], [], [Fault(FaultKind.ALIAS, at) for at in file.aliases])
+    flat.faults.extend(Fault(FaultKind.PYTHON_TAG, at) for at in file.python_tags)
     for document in file.documents:
-        if isinstance(document, Mapping):
+        lost = _lost_indentation(document)
+        if lost:
+            flat.faults.append(lost)
+        elif isinstance(document, Mapping):
             _nodes(document, (), flat)
         elif isinstance(document, Sequence):
             flat.faults.append(Fault(FaultKind.ROOT, document.at))
     return flat
+
+
+def _lost_indentation(document: Node) -> Fault | None:
+    """The fault of a document in which `ros__parameters` follows a node's name on the same level, if it is one."""
+    above: Entry | None = None
+    for entry in document.entries if isinstance(document, Mapping) else ():
+        is_name = above is not None and isinstance(above.value, Scalar) and not above.value.text
+        if entry.key.text == PARAMETERS_KEY and above is not None and is_name:
+            return Fault(FaultKind.LOST_INDENTATION, entry.key.at, above.key.text)
+        above = entry
+    return None
 
 
 def _nodes(mapping: Mapping, keys: tuple[Key, ...], flat: Flat) -> None:

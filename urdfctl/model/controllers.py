@@ -36,6 +36,10 @@ class FaultKind(Enum):
     """The root of the document is not a map."""
     DOCUMENTS = auto()
     """ROS 1: several documents; roslaunch reads one, 'expected a single document in the stream'."""
+    PYTHON_TAG = auto()
+    """ROS 2: a value with a tag such as !!python/tuple; rcl ignores it, Python's safe reader rejects it."""
+    LOST_INDENTATION = auto()
+    """ROS 2: ros__parameters beside the node's name, not below it; `subject` is the name."""
     OVERFLOW = auto()
     """ROS 1: an integer of more than 32 bits; 'int exceeds XML-RPC limits'."""
     UNUSABLE = auto()

@@ -37,6 +37,10 @@ class Family(NamedTuple):
         return rules
 
 
+def _has_mistakes(project: Project) -> bool:
+    return bool(project.problems) or bool(project.controllers and project.controllers.faults)
+
+
 def _has_transmissions(project: Project) -> bool:
     robot = project.robot
     if robot is None or not set(ROS1) & set(project.distros):
@@ -85,7 +89,7 @@ def _has_moveit(project: Project) -> bool:
 
 
 FAMILIES = (
-    Family("UC0", "reading", lambda project: bool(project.problems), Stage.SPAWN),
+    Family("UC0", "reading", _has_mistakes, Stage.SPAWN),
     Family("UC1", "urdf", lambda project: project.robot is not None, Stage.SPAWN),
     Family("UC2", "transmissions", _has_transmissions, Stage.HARDWARE),
     Family("UC3", "ros2_control", _is_controlled_by_ros2, Stage.HARDWARE),

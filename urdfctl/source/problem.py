@@ -60,6 +60,7 @@ class Problem(NamedTuple):
     guessed: True if it depends on a guess, so that it is no error for sure.
     follows: how many more problems it caused, which are not told.
     also: other places in the same file with the same problem.
+    used: where the text at `at` is used, if elsewhere.
     """
 
     kind: ProblemKind
@@ -70,6 +71,7 @@ class Problem(NamedTuple):
     guessed: bool = False
     follows: int = 0
     also: tuple[Place, ...] = ()
+    used: Place | None = None
 
 
 class ReadError(Exception):

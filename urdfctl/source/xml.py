@@ -8,16 +8,10 @@ from pyexpat import ExpatError, ParserCreate, XMLParserType
 
 from urdfctl.source.dom import CDATA, COMMENT, TEXT, Cloning, Document, DocumentType, Element, Instruction, Node, Text
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
-from urdfctl.source.span import BOM, Call, Place, SourceText
+from urdfctl.source.span import Call, Place, SourceText
 
 MAX_DEPTH = 200
-_LONGEST_NAME = 40
-_OPEN_REFERENCE = rb"&#?\w*[^\w;]?\Z"
 _BOMS_OF_UTF_16 = (b"\xff\xfe", b"\xfe\xff")
-
-
-LATE_DECLARATION = "declaration"
-"""The subject of a problem with text before `<?xml ...?>`."""
 _BLANKS_AND_DECLARATION = rb"\s+<\?xml\s[^>]*\?>"
 
 
@@ -47,7 +41,11 @@ def parse(
     try:
         builder.parser.Parse(data, True)  # noqa: FBT003 (expat's call)
     except ExpatError as error:
-        raise ReadError(_syntax_problem(source, builder, error)) from None
+        from urdfctl.source.xml_mistakes import syntax_problem
+
+        open_element = builder.current if isinstance(builder.current, Element) else None
+        at, said = builder.parser.ErrorByteIndex, str(error)
+        raise ReadError(syntax_problem(source, at, said, builder.document.documentElement, open_element)) from None
     if builder.document.documentElement is None:  # pragma: no cover (expat raises an error first)
         raise ReadError(Problem(ProblemKind.XML_SYNTAX, Place(source, 0, end=0), "no element found"))
     return builder.document
@@ -62,7 +60,7 @@ class _Builder:
         self._cloning = cloning
         self._call = call
         self._declarations = declarations
-        self._current: Node = self.document
+        self.current: Node = self.document
         self._namespaces: list[tuple[str, str]] = []
         self._in_cdata = self._cdata_continues = False
         self._depth = 0
@@ -120,25 +118,25 @@ class _Builder:
             call=self._call,
             cloning=self._cloning,
         )
-        self._current.appendChild(element)
+        self.current.appendChild(element)
         if self._depth == 1:
             self.document.documentElement = element
-        self._current = element
+        self.current = element
 
     def _end(self, _name: str) -> None:
         self._depth -= 1
-        element = self._current
+        element = self.current
         if isinstance(element, Element):
             element.close = self.parser.CurrentByteIndex
-        self._current = element.parentNode or self.document
+        self.current = element.parentNode or self.document
 
     def _text(self, data: str) -> None:
-        last = self._current.lastChild
+        last = self.current.lastChild
         kind = CDATA if self._in_cdata else TEXT
         if isinstance(last, Text) and last.nodeType == kind and (self._cdata_continues or not self._in_cdata):
             last.data += data
         else:
-            self._current.appendChild(Text(data, kind))
+            self.current.appendChild(Text(data, kind))
         self._cdata_continues = self._in_cdata
 
     def _start_cdata(self) -> None:
@@ -148,10 +146,10 @@ class _Builder:
         self._in_cdata = False
 
     def _comment(self, data: str) -> None:
-        self._current.appendChild(Text(data, COMMENT))
+        self.current.appendChild(Text(data, COMMENT))
 
     def _instruction(self, target: str, data: str) -> None:
-        self._current.appendChild(Instruction(target, data))
+        self.current.appendChild(Instruction(target, data))
 
     def _doctype(self, name: str, system: str | None, public: str | None, has_internal_subset: bool) -> None:  # noqa: FBT001 (expat's call)
         if has_internal_subset and not self._declarations:
@@ -160,106 +158,3 @@ class _Builder:
             message = "DOCTYPE declares entities, which urdfctl does not read: they can expand to an unlimited size"
             raise ReadError(Problem(ProblemKind.DOCTYPE, at, message, hint="replace each entity with its text"))
         self.document.appendChild(DocumentType(name, public, system))
-
-
-def _syntax_problem(source: SourceText, builder: _Builder, error: ExpatError) -> Problem:
-    """The problem for expat's error, at the exact byte, with a message that says what to do."""
-    offset = max(0, min(builder.parser.ErrorByteIndex, len(source.data)))
-    said = str(error).split(": line ")[0]
-    subject, message, hint = "", f"not well-formed XML: {said}", ""
-    if not source.data.removeprefix(BOM).strip():
-        message, offset = "the file is empty", 0
-    elif said.startswith("XML or text declaration not at start"):
-        message = "the XML declaration <?xml ...?> is not at the start of the file"
-        hint = "remove the spaces, lines or comments before it"
-        subject = LATE_DECLARATION
-    elif said.startswith("junk after document element"):
-        message = "text after the end of the root element"
-        hint = f"move it before </{_root_name(builder)}>, or remove it"
-    elif said.startswith("unbound prefix"):
-        return _unbound_prefix(source, offset)
-    elif said.startswith("mismatched tag"):
-        return _mismatched_tag(source, builder, offset)
-    elif said.startswith(("no element found", "unclosed token")):
-        message, hint = _unfinished(builder, said)
-    elif said.startswith("syntax error"):
-        message = "not XML: an XML file starts with a tag"
-    elif said.startswith("undefined entity"):
-        hint = "XML defines only &amp; &lt; &gt; &quot; &apos;"
-    elif said.startswith("not well-formed"):
-        message, hint, offset = _invalid_token(source, offset)
-    return Problem(
-        ProblemKind.XML_SYNTAX, Place(source, offset, end=_token_end(source, offset)), message, subject, hint
-    )
-
-
-def _token_end(source: SourceText, offset: int) -> int:
-    end = source.data.find(b"\n", offset)
-    token = source.data[offset : end if end >= 0 else len(source.data)].split(maxsplit=1)
-    return offset + (len(token[0]) if token and source.data[offset : offset + 1].strip() else 0)
-
-
-def _root_name(builder: _Builder) -> str:
-    root = builder.document.documentElement
-    return root.tagName if root is not None else "robot"
-
-
-def _open_element(builder: _Builder) -> Element | None:
-    return builder._current if isinstance(builder._current, Element) else None
-
-
-def _unbound_prefix(source: SourceText, offset: int) -> Problem:
-    tag = source.start_tag(offset)
-    names = [tag.name, *tag.attributes] if tag else []
-    prefix = next((name.split(":")[0] for name in names if ":" in name and not name.startswith("xml")), "xacro")
-    uri = "http://www.ros.org/wiki/xacro" if prefix == "xacro" else "..."
-    return Problem(
-        ProblemKind.XML_SYNTAX,
-        Place(source, offset),
-        f"prefix '{prefix}:' is not declared",
-        prefix,
-        f'add xmlns:{prefix}="{uri}" to the root element',
-    )
-
-
-def _mismatched_tag(source: SourceText, builder: _Builder, offset: int) -> Problem:
-    offset = max(source.data.rfind(b"</", 0, offset + 1), 0)
-    opened = _open_element(builder)
-    found = _tag_name(source, offset + 2)
-    message = f"end tag </{found}> has no matching start tag"
-    if opened is not None:
-        line = source.position(opened.start).line
-        message = f"<{opened.tagName}> in line {line} is not closed: expected </{opened.tagName}>, found </{found}>"
-    return Problem(ProblemKind.XML_SYNTAX, Place(source, offset, end=_token_end(source, offset)), message)
-
-
-def _tag_name(source: SourceText, offset: int) -> str:
-    return re.split(rb"[\s>]", source.data[offset : offset + 200], maxsplit=1)[0].decode("utf-8", "replace")
-
-
-def _unfinished(builder: _Builder, said: str) -> tuple[str, str]:
-    opened = _open_element(builder)
-    if opened is None:
-        return f"not well-formed XML: {said}", ""
-    line = builder.source.position(opened.start).line
-    return f"<{opened.tagName}> in line {line} has no end tag", f"close it with </{opened.tagName}>"
-
-
-def _invalid_token(source: SourceText, offset: int) -> tuple[str, str, int]:
-    """The message, the hint and the byte offset for an unexpected byte."""
-    try:
-        source.data.decode("utf-8")
-    except UnicodeDecodeError as error:
-        return f"byte 0x{source.data[error.start]:02x} is not valid UTF-8", "save the file as UTF-8", error.start
-    if b"\x00" in source.data:
-        return "the file is binary, not XML", "", source.data.index(b"\x00")
-    reference = re.compile(_OPEN_REFERENCE).search(source.data, max(0, offset - _LONGEST_NAME), offset + 1)
-    if reference:
-        return "a bare '&' is not valid XML", "write &amp;", reference.start()
-    if source.data[offset - 1 : offset + 1] == b"</":
-        return f"end tag </{_tag_name(source, offset + 1)}> has no matching start tag", "", offset - 1
-    byte = source.data[offset : offset + 1]
-    opened = source.data.rfind(b"<", 0, offset)
-    if byte == b"<" and opened > source.data.rfind(b">", 0, offset):
-        return f"tag <{_tag_name(source, opened + 1)} is not closed before the next '<'", "end it with '>'", opened
-    return f"not well-formed XML: unexpected {byte.decode('utf-8', 'replace')!r}", "", offset

@@ -21,6 +21,7 @@ MOST_NODES = 200_000
 _MOST_DUPLICATES = 20
 _UNPRINTABLE = "[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]"
 _TAB_INDENT = r" *\t[ \t]*(?=[^\s#])"
+_PYTHON = "tag:yaml.org,2002:python/"
 _OPENED = ("while parsing a flow", "while scanning a quoted")
 _LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
@@ -96,6 +97,7 @@ class YamlFile(NamedTuple):
 
     documents: the root node of each document. An alias is the node of its anchor, with the anchor's place.
     aliases: the places of the aliases.
+    python_tags: the places of the values with a tag that makes Python objects, such as !!python/tuple.
     problems: what is wrong with the file.
     readable: False if the file is not valid YAML, so that no program can read it.
     """
@@ -105,6 +107,7 @@ class YamlFile(NamedTuple):
     aliases: tuple[Place, ...]
     problems: tuple[Problem, ...]
     readable: bool = True
+    python_tags: tuple[Place, ...] = ()
 
 
 def read_yaml(source: SourceText, *, by_python: bool = False) -> YamlFile:
@@ -117,7 +120,8 @@ def read_yaml(source: SourceText, *, by_python: bool = False) -> YamlFile:
         reader.read()
     except ReadError as error:
         return YamlFile(source, (), (), (error.problem,), readable=False)
-    return YamlFile(source, tuple(reader.documents), tuple(reader.aliases), tuple(reader.problems))
+    documents, aliases, problems = tuple(reader.documents), tuple(reader.aliases), tuple(reader.problems)
+    return YamlFile(source, documents, aliases, problems, python_tags=tuple(reader.python_tags))
 
 
 class _Open:
@@ -147,6 +151,7 @@ class _Reader:
         self._loader = loader
         self.documents: list[Node] = []
         self.aliases: list[Place] = []
+        self.python_tags: list[Place] = []
         self.problems: list[Problem] = []
         self._open: list[_Open] = []
         self._anchors: dict[str, tuple[Node, _Weight]] = {}
@@ -220,6 +225,8 @@ class _Reader:
         self._add(node, opened.anchor, _Weight(opened.size, opened.depth))
 
     def _add(self, node: Node, anchor: str | None, weight: _Weight) -> None:
+        if node.tag and node.tag.startswith(_PYTHON):
+            self.python_tags.append(node.at)
         self._size += weight.size
         if self._size > MOST_NODES:
             raise self._over(node.start, f"the YAML expands to more than {MOST_NODES} values")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
-from urdfctl.control.simulator_plugins import LoadedPlugin, loaded_plugins, of_sensors
+from urdfctl.control.simulator_plugins import LoadedPlugin, loaded_plugins, of_sensors, written_plugins
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.migration.facts import IN_GZ
 
@@ -51,6 +51,8 @@ def gazebo_classic_gone(project: Project) -> Iterator[Finding]:
     if not set(project.distros) <= set(_WITHOUT):
         return
     everywhere = (*loaded_plugins(project), *of_sensors(project))
+    if not any(plugin.hosts_control for plugin in everywhere):
+        everywhere += tuple(plugin for plugin in written_plugins(project) if plugin.hosts_control)
     classic = [plugin for plugin in everywhere if plugin.simulator == "gazebo-classic" and not plugin.known]
     both = any(plugin.hosts_control and plugin.simulator == "gz" for plugin in everywhere)
     first: dict[str, LoadedPlugin] = {}

@@ -16,7 +16,8 @@ def findings_of(project: Project, kind: ProblemKind) -> Iterator[Finding]:
     for problem in project.of_kind(kind):
         fix = Fix(problem.hint) if problem.hint else None
         severity = Severity.WARNING if problem.guessed else None
-        yield Finding(problem.at, problem.message, notes=consequences_of(problem), fix=fix, severity=severity)
+        used = (Note("used here", problem.used),) if problem.used else ()
+        yield Finding(problem.at, problem.message, (*used, *consequences_of(problem)), fix, severity)
 
 
 def consequences_of(problem: Problem) -> tuple[Note, ...]:

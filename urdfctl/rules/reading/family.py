@@ -14,6 +14,7 @@ from urdfctl.rules.reading.expression_fails import expression_fails
 from urdfctl.rules.reading.file_not_found import file_not_found
 from urdfctl.rules.reading.file_unreadable import file_unreadable
 from urdfctl.rules.reading.forbidden_expression import forbidden_expression
+from urdfctl.rules.reading.indentation_lost import indentation_lost
 from urdfctl.rules.reading.launch_file_not_python import launch_file_not_python
 from urdfctl.rules.reading.macro_call_mismatch import macro_call_mismatch
 from urdfctl.rules.reading.macro_defined_twice import macro_defined_twice
@@ -22,6 +23,7 @@ from urdfctl.rules.reading.outside_workspace import outside_workspace
 from urdfctl.rules.reading.over_budget import over_budget
 from urdfctl.rules.reading.package_not_found import package_not_found
 from urdfctl.rules.reading.package_without_manifest import package_without_manifest
+from urdfctl.rules.reading.python_tag import python_tag
 from urdfctl.rules.reading.rule_crashed import rule_crashed
 from urdfctl.rules.reading.suppression_unused import suppression_unused
 from urdfctl.rules.reading.undefined_argument import undefined_argument
@@ -68,5 +70,7 @@ RULES: tuple[Rule, ...] = (
     argument_default_unusable,
     macro_named_after_other_file,
     arguments_needed,
+    indentation_lost,
+    python_tag,
     suppression_unused,
 )

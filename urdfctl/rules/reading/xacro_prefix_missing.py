@@ -12,6 +12,7 @@ from urdfctl.rules.reading.common import consequences_of
 from urdfctl.source.problem import ProblemKind
 from urdfctl.source.span import Place, SourceSpan, SourceText
 
+_REQUIRED = (*since("noetic"), *ROS2)
 _XACRO = "http://www.ros.org/wiki/xacro"
 _PROLOG = rb"(?s)(?:\xef\xbb\xbf)?(?:\s+|<\?.*?\?>|<!--.*?-->|<!DOCTYPE[^>\[]*>)*"
 
@@ -19,7 +20,7 @@ _PROLOG = rb"(?s)(?:\xef\xbb\xbf)?(?:\s+|<\?.*?\?>|<!--.*?-->|<!DOCTYPE[^>\[]*>)
 @rule(
     "UC018",
     severity=Severity.WARNING,
-    distros=(*since("noetic"), *ROS2),
+    distros=_REQUIRED,
     authority="xacro CHANGELOG 1.14.0 (noetic): 'removed deprecated --xacro-ns option'; eval_all() looks at names that begin with 'xacro:' only",
     bad={
         "robot.xacro": """
@@ -49,7 +50,8 @@ def xacro_prefix_missing(project: Project) -> Iterator[Finding]:
     for problem in project.of_kind(ProblemKind.PREFIX_MISSING):
         edits = tuple(edit for at in (problem.at, *problem.also) for edit in _prefixed(at))
         fix = Fix(problem.hint, (*_declared(problem.at.source), *edits))
-        severity = Severity.ERROR if problem.follows else None
+        is_lost = "macro call" in problem.message and set(project.distros) <= set(_REQUIRED)
+        severity = Severity.ERROR if problem.follows or is_lost else None
         yield Finding(problem.at, problem.message, notes=consequences_of(problem), fix=fix, severity=severity)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.control.simulator_plugins import IN_GAZEBO, components, loaded_plugins, simulator_of
+from urdfctl.control.simulator_plugins import IN_GAZEBO, components, simulator_of, started_simulator, written_plugins
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import whole_robot_in
 
@@ -44,12 +44,13 @@ def control_plugin_missing(project: Project) -> Iterator[Finding]:
     """Hardware for Gazebo without the plugin that loads it.
 
     The controller manager of a simulated robot runs in a plugin of Gazebo, which loads the hardware. Without the
-    plugin, spawners wait for a controller manager that never starts.
+    plugin, spawners wait for a controller manager that never starts. This is an error if the simulator is named, or if
+    the launch file starts it.
     """
     robot = whole_robot_in(project)
     if robot is None or any(
         sim_plugin.hosts_control or sim_plugin.any is None
-        for sim_plugin in loaded_plugins(project)
+        for sim_plugin in written_plugins(project)
         if sim_plugin.filename
     ):
         return
@@ -66,5 +67,6 @@ def control_plugin_missing(project: Project) -> Iterator[Finding]:
             name = host.names[0] if host.names else "gazebo_ros2_control"
             element = f'<plugin filename="{host.filenames[0]}" name="{name}">'
             fix = Fix(f"add <gazebo>{element}<parameters>...</parameters></plugin></gazebo>")
-        yield Finding(control.hardware[-1].plugins[0].at, message, fix=fix)
+        severity = Severity.ERROR if started_simulator(project) == simulator else None
+        yield Finding(control.hardware[-1].plugins[0].at, message, fix=fix, severity=severity)
         return

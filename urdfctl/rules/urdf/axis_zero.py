@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.simulator_plugins import sure_simulator
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, label, robot_in
 from urdfctl.rules.urdf.numbers import VECTOR, Field
+from urdfctl.rules.written import where_written
 
 
 @rule(
@@ -40,9 +42,10 @@ def axis_zero(project: Project) -> Iterator[Finding]:
     """Joint axis is 0 0 0.
 
     urdfdom accepts it, and reads an <axis> without `xyz` as 0 0 0. Without <axis>, the default is 1 0 0. The joint has
-    no direction: it does not move, and Gazebo rejects the model.
+    no direction and does not move. gz rejects the robot, which is an error if the robot runs in gz.
     """
     robot = robot_in(project)
+    severity = Severity.ERROR if sure_simulator(project) == "gz" else None
     for joint in robot.joints if robot else ():
         if not joint.moves or joint.type == "floating":
             continue
@@ -52,6 +55,7 @@ def axis_zero(project: Project) -> Iterator[Finding]:
         text = axis.attributes.get("xyz")
         if text is None:
             message = f"<axis> of {label('joint', joint.name)} has no 'xyz' and is read as 0 0 0; add a direction"
-            yield Finding(axis.at, message)
+            yield Finding(axis.at, message, severity=severity)
         elif is_known(text) and Field(axis, "xyz", text, VECTOR).values == [0.0, 0.0, 0.0]:
-            yield Finding(axis.at["xyz"], f"<axis> of {label('joint', joint.name)} is 0 0 0; give it a direction")
+            message = f"<axis> of {label('joint', joint.name)} is 0 0 0; give it a direction"
+            yield Finding(where_written(axis.at["xyz"], text, None).at, message, severity=severity)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator
 
 from urdfctl.catalog.distros import ROS2
+from urdfctl.control.simulator_plugins import sure_simulator
 from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Robot
 from urdfctl.names import enumerated
@@ -50,10 +51,10 @@ def duplicates(kind: str, parts: Iterable[tuple[str | None, Place]]) -> Iterator
 def severity_in_gazebo(project: Project, *, refused_by: Collection[str] = ()) -> Severity:
     """Return the severity of what only Gazebo does not accept.
 
-    An error if the user names a simulator in `refused_by`; a warning if Gazebo may run the robot, which has elements or
+    An error if the robot certainly runs in a simulator in `refused_by`; a warning if Gazebo may run the robot, which has elements or
     plugins for it; info if nothing shows that.
     """
-    if project.named_simulator in refused_by:
+    if sure_simulator(project) in refused_by:
         return Severity.ERROR
     robot = project.robot
     is_for_gazebo = project.simulator in ("gz", "gazebo-classic") or (robot is not None and bool(robot.gazebos))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.simulator_plugins import sure_simulator
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import label, robot_in
 from urdfctl.rules.urdf.bodies import inertial_of
@@ -45,13 +46,13 @@ def inertia_impossible(project: Project) -> Iterator[Finding]:
     """Physically impossible inertia.
 
     No principal moment may be negative, or greater than the sum of the other two. urdfdom does not check this. Gazebo
-    rejects the robot from sdformat 9 on, and other engines become unstable. It is an error with `--simulator gz`.
+    rejects the robot from sdformat 9 on, and other engines become unstable. It is an error if gz runs the robot.
     """
     robot = robot_in(project)
     if robot is None:
         return
     tolerance = TOLERANCE_OF_SDFORMAT if may_be_ros2(project) else TOLERANCE_ELSEWHERE
-    severity = Severity.ERROR if project.named_simulator == "gz" else None
+    severity = Severity.ERROR if sure_simulator(project) == "gz" else None
     for link in robot.links:
         inertial = inertial_of(link)
         moments = moments_of(inertial)
@@ -60,6 +61,7 @@ def inertia_impossible(project: Project) -> Iterator[Finding]:
         fault = _fault(moments, tolerance)
         if fault:
             message = f"<inertia> of {label('link', link.name)} is impossible: {fault}"
+            message += "; gz rejects the robot" if severity else ""
             yield Finding(inertial.inertia_at, message, severity=severity)
 
 

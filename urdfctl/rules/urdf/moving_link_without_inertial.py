@@ -36,22 +36,24 @@ def moving_link_without_inertial(project: Project) -> Iterator[Finding]:
     """Moving link without <inertial>.
 
     No link that is fixed to it has an <inertial> either. Gazebo drops the link, its joint and everything below it;
-    older versions do so silently. Its control plugin then does not know the joint. Real hardware and RViz are not affected: if
-    nothing of the robot is for Gazebo, it is only worth knowing.
+    older versions do so silently. Its control plugin then does not know the joint. This is an error if the robot certainly
+    runs in Gazebo. Real hardware and RViz are not affected: if nothing of the robot is for Gazebo, it is only worth
+    knowing.
     """
     robot = whole_robot_in(project)
     if robot is None or not project.may_be_simulated:
         return
     if all(link.inertials for link in robot.links):
         return
+    severity = severity_in_gazebo(project, refused_by=("gz", "gazebo-classic"))
     lost = [body for body in vanishing(robot) if not any(inertial_of(link) for link in body.links)]
     if lost and not any(link.inertials for link in robot.links):
         message = "no link of the robot has an <inertial>; Gazebo drops all moving links"
-        yield Finding(robot.at, message, severity=severity_in_gazebo(project))
+        yield Finding(robot.at, message, severity=severity)
         return
     for body in lost:
         loss = f"and {body.lost} moving joints" if body.lost > 1 else "and its joint"
         joint = body.joint.name if body.joint else None
         link = f"link '{body.head.name}' of joint '{joint}'" if joint else f"root link '{body.head.name}'"
         message = f"{link} has no <inertial>; Gazebo drops it {loss}"
-        yield Finding(body.head.at["name"], message, severity=severity_in_gazebo(project))
+        yield Finding(body.head.at["name"], message, severity=severity)

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import Names, is_known, label, replaced, whole_robot_in
 from urdfctl.rules.urdf.tree import child_of
+from urdfctl.rules.written import where_written
 
 
 @rule(
@@ -55,8 +56,10 @@ def unknown_link(project: Project) -> Iterator[Finding]:
                 message += f"; is link '{meant}', which has no parent joint, misspelt?"
                 yield Finding(at, message, (note,), replaced(at, meant, end.name))
                 continue
-            fix = replaced(end.at, end.name, meant) if meant else None
-            yield Finding(end.at, message + (f"; did you mean '{meant}'?" if meant else ""), fix=fix)
+            used = end.at
+            at, fix = where_written(used, end.name, meant)
+            notes = () if at is used else (Note("used here", used),)
+            yield Finding(at, message + (f"; did you mean '{meant}'?" if meant else ""), notes, fix)
 
 
 def _agrees(joint: str, written: str, link: str) -> bool:

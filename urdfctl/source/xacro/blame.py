@@ -53,7 +53,22 @@ def blame_of(error: BaseException) -> Blame:
         elif function == "_resolve_" and isinstance(values.get("key"), str):
             properties.append(values["key"])
         trace = trace.tb_next
+    properties += _looked_up(error.__cause__)
     return Blame(node, attribute, tuple(properties))
+
+
+def _looked_up(error: BaseException | None) -> list[str]:
+    """The properties that were looked up when an exception was raised, and those of its causes, outermost first."""
+    names = []
+    while error is not None:
+        trace = error.__traceback__
+        while trace is not None:
+            key = trace.tb_frame.f_locals.get("key")
+            if trace.tb_frame.f_code.co_name == "_resolve_" and isinstance(key, str):
+                names.append(key)
+            trace = trace.tb_next
+        error = error.__cause__
+    return names
 
 
 def cut_out(blame: Blame, parent: Element, done: list[Node]) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from urdfctl.names import did_you_mean
+from urdfctl.names import nearest
 from urdfctl.source.budget import OverBudget
 from urdfctl.source.files import FileProblem
 from urdfctl.source.packages import PackageNotFound, Packages
@@ -38,7 +38,7 @@ def problem_of(error: BaseException, blame: Blame, filestack: list[str]) -> Prob
     text = str(error) or repr(error)
     expression = failed_expression(error)
     for cause in causes:
-        found = _by_exception(cause, at, expression, blame)
+        found = _by_exception(cause, at, expression)
         if found is not None:
             return found
     return _by_text(text, at, expression)
@@ -91,8 +91,10 @@ def _known(cause: BaseException, at: Place) -> Problem | None:
     if isinstance(cause, FileProblem):
         return cause.at(at)
     if isinstance(cause, PackageNotFound):
-        hint = "give its folder with --package-path, or use a wider --workspace"
-        message = f"package '{cause.name}' was not found in this workspace{did_you_mean(cause.name, cause.known)}"
+        meant = nearest(cause.name, cause.known)
+        hint = f"write '{meant}'" if meant else "give its folder with --package-path, or use a wider --workspace"
+        message = f"package '{cause.name}' was not found in this workspace"
+        message += f"; did you mean '{meant}'?" if meant else ""
         return Problem(ProblemKind.PACKAGE_NOT_FOUND, at, message, cause.name, hint)
     if isinstance(cause, ForbiddenExpression):
         hint = "remove it, or allow it with --trust"
@@ -106,13 +108,12 @@ def _known(cause: BaseException, at: Place) -> Problem | None:
     return None
 
 
-def _by_exception(cause: BaseException, at: Place, expression: str, blame: Blame) -> Problem | None:
+def _by_exception(cause: BaseException, at: Place, expression: str) -> Problem | None:
     said = " ".join(str(cause).split())
     if isinstance(cause, NameError):
         quoted = re.search(_QUOTED, said)
         name = quoted.group(1) if quoted else said
-        via = f" (used by property '{blame.properties[-1]}')" if blame.properties else ""
-        message = f"'{name}' is not defined{via}: no <xacro:property>, parameter or argument has this name here"
+        message = f"'{name}' is not defined: no <xacro:property>, parameter or argument has this name here"
         return Problem(ProblemKind.UNDEFINED_NAME, at, message, name)
     if type(cause).__name__ == "ArgException":
         hint = f'declare it with <xacro:arg name="{said}" default="..."/> before its use, or pass {said}:=...'

@@ -32,6 +32,7 @@ from urdfctl.source.xacro.leftovers import (
     unused_arguments,
 )
 from urdfctl.source.xacro.macro_names import macro_of_other_file
+from urdfctl.source.xacro.origin import suggested, traced
 from urdfctl.source.xacro.prefixes import add_prefixes, is_call, missing_prefixes
 from urdfctl.source.xacro.replacements import replace
 from urdfctl.source.xacro.safety import install_safety, install_yaml
@@ -116,6 +117,8 @@ class Expander:
         """Whether an argument that is neither given nor declared is unknown, and not a problem."""
         self._given: Mapping[str, str] = {}
         self._properties: dict[str, set[str]] = {}
+        self._written: dict[str, list[Element]] = {}
+        """The elements that define each property."""
         self._originals: dict[str, Callable[..., Any]] = {}
         self._install()
 
@@ -155,7 +158,9 @@ class Expander:
             return
         sources = self.files.sources()
         self._look_for_leftovers(document, sources)
-        for problem in unused_arguments(self.declared, given, sources, Place(root.source, root.start)):
+        undefined = {problem.subject for problem in self.found.all if problem.kind is ProblemKind.UNDEFINED_ARGUMENT}
+        at = Place(root.source, root.start)
+        for problem in unused_arguments(self.declared, given, sources, at, undefined):
             if problem.hint or not self.found.may_lack_names:
                 self._add(problem)
 
@@ -233,7 +238,7 @@ class Expander:
     def _handle_macro_call(self, node: Element, macros: Any, symbols: object) -> bool:
         name = node.tagName
         if not name.startswith("xacro:"):
-            if not (self.unprefixed and is_call(name, macros)):
+            if not (self.unprefixed and is_call(node, macros)):
                 return False
             node.tagName = name = f"xacro:{name}"
         if name == "xacro:call":  # comes back here under the macro's own name
@@ -279,8 +284,9 @@ class Expander:
             for problem in repeated_condition(node):
                 self._add(problem)
         elif node.tagName == "xacro:property":
-            texts = self._properties.setdefault(node.attrs.get("name", ""), set())
-            texts.add(node.attrs.get("value", node.attrs.get("default", "")))
+            name = node.attrs.get("name", "")
+            self._properties.setdefault(name, set()).add(node.attrs.get("value", node.attrs.get("default", "")))
+            self._written.setdefault(name, []).append(node)
         elif node.tagName == "xacro:arg":
             self.declared.setdefault(node.attrs.get("name", ""), node)
         return self._originals["check_attrs"](node, required, optional)
@@ -383,6 +389,8 @@ class Expander:
 
     def _problem(self, blame: Blame, error: BaseException) -> Problem:
         problem = problem_of(error, blame, self.module.filestack)
+        problem = suggested(problem, self._properties, self.declared)
+        problem = traced(problem, failed_expression(error), [self._written.get(name, ()) for name in blame.properties])
         return problem if self.strict else judged(problem, self.packages)
 
     def _add(self, problem: Problem) -> None:

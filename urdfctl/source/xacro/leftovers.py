@@ -62,14 +62,23 @@ def repeated_condition(node: Element) -> Iterator[Problem]:
 
 
 def unused_arguments(
-    declared: Mapping[str, Element], given: Collection[str], sources: Iterable[SourceText], at: Place
+    declared: Mapping[str, Element],
+    given: Collection[str],
+    sources: Iterable[SourceText],
+    at: Place,
+    undefined: Collection[str] = (),
 ) -> Iterator[Problem]:
-    """Yield the arguments that are declared or given, but that no text uses."""
+    """Yield the arguments that are declared or given, but that no text uses.
+
+    undefined: the arguments that are already reported as used but not declared.
+    """
     used = set(_names_asked_for(sources))
     for name, element in declared.items():
         if name not in used:
             message = f"argument '{name}' is declared but not used in any file of this robot"
             missing = nearest(name, used - set(declared))
+            if missing in undefined:
+                continue
             also = f"; '{missing}' is used but not declared" if missing else ""
             hint = f"rename it to '{missing}'" if missing else ""
             yield Problem(ProblemKind.UNUSED_ARGUMENT, element.at["name"], message + also, name, hint)

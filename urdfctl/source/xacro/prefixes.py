@@ -22,12 +22,24 @@ _OF_URDF = frozenset(
     "mechanicalReduction mesh mimic offset origin param parent plugin robot role ros2_control safety_controller sensor "
     "sphere state_interface texture transmission type verbose visual".split()
 )
+_OF_ROBOT = frozenset(
+    "gazebo gpio group hardware joint link material param plugin robot ros2_control sensor transmission verbose".split()
+)
+"""Elements that belong into <robot>, or that some program reads there."""
 ANYTHING_GOES = frozenset({"gazebo", "sensor", "plugin"})
 
 
-def is_call(name: str, macros: Collection[str]) -> bool:
-    """Return whether a tag without the prefix calls a macro."""
-    return name not in _OF_URDF and name not in _DIRECTIVES and name in macros
+def is_call(element: Element, macros: Collection[str]) -> bool:
+    """Return whether a tag without the prefix calls a macro.
+
+    A tag with the name of one of URDF's elements does so where that element does not belong: `<axis>` in <robot>.
+    """
+    name = element.tagName
+    if name not in macros or name in _DIRECTIVES:
+        return False
+    parent = element.parentNode
+    is_in_root = isinstance(parent, Element) and parent.tagName == "robot"
+    return name not in _OF_URDF or (is_in_root and name not in _OF_ROBOT)
 
 
 def lacks_prefix(element: Element, macros: Collection[str]) -> bool:
@@ -35,7 +47,7 @@ def lacks_prefix(element: Element, macros: Collection[str]) -> bool:
     name = element.tagName
     if name in _DIRECTIVES:
         return _NEEDED.get(name, "") in ("", *element.attrs)
-    return is_call(name, macros)
+    return is_call(element, macros)
 
 
 def add_prefixes(root: Element) -> None:

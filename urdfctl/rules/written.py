@@ -1,0 +1,88 @@
+"""Find where a wrong name is written: where the robot uses it, or in the macro call that passes it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from urdfctl.rule import Edit, Fix
+from urdfctl.source.span import Place
+from urdfctl.startup.records import NamedTuple
+
+_DEEPEST = 20
+_PARAMETER = re.compile(r"\$\{\s*([A-Za-z_]\w*)\s*\}")
+_SUBSTITUTED = re.compile(r"\$\{[^{}]*\}|\$\([^()]*\)")
+
+
+class Written(NamedTuple):
+    """The place where a wrong name, or the wrong part of it, is written, and the fix that corrects it there, if any."""
+
+    at: Place
+    fix: Fix | None = None
+
+
+def where_written(at: Place, wrong: str, meant: str | None) -> Written:
+    """Return where a name is written that is wrong, with the fix that makes it `meant`.
+
+    at: where the robot uses the name, which may be a parameter of a macro. Then the call is to be edited, not the
+    macro: other calls may be right. If only the macro's own text differs from `meant`, the macro is to be edited.
+    """
+    passed = _passed(at, wrong, meant, _DEEPEST)
+    if passed is not None:
+        return passed
+    text = at.span.text.replace("\r\n", "\n")
+    new = _corrected(text, wrong, meant) if meant else None
+    return Written(at, Fix(f"write '{new}'", (Edit(at.span, new),))) if new else Written(at)
+
+
+def _passed(at: Place, wrong: str, meant: str | None, depth: int) -> Written | None:
+    """The place in a macro call of the part that is wrong; None if the part is not passed by a call."""
+    if at.call is None or not depth:
+        return None
+    text = at.span.text
+    own = re.sub(_SUBSTITUTED, "", text).strip("_/ ")
+    for value in sorted(_values(at, text), key=lambda one: -len(one.span.text)):
+        part = value.span.text
+        inner = _passed(value, wrong, meant, depth - 1)
+        if inner is not None:
+            return inner
+        if not part.strip() or "$" in part or part not in wrong:
+            continue
+        new = _between(wrong, part, meant) if meant else None
+        if new:
+            return Written(value, Fix(f"write '{new}'", (Edit(value.span, new),)))
+        if meant is None and not own:
+            return Written(value)
+    return None
+
+
+def _values(at: Place, text: str) -> Iterator[Place]:
+    """Yield the places in the nearest macro call of the parameters that a text uses."""
+    call = next((step for step in at.call.chain() if step.kind == "macro"), None) if at.call else None
+    tag = call.source.start_tag(call.offset) if call else None
+    if call is None or tag is None:
+        return
+    for name in _PARAMETER.findall(text):
+        if name in tag.attributes:
+            start, end = tag.attributes[name]
+            yield Place(call.source, start, call.parent, end=end)
+
+
+def _corrected(text: str, wrong: str, meant: str) -> str | None:
+    """A text with the wrong part corrected: the whole text, or a part of it that is not substituted."""
+    if text == wrong:
+        return meant
+    for part in (part for part in re.split(_SUBSTITUTED, text) if part.strip()):
+        new = _between(wrong, part, meant)
+        if new is not None and text.count(part) == 1 and "$" in text:
+            return text.replace(part, new)
+    return None
+
+
+def _between(wrong: str, part: str, meant: str) -> str | None:
+    """What must replace a part of a wrong name to make it `meant`; None if the rest of the name differs too."""
+    before, _, after = wrong.partition(part)
+    if len(before) + len(after) > len(meant) or not (meant.startswith(before) and meant.endswith(after)):
+        return None
+    new = meant[len(before) : len(meant) - len(after)]
+    return new if new != part else None
