@@ -381,14 +381,15 @@ def test_an_effort_controller_of_a_position_interface(arm: Planted) -> None:
 
 
 def test_a_number_without_decimal_point(arm: Planted) -> None:
-    arm.replace(YAML, "    joints:", "    constraints: {goal_time: 1}\n    joints:")
-    assert "error controllers.yaml: constraints: {goal_time: 1}: 'constraints.goal_time' must be a number" in arm.only()
+    arm.replace(YAML, "goal_time: 1.0", "goal_time: 1")
+    assert arm.only().startswith("error controllers.yaml: goal_time: 1  # s after the end")
+    assert "'constraints.goal_time' must be a number with a decimal point" in arm.only()
     assert arm.only().endswith("[add a decimal point]")
 
 
 def test_a_controller_file_of_comments_is_reported_as_that_once(arm: Planted) -> None:
     (arm.path / YAML).write_text("# nothing yet\n")
-    message = "controller file has only comments, so it sets no parameters"
+    message = "controller file has only comments, but controller 'joint_state_broadcaster' is spawned"
     assert arm.only() == f"error controllers.yaml: # nothing yet: {message} []"
 
 

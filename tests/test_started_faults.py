@@ -58,7 +58,7 @@ def test_a_controller_spawned_from_an_empty_file_is_unknown(tmp_path: Path) -> N
     launch = _PYTHON.replace("TEXT", f"open({str(tmp_path / 'arm.urdf')!r}).read()")
     launch = launch.replace("FILE", repr(str(tmp_path / "controllers.yaml")))
     _write(tmp_path, arm__urdf=whole("arm.urdf", ""), controllers__yaml="", arm__launch__py=launch)
-    assert _lint(tmp_path, "arm.launch.py", "UC601", distro="humble") == ["error UC601 arm.launch.py"]
+    assert _lint(tmp_path, "arm.launch.py", "UC601", distro="humble") == ["error UC601 controllers.yaml"]
 
 
 @pytest.mark.parametrize(

@@ -55,10 +55,11 @@ def parameter_of_no_element(project: Project) -> Iterator[Finding]:
     Constraints, gains and the like are read for each element of a list, such as `joints`. Those for other names are
     ignored silently.
     """
-    return in_each_distro(project, _unlisted, newest=True)
+    joints = frozenset(project.robot.joint_names if project.robot else ())
+    return in_each_distro(project, lambda reader: _unlisted(reader, joints), newest=True)
 
 
-def _unlisted(reader: Reader) -> Iterator[Finding]:
+def _unlisted(reader: Reader, joints: frozenset[str]) -> Iterator[Finding]:
     reported = set()
     for leaf in reader.own.leaves:
         pattern, element = known_as(reader, leaf.name) or ("", None)
@@ -70,10 +71,12 @@ def _unlisted(reader: Reader) -> Iterator[Finding]:
         if not listed or element in listed or not is_known(value) or element in reported:
             continue
         reported.add(element)
+        if element in joints and nearest(element, [name for name in listed if name not in joints]):
+            continue  # UC440 reports the name in the list
         start = pattern[: listing.start()] + element
         group = reader.own.get(start)
         at, written = (group.key, group.last) if group else (leaf.key, leaf.last)
-        right = nearest(element, listed)
+        right = None if element in joints else nearest(element, listed)
         hint = f"; did you mean '{right}'?" if right else f"; '{start}' is ignored"
         message = f"'{element}' is not in '{listing[1]}'{hint}"
         yield Finding(at, message, fix=replaced(at, written, right) if right else None, severity=Severity.WARNING)

@@ -50,8 +50,9 @@ def _of_empty_files(launch: Launch, controllers: Controllers) -> Iterator[Findin
     if spawned and controllers.files and all(file.empty for file in controllers.files):
         name, at = spawned[0]
         file = controllers.files[0]
-        message = f"controller '{name}' is spawned, but the controller file is empty: '{file.path}'"
-        yield Finding(at, message, (Note("the empty file is this one", file.at),))
+        text = "has only comments" if file.at.source.data.strip() else "is empty"
+        message = f"controller file {text}, but controller '{name}' is spawned"
+        yield Finding(file.at, message, (Note("it is spawned here", at),))
 
 
 def _is_all_known(project: Project, launch: Launch) -> bool:
