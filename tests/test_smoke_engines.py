@@ -26,9 +26,10 @@ from urdfctl.smoke.job import (
     trial_job,
     without_meshes,
 )
+from urdfctl.smoke.plan import Plan, Tried
 from urdfctl.smoke.prepare import mesh_fault
 from urdfctl.smoke.results import Smoked, Verdict
-from urdfctl.smoke.trial import Plan, Tried, tried
+from urdfctl.smoke.trial import tried
 
 JAZZY = Settings(distro="jazzy")
 

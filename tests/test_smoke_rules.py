@@ -33,7 +33,7 @@ def assert_found_where_it_is_marked(rule: Rule, folder: Path) -> None:
     assert {(Path(d.at.file).relative_to(folder).as_posix(), d.at.start, d.at.end) for d in findings} == set(marks)
 
 
-@pytest.mark.parametrize("rule", STATIC, ids=lambda rule: rule.code)
+@pytest.mark.parametrize("rule", [rule for rule in STATIC if rule.bad], ids=lambda rule: rule.code)
 def test_the_bad_example_is_found_where_it_is_marked(rule: Rule, tmp_path: Path) -> None:
     assert_found_where_it_is_marked(rule, tmp_path)
 

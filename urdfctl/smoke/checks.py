@@ -15,7 +15,7 @@ from urdfctl.rules.smoke.joint_oscillates import joint_oscillates
 from urdfctl.rules.smoke.joint_too_fast import joint_too_fast
 from urdfctl.rules.smoke.joints_oscillate_together import joints_oscillate_together
 from urdfctl.smoke.engines import Standing
-from urdfctl.smoke.motions import CRUISE, FORWARD, TURN, Goal
+from urdfctl.smoke.motions import CRUISE, Goal
 from urdfctl.smoke.results import Trouble, trouble_of
 from urdfctl.smoke.tasks import Drive, Family, Task
 from urdfctl.startup.records import NamedTuple
@@ -141,23 +141,30 @@ def _root_mean_square(values: Sequence[float]) -> float:
 
 
 class Journey(NamedTuple):
-    """Where a base started and ended, by which angle it turned on the way, in rad, and how long that took, in s."""
+    """Where a base started and ended, and by which angle it turned on the way, in rad.
+
+    `distance` and `angle` are what its controller was commanded, in m and rad. `facing` is the direction of the frame
+    that the controller drives, from the root's x axis, in rad.
+    """
 
     before: Standing
     after: Standing
     yaw: float
-    seconds: float
+    distance: float
+    angle: float
+    facing: float = 0.0
 
     @property
     def ahead(self) -> float:
         """The distance in the direction that it first faced, in m."""
         x, y = self.after.x - self.before.x, self.after.y - self.before.y
-        return x * math.cos(self.before.yaw) + y * math.sin(self.before.yaw)
+        way = self.before.yaw + self.facing
+        return x * math.cos(way) + y * math.sin(way)
 
 
 def forward_troubles(task: Task, journey: Journey, slipping: float = 0.0) -> Iterator[Trouble]:
     """Yield what is wrong if a base does not drive straight forward; `slipping` widens the accepted ranges."""
-    distance = FORWARD * journey.seconds
+    distance = journey.distance
     low, high = STRAIGHT[0] - slipping, STRAIGHT[1] + slipping
     subject, controller = f"controller:{task.controller}", task.controller
     if not low < journey.ahead / distance < high:
@@ -178,15 +185,10 @@ def _why_not(ratio: float) -> Iterator[str]:
         yield f"the real wheel radius seems to be {ratio:.2g} times the one that the controller uses"
 
 
-def turn_troubles(
-    task: Task, drive: Drive, journey: Journey, steering: float, slipping: float = 0.0
-) -> Iterator[Trouble]:
+def turn_troubles(task: Task, drive: Drive, journey: Journey, slipping: float = 0.0) -> Iterator[Trouble]:
     """Yield what is wrong if a base does not turn left as commanded; `slipping` widens the accepted range."""
-    angle = TURN * journey.seconds
-    kind = "two" if len(drive.left) + len(drive.right) == 2 else "skid"  # noqa: PLR2004
-    if drive.steered:
-        kind = "steered"
-        angle = FORWARD * journey.seconds / (drive.wheelbase or 1.0) * math.tan(steering)
+    angle = journey.angle
+    kind = "steered" if drive.steered else "two" if len(drive.wheels) == 2 else "skid"  # noqa: PLR2004
     low, high = TURNS[kind]
     ratio = journey.yaw / angle if angle else 1.0
     if max(low - slipping, LEAST_TURN) < ratio < high + slipping:

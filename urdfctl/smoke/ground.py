@@ -122,7 +122,7 @@ def ground_troubles(mechanism: Mechanism, shapes: Shapes, tasks: Sequence[Task])
     if at_rest.tilt > TIPPED:
         roll, pitch = math.atan2(at_rest.turn[2][1], at_rest.turn[2][2]), -math.asin(at_rest.turn[2][0])
         notes = ("check that it has enough wheels or casters",)
-        yield trouble_of(robot_tips_over, ROBOT, None, notes, roll=roll, pitch=pitch)
+        yield trouble_of(robot_tips_over, ROBOT, None, notes, when=" at spawn", roll=roll, pitch=pitch)
         return
     for hinge in hinges:
         if at_rest.heights.get(hinge.child, 0.0) > TOUCHING:

@@ -21,17 +21,20 @@ from urdfctl.rules.smoke.engine_died import engine_died
 from urdfctl.rules.smoke.engine_refuses_robot import engine_refuses_robot
 from urdfctl.run.limits import Limits, WorkerFailure, processors
 from urdfctl.run.pool import run_jobs
+from urdfctl.smoke.agreement import compared, decided, is_certain
 from urdfctl.smoke.anchors import diagnostics_of
 from urdfctl.smoke.judgement import changed, judged
 from urdfctl.smoke.picture import picture_of
+from urdfctl.smoke.plan import MOTION, Plan, Tried
 from urdfctl.smoke.planning import plan_of
 from urdfctl.smoke.results import ROBOT, ControllerResult, Smoked, Trouble, Verdict, trouble_of
-from urdfctl.smoke.trial import MOTION, Plan, Tried, tried
+from urdfctl.smoke.trial import tried
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
-SECONDS, SECONDS_FOR_JOINT = 30.0, 0.1
-"""The time limit of an engine, in s: half a minute, and a second for every ten joints."""
+WAITING, STARTING = 12.0, 60.0
+"""The time after which a worker is ended on a loaded machine: a multiple of its processor time, and what its start may
+take, in s."""
 _WATCHED = 600.0
 """The time limit if a window is shown, in s."""
 _SCREEN = ("DISPLAY", "XAUTHORITY", "WAYLAND_DISPLAY")
@@ -109,15 +112,22 @@ def smoke_all(
     indices = list(range(len(robots)) if chosen is None else chosen([robot.smoked for robot in robots]))
     kept = [robots[index] for index in indices]
     runs = [(n, engine) for n, robot in enumerate(kept) if robot.plan for engine in wanted.engines]
-    plans = [plan._replace(engine=engine) for n, engine in runs if (plan := kept[n].plan)]
+    plans = [plan.within(settings.timeout)._replace(engine=engine) for n, engine in runs if (plan := kept[n].plan)]
     results = iter(zip(runs, _try_all(plans, settings, parallel, wanted.instead), strict=True))
     pending = next(results, None)
     for n, robot in enumerate(kept):
-        smoked = robot.smoked
+        smoked, of_robot = robot.smoked, []
         while pending and pending[0][0] == n:
-            smoked = moved(smoked, robot, *pending[1])
+            of_robot.append(pending[1])
             pending = next(results, None)
+        for engine, result in _compared(of_robot):
+            smoked = moved(smoked, robot, engine, result)
         yield smoked
+
+
+def _compared(results: list[tuple[str, Tried | WorkerFailure]]) -> Sequence[tuple[str, Tried | WorkerFailure]]:
+    good = [(engine, result) for engine, result in results if isinstance(result, Tried) and not result.refused]
+    return compared(good) if len(good) == len(results) > 1 else results
 
 
 # -- the first worker: prepare a robot -------------------------------------------------------------------------------
@@ -167,8 +177,11 @@ def prepared_robot(loader: Loader, target: Target, wanted: Wanted) -> PreparedRo
 def _try_all(
     plans: Sequence[Plan], settings: Settings, parallel: int, instead: Sequence[str] = ()
 ) -> Iterator[tuple[str, Tried | WorkerFailure]]:
-    """The engine and the result of each plan. If an engine crashes, the plan is tried once more without meshes; then,
-    as if it is rejected, in other engines."""
+    """The engine and the result of each plan.
+
+    If an engine crashes, the plan is tried once more without meshes; then, as if it is rejected, in other engines.
+    Before a robot fails, the first of these engines is asked too.
+    """
     with tempfile.TemporaryDirectory(prefix="urdfctl-") as folder:
         first = _run(plans, settings, parallel, folder)
         for plan, result in zip(plans, first, strict=True):
@@ -179,17 +192,29 @@ def _try_all(
                 if isinstance(latest, Tried) and not latest.refused:
                     break
                 engine, latest = other.engine, next(_run([other], settings, 1, folder))
-            good = isinstance(latest, Tried) and not latest.refused
-            yield (engine, latest) if good else (plan.engine, result)
+            if not isinstance(latest, Tried) or latest.refused:
+                yield plan.engine, result
+            elif engine != plan.engine or is_certain(latest) or not instead:
+                yield engine, latest
+            else:
+                yield _asked_again(plan, latest, next(name for name in instead), settings, folder)
+
+
+def _asked_again(plan: Plan, first: Tried, name: str, settings: Settings, folder: str) -> tuple[str, Tried]:
+    """The result of two engines, the second of which decides; that of the first one if the second one fails."""
+    second = next(_run([plan._replace(engine=name)], settings, 1, folder))
+    if not isinstance(second, Tried) or second.refused:
+        return plan.engine, first
+    return f"{plan.engine} and {name}", decided(first, second)
 
 
 def _run(plans: Sequence[Plan], settings: Settings, parallel: int, folder: str) -> Iterator[Tried | WorkerFailure]:
     """Each result; after a crash with the end of the engine's output."""
     jobs = [{"plan": plan.to_json(), "output": os.path.join(folder, f"output-{n}")} for n, plan in enumerate(plans)]
-    joints = max((len(plan.mechanism.hinges) for plan in plans), default=0)
     watched = any(plan.gui for plan in plans)
     screen = {name: os.environ[name] for name in _SCREEN if watched and name in os.environ}
-    seconds = _WATCHED if watched else SECONDS + joints * SECONDS_FOR_JOINT
+    budget = max((plan.budget for plan in plans), default=0.0)
+    seconds = _WATCHED if watched else budget * WAITING + STARTING
     limits = Limits(seconds, settings.memory, {**settings.environ, **screen})
     results = run_jobs(jobs, trial_job, limits, parallel, function_name="urdfctl.smoke.job:trial_job")
     for job, result in zip(jobs, results, strict=True):
@@ -271,6 +296,9 @@ def _unexplained(troubles: Sequence[Trouble], known: Sequence[Trouble]) -> list[
 
 def _judged(controller: ControllerResult, result: Tried, troubles: Sequence[Trouble]) -> ControllerResult:
     """The result after simulating: a controller passes only if it moved its joints, or commands nothing."""
+    acts = tuple(dict.fromkeys((*controller.tested, *result.tested.get(controller.name, ()))))
+    untested = {**controller.untested, **result.untested.get(controller.name, {})}
+    controller = controller._replace(tested=acts, untested=untested)
     if controller.verdict is Verdict.SKIPPED:
         if controller.name in result.moved:
             controller = controller._replace(verdict=Verdict.PASSED, stage=Stage.DEACTIVATE, reason="")

@@ -92,10 +92,12 @@ class Hinge(NamedTuple):
 
     @property
     def span(self) -> tuple[float, float]:
-        """Its position limits, or one turn if it has none."""
-        if self.type == "continuous" or self.lower is None or self.upper is None or not self.lower < self.upper:
+        """Its position limits, or one turn if it has none; twice the same if they leave no range."""
+        if self.type == "continuous" or self.lower is None or self.upper is None:
             return -math.pi, math.pi
-        return self.lower, self.upper
+        if not math.isfinite(self.lower) or not math.isfinite(self.upper):
+            return -math.pi, math.pi
+        return self.lower, max(self.lower, self.upper)
 
     @property
     def start(self) -> float:
@@ -129,6 +131,11 @@ class Mechanism(NamedTuple):
     def movable(self) -> tuple[Hinge, ...]:
         """The hinges that controllers can move, without those that mimic others."""
         return tuple(hinge for hinge in self.hinges if hinge.moves and hinge.mimic is None)
+
+    @property
+    def is_fixed(self) -> bool:
+        """Whether the robot is fixed to the world: its root link is named so."""
+        return self.root == "world"
 
     def start(self) -> dict[str, float]:
         """Return the position of each hinge at spawn."""

@@ -23,6 +23,8 @@ CRUISE = 0.2
 """The velocity that a velocity loop should hold, in rad/s or m/s."""
 FORWARD, TURN = 0.3, 0.5
 """The command to a mobile base: 0.3 m/s forward, 0.5 rad/s to the left."""
+MOST_STEERING = 0.5
+"""A base is steered by this angle at most, in rad."""
 PUSH = 1.0
 """An effort interface is pushed with this at most in addition to the weight, in N m or N."""
 PART_OF_EFFORT = 0.2
@@ -56,6 +58,11 @@ def goal_of(hinge: Hinge, start: float, weight: float, seconds: float) -> Goal:
 def speed_of(drive: Drive) -> float:
     """Return the speed at which a base is driven, in m/s: its controller limits it."""
     return min(FORWARD, drive.speed)
+
+
+def turning_of(drive: Drive) -> float:
+    """Return the rate at which a base is turned, in rad/s: its controller limits it."""
+    return min(TURN, drive.turning)
 
 
 def effort_of(hinge: Hinge) -> float:
@@ -174,33 +181,49 @@ class Loop:
 
 
 class Wheels:
-    """A mobile base with a commanded velocity: forward in m/s, and turning left in rad/s."""
+    """A mobile base with a commanded velocity: forward in m/s, and turning left in rad/s.
+
+    `sides` holds the distance of each wheel to the left of the base, in m. `distance` and `angle` are what was
+    commanded so far, in m and rad.
+    """
 
     def __init__(
-        self, engine: Engine, hinges: Mapping[str, Hinge], drive: Drive, forward: float, turning: float
+        self,
+        engine: Engine,
+        hinges: Mapping[str, Hinge],
+        drive: Drive,
+        forward: float,
+        turning: float,
+        sides: Mapping[str, float],
     ) -> None:
-        self._engine, self._hinges, self._drive = engine, hinges, drive
+        self._engine, self._hinges, self._drive, self._sides = engine, hinges, drive, sides
         self._forward, self._turning = forward, turning
-        self.steering = math.atan(turning * drive.wheelbase / forward) if forward and drive.steered else 0.0
-        self.steering = max(-0.5, min(0.5, self.steering))
+        self.distance = self.angle = 0.0
+        if drive.steered and forward and turning:
+            steering = math.atan(turning * drive.wheelbase / forward)
+            steering = max(-MOST_STEERING, min(MOST_STEERING, steering))
+            self._turning = forward * math.tan(steering) / drive.wheelbase
 
-    def update(self, seconds: float, period: float) -> None:  # noqa: ARG002 (the command does not change)
-        """Command all wheels."""
+    def update(self, seconds: float, period: float) -> None:
+        """Command all wheels; the speed rises as fast as the controller allows."""
         drive = self._drive
-        aside = self._turning * drive.separation / 2
-        for names, speed in (
-            (drive.left, self._forward - aside),
-            (drive.right, self._forward + aside),
-            (drive.driven, self._forward),
-        ):
-            for name in names:
-                self._engine.at_velocity(name, speed / drive.radius, effort_of(self._hinges[name]))
+        fastest = max(abs(self._forward), abs(self._turning) * max(drive.separation, drive.wheelbase) / 2)
+        part = min(1.0, drive.acceleration * (seconds + period) / fastest) if fastest else 1.0
+        forward, turning = self._forward * part, self._turning * part
+        self.distance += forward * period
+        self.angle += turning * period
+        aside = turning * drive.separation / 2
+        speeds = {
+            **dict.fromkeys(drive.left, forward - aside),
+            **dict.fromkeys(drive.right, forward + aside),
+            **{name: forward - turning * self._sides.get(name, 0.0) for name in drive.driven},
+        }
+        for name, speed in speeds.items():
+            self._engine.at_velocity(name, speed / drive.radius_of(name), effort_of(self._hinges[name]))
         for name in drive.steered:
-            self._engine.to_position(name, self.steering, effort_of(self._hinges[name]), FREELY)
-
-    def wanted(self, index: int) -> float:
-        """Return the commanded forward velocity (index 0) or turning velocity."""
-        return self._forward if index == 0 else self._turning
+            ahead = self._forward - self._turning * self._sides.get(name, 0.0)
+            steering = math.atan(self._turning * drive.wheelbase / ahead) if self._turning else 0.0
+            self._engine.to_position(name, steering, effort_of(self._hinges[name]), FREELY)
 
 
 def motion_of(engine: Engine, task: Task, goals: Sequence[Goal], duration: float) -> Motion:

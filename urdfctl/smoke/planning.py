@@ -7,9 +7,9 @@ from urdfctl.rules.smoke.collision_mesh_left_out import collision_mesh_left_out
 from urdfctl.rules.smoke.engine_refuses_robot import engine_refuses_robot
 from urdfctl.rules.smoke.inertia_unusable import inertia_unusable
 from urdfctl.smoke.judgement import Judgement
+from urdfctl.smoke.plan import MOTION, Plan
 from urdfctl.smoke.prepare import Prepared, names_of_wheels, prepared
 from urdfctl.smoke.results import ROBOT, Trouble, trouble_of
-from urdfctl.smoke.trial import MOTION, Plan
 from urdfctl.source.packages import Packages
 
 MOST_BODIES = 800

@@ -12,7 +12,7 @@ import re
 from collections.abc import Callable, Collection, Iterator, Mapping
 from html import escape
 
-from urdfctl.model.geometry import Pose, Rotation, Vector
+from urdfctl.model.geometry import Pose, Rotation, Vector, scaled
 from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Robot
 from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
@@ -54,8 +54,8 @@ def prepared(
 
     `find_mesh` returns the path of a mesh, or None. `wheels` holds the links of wheels with the radius that their
     controller uses: a wheel whose mesh cannot be used becomes a cylinder. Collision geometry is kept only if the robot
-    is `standing` on the ground. Damping is kept only for the `damped` joints, which are driven by effort: it blocks a
-    motor-driven joint that has next to no inertia.
+    is `standing` on the ground. Damping and friction are kept only for the `damped` joints, which are driven by effort:
+    a motor-driven joint has them in its motor.
     """
     left_out: dict[str, str] = {}
     shapes: dict[str, list[str]] = {}
@@ -64,10 +64,12 @@ def prepared(
         name = link.name or ""
         for collision in link.tag.named("collision"):
             why, text = _shape(collision, find_mesh)
+            round_ = _rim(mechanism.bodies[name], turning[name].axis, wheels[name]) if name in wheels else ""
             if why:
                 left_out[name] = why
-                if name in wheels and wheels[name] > 0:
-                    text = _wheel(turning[name].axis, wheels[name])
+                text = round_
+            elif "<mesh" in text and mechanism.bodies[name].radius:
+                text = round_  # the corners of a mesh shake the robot
             if standing and text:
                 shapes.setdefault(name, []).append(text)
     moving = {hinge.child for hinge in mechanism.hinges if hinge.type != "fixed"}
@@ -75,7 +77,7 @@ def prepared(
     for body in mechanism.bodies.values():
         lines += _link(body, shapes.get(body.name, []), moves=body.name in moving or body.name == mechanism.root)
     for hinge in mechanism.hinges:
-        lines += _joint(hinge, hinge.damping if hinge.name in damped else 0.0)
+        lines += _joint(hinge, pushed=hinge.name in damped)
     broken = {name: why for name, why in left_out.items() if not why.endswith(_ABSENT)}
     return Prepared("\n".join([*lines, "</robot>", ""]), left_out, broken)
 
@@ -119,11 +121,17 @@ def _positive(text: str) -> bool:
     return bool(numbers) and all(0 < number < math.inf for number in numbers)
 
 
-def _wheel(axis: Vector, radius: float) -> str:
-    """A cylinder around an axis."""
+def _rim(body: Body, axis: Vector, given: float) -> str:
+    """A wheel as a cylinder: with its own radius, or with the one that its controller uses if its shape is unknown."""
+    radius = body.radius or given
+    return _wheel(axis, radius, body.aside, body.width or _WIDTH) if radius > 0 else ""
+
+
+def _wheel(axis: Vector, radius: float, aside: float, width: float) -> str:
+    """A cylinder around an axis, some way along it."""
     yaw, pitch = math.atan2(axis[1], axis[0]), math.acos(max(-1.0, min(1.0, axis[2])))
-    place = f'<origin xyz="0 0 0" rpy="0 {pitch!r} {yaw!r}"/>'
-    return f'<collision>{place}<geometry><cylinder radius="{radius!r}" length="{_WIDTH}"/></geometry></collision>'
+    place = f'<origin xyz="{_triple(scaled(axis, aside))}" rpy="0 {pitch!r} {yaw!r}"/>'
+    return f'<collision>{place}<geometry><cylinder radius="{radius!r}" length="{width!r}"/></geometry></collision>'
 
 
 def _link(body: Body, shapes: list[str], *, moves: bool) -> Iterator[str]:
@@ -151,7 +159,8 @@ def _ball(moment: float) -> Rotation:
     return (moment, 0.0, 0.0), (0.0, moment, 0.0), (0.0, 0.0, moment)
 
 
-def _joint(hinge: Hinge, damping: float) -> Iterator[str]:
+def _joint(hinge: Hinge, *, pushed: bool) -> Iterator[str]:
+    damping, friction = (hinge.damping, hinge.friction) if pushed else (0.0, 0.0)
     kind = hinge.type if hinge.moves else "fixed"
     low, high = hinge.span
     yield f"<joint name={quoted(hinge.name)} type={quoted(kind)}>"
@@ -159,7 +168,7 @@ def _joint(hinge: Hinge, damping: float) -> Iterator[str]:
     yield f'<origin xyz="{_triple(hinge.pose.place)}" rpy="{_triple(_angles(hinge.pose))}"/>'
     yield f'<axis xyz="{_triple(hinge.axis)}"/>'
     limits = f'lower="{low!r}" upper="{high!r}" effort="1e6" velocity="1e4"'
-    yield f'<limit {limits}/><dynamics damping="{damping!r}" friction="0"/>'
+    yield f'<limit {limits}/><dynamics damping="{damping!r}" friction="{friction!r}"/>'
     yield "</joint>"
 
 

@@ -67,8 +67,16 @@ def robot_pieces(robot: Smoked) -> Iterator[Piece]:
     for controller in robot.controllers:
         yield Piece(f"  {visible(controller.name).ljust(width)}  ")
         yield Piece(controller.verdict.value.ljust(8), _STYLES[controller.verdict])
-        reason = f"  {controller.reason}" if controller.reason else ""
+        told = controller.reason or account(controller)
+        reason = f"  {told}" if told else ""
         yield Piece(f" {steps(controller, robot.linted.ros)}{visible(reason)}\n")
+
+
+def account(result: ControllerResult) -> str:
+    """Return what a controller was seen to do, and what was not tested."""
+    done = f"tested: {', '.join(result.tested)}" if result.tested else ""
+    rest = f"not tested: {', '.join(result.untested)}" if result.untested else ""
+    return "; ".join(part for part in (done, rest) if part)
 
 
 def how(robot: Smoked) -> str:
@@ -117,7 +125,9 @@ def _junit(report: SmokeReport) -> str:
 
     lines = [line for robot in report.smoked for line in _suite(robot)]
     failed, skipped = (report.count(verdict) for verdict in (Verdict.FAILED, Verdict.SKIPPED))
-    total = sum(len(robot.controllers) for robot in report.smoked)
+    rest = sum(len(untested(robot)) for robot in report.smoked)
+    total = sum(len(robot.controllers) for robot in report.smoked) + rest
+    skipped += rest
     if report.is_empty:
         lines += _empty_suite()
         total, failed = total + 1, failed + 1
@@ -141,11 +151,12 @@ def _suite(robot: Smoked) -> Iterator[str]:
     from urdfctl.report.junit import attributes_of
 
     path = shown(robot.linted.path)
+    rest = untested(robot)
     counts = {
-        "tests": len(robot.controllers),
+        "tests": len(robot.controllers) + len(rest),
         "failures": robot.count(Verdict.FAILED),
         "errors": 0,
-        "skipped": robot.count(Verdict.SKIPPED),
+        "skipped": robot.count(Verdict.SKIPPED) + len(rest),
     }
     yield f"  <testsuite{attributes_of(name=f'{path} controllers', **counts)}>"
     for controller in robot.controllers:
@@ -156,7 +167,16 @@ def _suite(robot: Smoked) -> Iterator[str]:
         elif controller.verdict is Verdict.SKIPPED:
             yield f"      <skipped{attributes_of(message=controller.reason)}/>"
         yield "    </testcase>"
+    for name, why in rest:
+        yield f"    <testcase{attributes_of(name=name, classname=path, file=path)}>"
+        yield f"      <skipped{attributes_of(message=why)}/>"
+        yield "    </testcase>"
     yield "  </testsuite>"
+
+
+def untested(robot: Smoked) -> list[tuple[str, str]]:
+    """Return what was not tested of each controller, as a name and the reason."""
+    return [(f"{result.name}: {what}", why) for result in robot.controllers for what, why in result.untested.items()]
 
 
 def _as_lint(name: str) -> Callable[[SmokeReport], str]:

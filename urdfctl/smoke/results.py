@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from enum import Enum
 
 from urdfctl.lint.results import TargetResult
@@ -23,18 +24,25 @@ class Verdict(Enum):
 
 
 class ControllerResult(NamedTuple):
-    """The result of one controller. `stage` is the one at which it failed, or else the last one that it passed."""
+    """The result of one controller.
+
+    `stage` is the one at which it failed, or else the last one that it passed. `tested` holds what it was seen to do in
+    an engine; `untested` what was not modelled, by name, with the reason.
+    """
 
     name: str
     type: str | None
     verdict: Verdict
     stage: Stage
     reason: str = ""
+    tested: tuple[str, ...] = ()
+    untested: Mapping[str, str] = {}
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> ControllerResult:
         """Return the result that `to_json` made plain data of."""
-        return cls(data["name"], data["type"], Verdict(data["verdict"]), Stage(data["stage"]), data["reason"])
+        values = {"verdict": Verdict(data["verdict"]), "stage": Stage(data["stage"]), "tested": tuple(data["tested"])}
+        return cls(**{**data, **values})
 
     def to_json(self) -> dict[str, Any]:
         """Return the result as plain data."""

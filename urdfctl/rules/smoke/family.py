@@ -20,6 +20,7 @@ from urdfctl.rules.smoke.effort_too_weak_in_a_pose import effort_too_weak_in_a_p
 from urdfctl.rules.smoke.effort_too_weak_to_move import effort_too_weak_to_move
 from urdfctl.rules.smoke.engine_died import engine_died
 from urdfctl.rules.smoke.engine_refuses_robot import engine_refuses_robot
+from urdfctl.rules.smoke.engines_disagree import engines_disagree
 from urdfctl.rules.smoke.hardware_not_started import hardware_not_started
 from urdfctl.rules.smoke.inertia_too_small import inertia_too_small
 from urdfctl.rules.smoke.inertia_unusable import inertia_unusable
@@ -93,4 +94,5 @@ RULES: tuple[Rule, ...] = (
     wheel_in_the_wrong_place,
     steering_turns_backwards,
     wheels_too_weak,
+    engines_disagree,
 )

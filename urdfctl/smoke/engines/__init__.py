@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from importlib import import_module
 from importlib.util import find_spec
@@ -27,7 +28,8 @@ class Setup(NamedTuple):
     `urdf` is the text of the URDF. `root` is its root link, and `fixed` whether that is fixed to the world. `start`
     holds the movable joints with their positions at spawn. `weightless` are the links without gravity, and `wheels` the
     links of wheels.
-    `gui` shows a window.
+    `resist` holds the friction of joints, in N m or N, and their damping, in N m s/rad or N s/m; the `stiff`
+    joints are damped more strongly than a step of the engine bears. `gui` shows a window.
     """
 
     urdf: str
@@ -37,6 +39,33 @@ class Setup(NamedTuple):
     weightless: Sequence[str] = ()
     wheels: Sequence[str] = ()
     gui: bool = False
+    resist: Mapping[str, tuple[float, float]] = {}
+    stiff: Sequence[str] = ()
+
+
+class Motor(NamedTuple):
+    """A motor that drives a joint against its friction and damping.
+
+    At a velocity v the friction F and the damping D take F + D |v| of the motor's effort, or help it to brake. So the
+    joint reaches the velocity at which nothing is left, without an explicit damping force, which would be unstable.
+    """
+
+    friction: float
+    damping: float
+
+    def top(self, effort: float) -> float:
+        """Return the greatest velocity that an effort reaches."""
+        left = max(0.0, effort - self.friction)
+        return left / self.damping if self.damping else math.inf if left else 0.0
+
+    def left(self, effort: float, wanted: float, velocity: float) -> float:
+        """Return the effort that is left to change the velocity towards the wanted one."""
+        taken = self.friction + self.damping * abs(velocity)
+        brakes = (wanted - velocity) * velocity < 0
+        return effort + taken if brakes else max(0.0, effort - taken)
+
+
+FREE_MOTOR = Motor(0.0, 0.0)
 
 
 class Standing(NamedTuple):

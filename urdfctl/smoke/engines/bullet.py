@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import math
 import os
 import tempfile
 import time
 
-from urdfctl.smoke.engines import GRIPS, SLIDES, STEP, Refused, Setup, Standing
+from urdfctl.smoke.engines import FREE_MOTOR, GRIPS, SLIDES, STEP, Motor, Refused, Setup, Standing
 from urdfctl.startup.hints import Any
 
 MOST_JOINTS = 127
@@ -28,6 +29,8 @@ class Bullet:
             if info[2] in (physics.JOINT_REVOLUTE, physics.JOINT_PRISMATIC):
                 self._joints[info[1].decode("utf-8", "replace")] = index
         self._pushed: dict[int, float] = {}
+        self._motors: dict[int, Motor] = {}
+        self._commands: dict[int, tuple[str, float, float, float]] = {}
         self._pause = 0.0
         self._carried: dict[int, float] = {}
 
@@ -49,6 +52,10 @@ class Bullet:
         for name, index in self._joints.items():
             physics.resetJointState(robot, index, setup.start.get(name, 0.0), physicsClientId=client)
             self._motor(index, 0.0, 0.0)
+            if name in setup.stiff:
+                physics.changeDynamics(robot, index, jointDamping=0.0, physicsClientId=client)
+            if name in setup.resist:
+                self._motors[index] = Motor(*setup.resist[name])
         for index, name in self._links.items():
             if name in setup.weightless:
                 self._carried[index] = 9.81 * physics.getDynamicsInfo(robot, index, physicsClientId=client)[0]
@@ -92,6 +99,11 @@ class Bullet:
         """Drive a joint to a position, with a maximum effort and velocity."""
         index = self._joints[joint]
         self._pushed.pop(index, None)
+        if index in self._motors:
+            self._commands[index] = "position", position, effort, velocity
+        self._to_position(index, position, effort, velocity)
+
+    def _to_position(self, index: int, position: float, effort: float, velocity: float) -> None:
         self._physics.setJointMotorControl2(
             self._robot,
             index,
@@ -104,19 +116,38 @@ class Bullet:
 
     def at_velocity(self, joint: str, velocity: float, effort: float) -> None:
         """Drive a joint at a velocity, with a maximum effort."""
-        self._pushed.pop(self._joints[joint], None)
-        self._motor(self._joints[joint], velocity, effort)
+        index = self._joints[joint]
+        self._pushed.pop(index, None)
+        if index in self._motors:
+            self._commands[index] = "velocity", velocity, effort, _FREELY
+        self._motor(index, velocity, effort)
 
     def with_effort(self, joint: str, effort: float) -> None:
         """Push a joint with an effort, in N m or N."""
         index = self._joints[joint]
         if index not in self._pushed:
-            self._motor(index, 0.0, 0.0)
+            self._commands.pop(index, None)
+            # a motor that holds the velocity 0 with a small effort is the friction
+            self._motor(index, 0.0, self._motors.get(index, FREE_MOTOR).friction)
         self._pushed[index] = effort
+
+    def _drive(self, index: int, kind: str, value: float, effort: float, most: float) -> None:
+        """Command a motor for one step, with what friction and damping leave of its effort."""
+        place, velocity = self._physics.getJointState(self._robot, index, physicsClientId=self._client)[:2]
+        motor = self._motors[index]
+        top = motor.top(effort)
+        if kind == "velocity":
+            wanted = max(-top, min(top, value))
+            self._motor(index, wanted, motor.left(effort, wanted, velocity))
+        else:
+            left = motor.left(effort, math.copysign(_FREELY, value - place), velocity)
+            self._to_position(index, value, left, min(most, top))
 
     def step(self) -> None:
         """Simulate STEP seconds. In pybullet an effort lasts for one step, so it is applied at each step."""
         physics, robot, client = self._physics, self._robot, self._client
+        for driven, command in self._commands.items():
+            self._drive(driven, *command)
         if self._pushed:
             physics.setJointMotorControlArray(
                 robot,

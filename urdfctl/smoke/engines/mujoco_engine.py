@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from urdfctl.smoke.engines import GRIPS, SLIDES, STEP, Refused, Setup, Standing
+from urdfctl.smoke.engines import GRIPS, SLIDES, STEP, Motor, Refused, Setup, Standing
 from urdfctl.smoke.prepare import quoted
 from urdfctl.startup.hints import Any
 
@@ -39,9 +39,11 @@ class Mujoco:
         self._diagonal = ends
         self._damping = {name: float(model.dof_damping[way]) for name, way in self._ways.items()}
         self._commands: dict[str, tuple[str, float, float, float]] = {}
+        self._motors: dict[str, Motor] = {}
 
     def prepare(self, setup: Setup) -> None:
         """Set the start positions, and place the robot on the ground."""
+        self._motors = {name: Motor(*resistance) for name, resistance in setup.resist.items() if name in self._places}
         for name, position in setup.start.items():
             if name in self._places:
                 self._data.qpos[self._places[name]] = position
@@ -100,6 +102,11 @@ class Mujoco:
     def _servo(self, joint: str, wanted: float, effort: float) -> tuple[float, float]:
         """The effort and the damping that drive a joint at a velocity; the engine keeps damping stable."""
         data, way = self._data, self._ways[joint]
+        motor = self._motors.get(joint)
+        if motor:
+            top = motor.top(effort)
+            wanted = max(-top, min(top, wanted))
+            effort = motor.left(effort, wanted, float(data.qvel[way]))
         grip = float(data.M[self._diagonal[joint]]) / STEP * GRIP
         weight = float(data.qfrc_bias[way])
         away = abs(wanted - float(data.qvel[way]))

@@ -1,0 +1,60 @@
+"""Two engines: a controller fails only if both see it fail, and what only one of them sees is a warning."""
+
+from __future__ import annotations
+
+from urdfctl.rules.smoke.joint_does_not_follow import joint_does_not_follow
+from urdfctl.rules.smoke.joint_too_fast import joint_too_fast
+from urdfctl.smoke.agreement import compared, decided, is_certain
+from urdfctl.smoke.plan import Tried
+from urdfctl.smoke.results import Trouble, trouble_of
+
+LATE = trouble_of(joint_does_not_follow, "joint:j", "arm", joint="j", expected=0.2, actual=0.1, unit="rad")
+FAST = trouble_of(joint_too_fast, "joint:j", "arm", joint="j", fastest=2.0, limit=1.0, unit="rad")
+
+
+def result(*troubles: Trouble, moved: tuple[str, ...] = ("arm",), left: tuple[str, ...] = ()) -> Tried:
+    return Tried(tuple(troubles), moved, left_to_others=left)
+
+
+def codes(tried: Tried) -> list[str]:
+    return [trouble.code for trouble in tried.troubles]
+
+
+def test_a_result_with_an_error_or_a_controller_that_was_not_judged_is_not_certain() -> None:
+    assert is_certain(result())
+    assert is_certain(result(FAST))
+    assert not is_certain(result(LATE))
+    assert not is_certain(result(left=("arm",)))
+
+
+def test_an_error_that_the_second_engine_does_not_see_is_left_out() -> None:
+    assert codes(decided(result(LATE), result())) == []
+    assert decided(result(LATE), result()).moved == ("arm",)
+
+
+def test_an_error_that_only_the_second_engine_sees_is_left_out() -> None:
+    assert codes(decided(result(), result(LATE, FAST))) == ["UC937"]
+
+
+def test_an_error_that_both_engines_see_stays() -> None:
+    assert codes(decided(result(LATE), result(LATE))) == ["UC932"]
+
+
+def test_a_controller_that_the_first_engine_cannot_judge_is_judged_by_the_second() -> None:
+    assert codes(decided(result(moved=(), left=("arm",)), result(LATE))) == ["UC932"]
+
+
+def test_compared_engines_that_disagree_give_a_warning_that_names_both() -> None:
+    (_, first), (_, second) = compared([("pybullet", result(LATE)), ("mujoco", result())])
+    assert (codes(first), codes(second)) == (["UC963"], [])
+    assert first.troubles[0].message.startswith("pybullet and mujoco disagree; only pybullet reports: controller 'arm'")
+
+
+def test_compared_engines_that_agree_keep_their_errors() -> None:
+    (_, first), (_, second) = compared([("pybullet", result(LATE)), ("mujoco", result(LATE))])
+    assert (codes(first), codes(second)) == (["UC932"], ["UC932"])
+
+
+def test_an_engine_that_could_not_judge_a_controller_does_not_disagree() -> None:
+    (_, first), _ = compared([("mujoco", result(LATE)), ("pybullet", result(moved=(), left=("arm",)))])
+    assert codes(first) == ["UC932"]

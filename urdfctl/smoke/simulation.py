@@ -1,0 +1,97 @@
+"""A robot in an engine: time passes, joints are followed, and what goes wrong in it ends the simulation."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Sequence
+
+from urdfctl.smoke.checks import Track
+from urdfctl.smoke.engines import STEP, Engine
+from urdfctl.smoke.mechanism import Hinge
+from urdfctl.smoke.motions import FREELY, Goal, Motion
+from urdfctl.smoke.plan import Plan
+from urdfctl.smoke.results import Curve
+
+_EXPLODED = 1e4
+"""From this position on, in rad or m, the simulation has exploded."""
+_SAMPLES = 60
+"""The approximate number of samples of a curve."""
+
+
+class Exploded(Exception):
+    """A position is not a finite number, or far too large."""
+
+
+class OutOfTime(Exception):
+    """The engine has used the processor time that it may use."""
+
+
+class Simulation:
+    """A robot in an engine, whose controllers are updated at their rate.
+
+    `hinges` holds the joints that can move, by name, and `claimed` the names of those that controllers move.
+    """
+
+    def __init__(self, plan: Plan, engine: Engine, began: float) -> None:
+        self.plan, self.engine, self.mechanism = plan, engine, plan.mechanism
+        self.hinges = {hinge.name: hinge for hinge in plan.mechanism.hinges if hinge.moves}
+        self.claimed = {joint for task in plan.tasks for joint in task.joints}
+        self._deadline = began + plan.budget
+        self.every(max(1, round(1 / plan.rate / STEP)))
+
+    def every(self, steps: int) -> None:
+        """Update the controllers once in a number of steps."""
+        self.steps, self.period = steps, steps * STEP
+
+    def run_for(self, seconds: float) -> None:
+        """Simulate some seconds with unchanged commands."""
+        for _ in range(max(1, round(seconds / self.period))):
+            self.update()
+
+    def update(self) -> None:
+        """Simulate one period: command the mimic joints, then run the engine's steps."""
+        engine = self.engine
+        for hinge in self.hinges.values():
+            if self.follows(hinge):
+                engine.to_position(hinge.name, self.followed(hinge), FREELY, FREELY)
+        for _ in range(self.steps):
+            engine.step()
+        if time.process_time() > self._deadline:
+            raise OutOfTime
+        place = engine.standing()
+        watched = [*place, *(engine.position(name) for name in self.hinges)]
+        if not all(math.isfinite(value) and abs(value) < _EXPLODED for value in watched):
+            raise Exploded
+
+    def follows(self, hinge: Hinge) -> bool:
+        """Whether a joint mimics another one, and no controller moves it directly."""
+        return hinge.mimic is not None and hinge.mimic[0] in self.hinges and hinge.name not in self.claimed
+
+    def followed(self, hinge: Hinge) -> float:
+        """Return the position at which a mimic joint should be now."""
+        leader, factor, offset = hinge.mimic or ("", 0.0, 0.0)
+        return self.engine.position(leader) * factor + offset
+
+    def tracked(self, motion: Motion, goals: Sequence[Goal], seconds: float) -> list[Track]:
+        """Return what the joints of some goals do while a motion commands them for some seconds."""
+        tracks = [Track([], [], []) for _ in goals]
+        for update in range(max(4, round(seconds / self.period))):
+            motion.update(update * self.period, self.period)
+            self.update()
+            for index, (goal, track) in enumerate(zip(goals, tracks, strict=True)):
+                track.positions.append(self.engine.position(goal.hinge.name))
+                track.velocities.append(self.engine.velocity(goal.hinge.name))
+                track.wanted.append(motion.wanted(index))
+        return tracks
+
+    def curve(
+        self, controller: str, joint: str, quantity: str, wanted: Sequence[float], measured: Sequence[float]
+    ) -> Curve:
+        """Return a joint's motion as a curve with few samples."""
+        every = max(1, len(measured) // _SAMPLES)
+        seconds = tuple(round((n + 1) * self.period, 4) for n in range(0, len(measured), every))
+        commanded, did = (tuple(round(value, 5) for value in values[::every]) for values in (wanted, measured))
+        return Curve(
+            controller=controller, joint=joint, quantity=quantity, seconds=seconds, commanded=commanded, measured=did
+        )
