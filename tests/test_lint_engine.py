@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Iterator
 
 import pytest
@@ -137,11 +136,9 @@ def broken(code: str) -> Rule:
 
 
 def outcome(*rules: Rule, path: str = "r.xacro", chosen: Selection = Selection()) -> Outcome:  # noqa: B008 (immutable)
-    loader = Loader(Settings())
-    file = os.path.abspath(path)
-    expander = loader.expander(file)
-    project = loader._project(file, expander.expand(file, {}), expander)
-    return lint(project, expander.files.sources(), chosen, rules)
+    loaded = Loader(Settings()).load(Target(path))
+    project = loaded.project
+    return lint(project, list(loaded.sources.values()), chosen, rules)
 
 
 def test_two_faults_of_one_place_stay_two(folder: Folder) -> None:
@@ -286,10 +283,8 @@ def test_a_finding_may_be_graver_than_its_rule_where_the_distro_makes_it_so(fold
     folder.write({"r.xacro": HEAD + LINKS + "</robot>"})
     rule = Rule("UC901", made_for_a_test, Severity.INFO, "this test", {}, {})
     for distro, severity in (("noetic", Severity.ERROR), ("melodic", Severity.INFO)):
-        loader = Loader(Settings(distro=distro))
-        file = os.path.abspath("r.xacro")
-        expander = loader.expander(file)
-        project = loader._project(file, expander.expand(file, {}), expander)
+        loaded = Loader(Settings(distro=distro)).load(Target("r.xacro"))
+        project = loaded.project
         assert [d.severity for d in lint(project, [], Selection(), [rule]).diagnostics] == [severity]
 
 

@@ -17,9 +17,12 @@ from urdfctl.source.packages import PackageNotFound, Packages
 from urdfctl.source.problem import Problem, ReadError
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.xml import parse
+from urdfctl.startup.per_object import once_per_object
 from urdfctl.startup.records import NamedTuple
 
 _MOST_BYTES = 1 << 18
+_parsed = once_per_object(parse)
+"""Several launch files include the same ones."""
 
 
 class LaunchFile(NamedTuple):
@@ -113,7 +116,7 @@ class _Reader:
         """Return the tree of an XML launch file; None if it cannot be read."""
         source = self._source(path)
         try:
-            return parse(source) if source else None
+            return _parsed(source) if source else None
         except ReadError as error:
             if error.problem not in self.problems:
                 self.problems.append(error.problem)

@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from functools import partial
 
 from urdfctl.config.settings import ALL_STARTED, Settings
 from urdfctl.load.build_files import absent_sources
 from urdfctl.load.distro import Beside, detect_distro
 from urdfctl.load.evidence import ament_package
-from urdfctl.load.expanding import expanded
-from urdfctl.load.meshes import mesh_finder
+from urdfctl.load.known import Described, Known
 from urdfctl.load.target import Target
-from urdfctl.model.build_robot import robot_of
 from urdfctl.model.evidence import Evidence
 from urdfctl.model.own_types import NO_OWN_TYPES, OwnTypes
 from urdfctl.model.project import Project
@@ -24,7 +22,7 @@ from urdfctl.source.opaque import is_known
 from urdfctl.source.packages import PackageIndex, Packages
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.workspace import workspace_of
-from urdfctl.source.xacro.expansion import Expander, Expansion
+from urdfctl.source.xacro.expansion import Expander
 from urdfctl.startup.hints import TYPE_CHECKING
 from urdfctl.startup.records import NamedTuple
 
@@ -57,6 +55,9 @@ class Loader:
         self._overlay = overlay or {}
         self._indexes: dict[str, PackageIndex] = {}
         self._exports: dict[str, list[Exports]] = {}
+        self._own_types: dict[tuple[str, frozenset[str]], OwnTypes] = {}
+        self._files: dict[str, Files] = {}
+        self._known = Known()
 
     def with_overlay(self, overlay: Mapping[str, bytes]) -> Loader:
         """Return a loader with the same packages that reads these bytes instead of the files with these real paths."""
@@ -84,11 +85,12 @@ class Loader:
         """Return what may be read for a file, and the packages as it sees them."""
         index = self.index_for(path)
         packages = Packages(path, index)
-        bounds = None if self.settings.trust else [index.workspace, *index.extra]
-        files = Files(bounds, packages.source_of, self._overlay)
-        for named in self.settings.named_files:
-            files.allow(named)
-        return files, packages
+        if index.workspace not in self._files:
+            bounds = None if self.settings.trust else [index.workspace, *index.extra]
+            self._files[index.workspace] = Files(bounds, held=self._overlay)
+            for named in self.settings.named_files:
+                self._files[index.workspace].allow(named)
+        return self._files[index.workspace].again(packages.source_of), packages
 
     def expander(self, path: str, kind: type[Expander] = Expander, *, strict: bool = False) -> Expander:
         """Return an expander for one file."""
@@ -99,24 +101,24 @@ class Loader:
         """Return the target, with the files that belong to it."""
         path = os.path.abspath(target.path)
         launch_file = self._launch_file(path, target)
-        described = _described(launch_file, None if is_launch(path) else path)
+        description = _description(launch_file, None if is_launch(path) else path)
         arguments = dict(target.arguments)
         alone = not arguments
-        if launch_file and launch_file.launch and described and described.file.path:
-            given = {} if is_launch(path) else arguments
-            path, arguments = described.file.path, {**dict(described.arguments or ()), **given}
-            alone = described.arguments is None
-            launch_file = launch_file._replace(launch=launch_file.launch.among(described))
+        if launch_file and launch_file.launch and description and description.file.path:
+            given_arguments = {} if is_launch(path) else arguments
+            path, arguments = description.file.path, {**dict(description.arguments or ()), **given_arguments}
+            alone = description.arguments is None
+            launch_file = launch_file._replace(launch=launch_file.launch.among(description))
         if is_yaml(path) or is_launch(path):
             return self._without_robot(path, target, launch_file)
         make = partial(self.expander, path)
-        expander, expansion = expanded(make, path, arguments, fragment=target.fragment, alone=alone)
-        if target.guessed and launch_file and expansion.document:
-            launch_file = self._fitting(target, launch_file, expansion.document)
-        project = self._project(path, expansion, expander, target.controllers, launch_file)
-        root = expansion.document.documentElement if expansion.document else None
-        known = tuple((name, value) for name, value in arguments.items() if is_known(value))
-        return LoadedTarget(project, root, _sources(expander.files, launch_file), known)
+        described = self._known.described(make, path, arguments, fragment=target.fragment, alone=alone)
+        if target.guessed and launch_file and described.expansion.document:
+            launch_file = self._fitting(target, launch_file, described.expansion.document)
+        files = described.files.copy()
+        project = self._project(path, described, files, target.controllers, launch_file)
+        given = tuple((name, value) for name, value in arguments.items() if is_known(value))
+        return LoadedTarget(project, described.root, _sources(files, launch_file), given)
 
     def variants(self, target: Target) -> list[Target]:
         """Return a target for each choice of the arguments that a launch file needs.
@@ -185,18 +187,16 @@ class Loader:
     def _project(
         self,
         path: str,
-        expansion: Expansion,
-        expander: Expander,
+        described: Described,
+        files: Files,
         controllers: Sequence[str] = (),
         launch_file: LaunchFile | None = None,
     ) -> Project:
-        root = expansion.document.documentElement if expansion.document else None
-        find_mesh = mesh_finder(expander.packages, path)
-        robot = robot_of(root, find_mesh, whole=expansion.complete) if root is not None else None
+        expansion, robot = described.expansion, described.robot
         launch = launch_file.launch if launch_file else None
-        controller_files = _controller_files(controllers, robot, launch, expander.files)
-        sources = tuple(_sources(expander.files, launch_file).values())
-        beside = Beside(expander.packages.own(), controller_files, launch, sources)
+        controller_files = _controller_files(controllers, robot, launch, files)
+        sources = tuple(_sources(files, launch_file).values())
+        beside = Beside(described.packages.own(), controller_files, launch, sources)
         evidence = detect_distro(robot, beside, self.settings)
         problems = (
             *expansion.problems,
@@ -204,9 +204,8 @@ class Loader:
             *(controller_files.problems if controller_files else ()),
         )
         project = Project(robot, path, problems=problems, complete=expansion.complete, library=expansion.library)
-        listed = _listed_joints(path, expander.files)
-        absent = absent_sources(expander.packages, expander.files)
-        project = project._replace(influence=expander.definitions().influence_on, listed=listed, absent=absent)
+        listed, absent = _listed_joints(path, files), absent_sources(described.packages, files)
+        project = project._replace(influence=described.influence, listed=listed, absent=absent)
         return self._completed(project, evidence, controller_files, launch)
 
     def _completed(
@@ -218,7 +217,7 @@ class Loader:
             started = launch.started
         named = None if started == ALL_STARTED else started
         nodes = dict(self.settings.nodes)
-        controllers = controller_files.model(evidence.ros, named, nodes) if controller_files else None
+        controllers = self._known.controllers(controller_files, evidence.ros, named, nodes)
         if started == ALL_STARTED:
             started = tuple(controller.full_name for controller in controllers.controllers) if controllers else None
         project = project._replace(
@@ -247,18 +246,24 @@ class Loader:
         wanted = unknown_types(project)
         if not wanted:
             return project
+        key = workspace_of(project.path, self.settings.workspace), frozenset(wanted)
+        if key not in self._own_types:
+            self._own_types[key] = self._defined_in_workspace(project.path, wanted)
+        return project._replace(own=self._own_types[key]._replace(nodes=project.own.nodes))
+
+    def _defined_in_workspace(self, path: str, wanted: Collection[str]) -> OwnTypes:
+        """What the packages of a file's workspace define of the types that the catalogue lacks."""
         from urdfctl.load.own_types import exports_in, own_types
 
-        index, files = self.index_for(project.path), self.reading(project.path)[0]
+        index, files = self.index_for(path), self.reading(path)[0]
         if index.workspace not in self._exports:
             folders = (pair for crawl in index.crawls for pair in crawl.packages().items())
             packages = [(name, folder) for name, found in folders for folder in found]
             self._exports[index.workspace] = exports_in(packages, files)
-        own = own_types(wanted, self._exports[index.workspace], files)
-        return project._replace(own=own._replace(nodes=project.own.nodes))
+        return own_types(wanted, self._exports[index.workspace], files)
 
 
-def _described(launch_file: LaunchFile | None, path: str | None) -> Description | None:
+def _description(launch_file: LaunchFile | None, path: str | None) -> Description | None:
     """The description of a robot in a launch file: the first one, or the one whose file is named."""
     robots = launch_file.launch.robots if launch_file and launch_file.launch else ()
     return next((one for one in robots if path is None or _is_same_file(one.file.path or "", path)), None)

@@ -44,7 +44,7 @@ class FileProblem(Exception):
 
 
 class Files:
-    """Reads files, each once.
+    """Reads files, each once, also among the copies that `again` and `copy` make.
 
     bounds: the folders below which files can be read; None for no bounds.
     resolve: maps an installed path to the source file that is installed there.
@@ -61,6 +61,21 @@ class Files:
         self._resolve = resolve
         self._held = held
         self._read: dict[str, SourceText] = {}
+        self._texts: dict[str, SourceText] = {}
+        self._within: dict[str, bool] = {}
+
+    def again(self, resolve: Callable[[str], str]) -> Files:
+        """Return files with the same bounds, and no sources yet. A text that one of both has read is not read again."""
+        other = Files(None, resolve, self._held)
+        other.bounds = self.bounds and list(self.bounds)
+        other._texts, other._within = self._texts, self._within
+        return other
+
+    def copy(self) -> Files:
+        """Return files with the same bounds and sources. What one of both reads then is no source of the other."""
+        other = self.again(self._resolve)
+        other._read = dict(self._read)
+        return other
 
     def allow(self, folder: str) -> None:
         """Allow reading files below another folder."""
@@ -68,6 +83,7 @@ class Files:
             real = os.path.realpath(folder)
             if real not in self.bounds:
                 self.bounds.append(real)
+                self._within = {}
 
     def sources(self) -> list[SourceText]:
         """Return the files read so far, in order."""
@@ -86,15 +102,20 @@ class Files:
         """Return the content of a file without adding it to `sources`. Raises FileProblem as `read` does."""
         resolved = self._resolve(path)
         self._check_bounds(resolved)
-        held = self._held.get(os.path.realpath(resolved)) if self._held else None
-        return SourceText(_shown(resolved), _bytes_of(resolved) if held is None else held)
+        if resolved not in self._texts:
+            held = self._held.get(os.path.realpath(resolved)) if self._held else None
+            self._texts[resolved] = SourceText(_shown(resolved), _bytes_of(resolved) if held is None else held)
+        return self._texts[resolved]
 
     def may_read(self, path: str) -> bool:
         """Return whether a path, with all links followed, is within the bounds."""
         if self.bounds is None:
             return True
-        real = os.path.realpath(path)
-        return any(real == bound or real.startswith(bound.rstrip(os.sep) + os.sep) for bound in self.bounds)
+        if path not in self._within:
+            real = os.path.realpath(path)
+            inside = (real == bound or real.startswith(bound.rstrip(os.sep) + os.sep) for bound in self.bounds)
+            self._within[path] = any(inside)
+        return self._within[path]
 
     def _check_bounds(self, path: str) -> None:
         if self.bounds is not None and not self.may_read(path):

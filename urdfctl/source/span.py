@@ -228,6 +228,11 @@ class Place:
         start, end = tag.attributes[attribute]
         return Place(self.source, start, self.call, end=end)
 
+    def is_same(self, other: Place) -> bool:
+        """Return whether another place is the same part of the same text, and the same calls led to it."""
+        own = self.source, self.call, self.start, self._end, self._close, self._attributes
+        return own == (other.source, other.call, other.start, other._end, other._close, other._attributes)
+
     @property
     def closing(self) -> int | None:
         """The byte offset of the element's end tag; None if it has none or it is unknown."""

@@ -14,6 +14,7 @@ from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import BOM, Place, SourceText
 from urdfctl.startup.hints import Any
 from urdfctl.startup.lazy_yaml import yaml
+from urdfctl.startup.per_object import once_per_object
 from urdfctl.startup.records import NamedTuple
 
 MOST_DEPTH = 64
@@ -115,7 +116,21 @@ def read_yaml(source: SourceText, *, by_python: bool = False) -> YamlFile:
 
     by_python: read the file with PyYAML's own parser, as rosparam does; it accepts fewer tabs than libyaml.
     """
-    reader = _Reader(source, yaml.SafeLoader if by_python else _LOADER)
+    return _by_python(source) if by_python else _by_fastest(source)
+
+
+@once_per_object
+def _by_python(source: SourceText) -> YamlFile:
+    return _read(source, yaml.SafeLoader)
+
+
+@once_per_object
+def _by_fastest(source: SourceText) -> YamlFile:
+    return _read(source, _LOADER)
+
+
+def _read(source: SourceText, loader: Any) -> YamlFile:
+    reader = _Reader(source, loader)
     try:
         reader.read()
     except ReadError as error:

@@ -1,0 +1,91 @@
+"""What a loader keeps of its last targets, for others with the same robot: several launch files start one robot."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+
+from urdfctl.load.description import MakeExpander
+from urdfctl.load.expanding import expanded
+from urdfctl.load.meshes import mesh_finder
+from urdfctl.model.build_robot import robot_of
+from urdfctl.model.robot import Robot
+from urdfctl.source.dom import Element
+from urdfctl.source.files import Files
+from urdfctl.source.packages import Packages
+from urdfctl.source.same import is_same
+from urdfctl.source.span import Place
+from urdfctl.source.xacro.expansion import Expansion
+from urdfctl.source.xacro.influence import Influence
+from urdfctl.startup.hints import TYPE_CHECKING
+from urdfctl.startup.records import NamedTuple
+
+if TYPE_CHECKING:
+    from urdfctl.load.controller_files import ControllerFiles
+    from urdfctl.model.controllers import Controllers
+
+_MOST_DESCRIPTIONS = 3
+
+
+class Described(NamedTuple):
+    """A description that was expanded.
+
+    files: with the sources of the description alone; others copy them before they read more.
+    root: the root element; None if there is none.
+    robot: the model of it.
+    influence: returns the YAML files and the arguments that the values at a place depend on.
+    """
+
+    expansion: Expansion
+    files: Files
+    packages: Packages
+    root: Element | None
+    robot: Robot | None
+    influence: Callable[[Place], Influence]
+
+
+class Known:
+    """The last descriptions, and the controllers of the last robot."""
+
+    def __init__(self) -> None:
+        self._described: dict[tuple[object, ...], Described] = {}
+        self._controllers: tuple[tuple[object, ...], Controllers] | None = None
+
+    def described(
+        self, make: MakeExpander, path: str, arguments: Mapping[str, str], *, fragment: bool, alone: bool
+    ) -> Described:
+        """Return a description expanded with some arguments. For `fragment` and `alone`, see `expanded`."""
+        key = path, tuple(arguments.items()), fragment, alone
+        if key not in self._described:
+            found = _described(make, path, arguments, fragment=fragment, alone=alone)
+            while len(self._described) >= _MOST_DESCRIPTIONS:
+                del self._described[next(iter(self._described))]
+            self._described[key] = found
+        return self._described[key]
+
+    def controllers(
+        self, files: ControllerFiles | None, ros: int | None, started: Sequence[str] | None, nodes: Iterable[str]
+    ) -> Controllers | None:
+        """Return the controllers in some files, as `ControllerFiles.model` does; None without files."""
+        if files is None:
+            return None
+        key = files, ros, started, nodes
+        if self._controllers is None or not is_same(self._controllers[0], key):
+            self._controllers = key, files.model(ros, started, nodes)
+        return self._controllers[1]
+
+
+def _described(
+    make: MakeExpander, path: str, arguments: Mapping[str, str], *, fragment: bool, alone: bool
+) -> Described:
+    expander, expansion = expanded(make, path, arguments, fragment=fragment, alone=alone)
+    root = expansion.document.documentElement if expansion.document else None
+    find_mesh = mesh_finder(expander.packages, path)
+    robot = robot_of(root, find_mesh, whole=expansion.complete) if root is not None else None
+    return Described(
+        expansion=expansion,
+        files=expander.files,
+        packages=expander.packages,
+        root=root,
+        robot=robot,
+        influence=expander.definitions().influence_on,
+    )
