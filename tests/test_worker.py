@@ -24,7 +24,7 @@ from urdfctl.lint.selection import Selection
 from urdfctl.load.target import Target
 from urdfctl.run import fork, fresh, pool
 from urdfctl.run.limits import Json, Limits, WorkerFailure
-from urdfctl.run.pool import run_jobs
+from urdfctl.run.pool import Division, run_jobs
 
 GENEROUS = Limits(20.0, 2 << 30, {})
 SHORT = Limits(0.3, 2 << 30, {})
@@ -154,7 +154,7 @@ def one_after_the_other(perform: Callable[[Json], Json], limits: Limits = GENERO
     """The results of jobs of which one worker does up to four."""
     return list(
         run_jobs(
-            [{"number": number} for number in range(jobs)], perform, limits, 1, function_name="", jobs_per_worker=4
+            [{"number": number} for number in range(jobs)], perform, limits, 1, function_name="", division=Division(4)
         )
     )
 
@@ -168,6 +168,31 @@ def test_a_worker_does_several_jobs_where_there_are_many() -> None:
     found = one_after_the_other(lambda job: {**job, "worker": os.getpid()})
     assert numbered(found) == list(range(16))
     assert len({result["worker"] for result in found}) == 4
+
+
+@needs_fork
+@pytest.mark.parametrize(
+    ("keys", "expected"),
+    [
+        (["", "a", "a", "a", "b", "b", "", ""], ["0", "123", "45", "6", "7"]),
+        (["a"] * 9, ["01234567", "8"]),
+        (["a", "b", "a"], ["0", "1", "2"]),
+    ],
+)
+def test_neighbours_that_share_work_go_to_the_same_worker(keys: list[str], expected: list[str]) -> None:
+    jobs = [{"number": number} for number in range(len(keys))]
+    done: dict[int, str] = {}
+    for job in run_jobs(
+        jobs,
+        lambda job: {**job, "worker": os.getpid()},
+        GENEROUS,
+        2,
+        function_name="",
+        division=Division(together=keys),
+    ):
+        assert isinstance(job, dict)
+        done[job["worker"]] = done.get(job["worker"], "") + str(job["number"])
+    assert list(done.values()) == expected
 
 
 @needs_fork

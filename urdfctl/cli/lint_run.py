@@ -18,6 +18,7 @@ from urdfctl.startup.records import NamedTuple
 
 LintedTargets = list[tuple[Target, TargetResult]]
 LintTargets = Callable[[list[Target]], Iterator[tuple[Target, TargetResult]]]
+LintPlanned = Callable[[list[PlannedTarget]], Iterator[tuple[Target, TargetResult]]]
 LaunchedTargets = list[tuple[PlannedTarget, tuple[Target, TargetResult]]]
 
 
@@ -51,9 +52,19 @@ class LintRun(NamedTuple):
 def lint_files(files: DiscoveredFiles, arguments: Arguments, settings: Settings, request: LintRequest) -> LintRun:
     """Lint the robots among some files, then the files that none of them uses."""
 
-    def linted(targets: list[Target]) -> Iterator[tuple[Target, TargetResult]]:
-        results = lint_all(targets, settings, request.selection, request.jobs or None, request.import_reports)
+    def linted(targets: list[Target], focus: Sequence[Sequence[str]] = ()) -> Iterator[tuple[Target, TargetResult]]:
+        results = lint_all(
+            targets,
+            settings,
+            request.selection,
+            focus=focus,
+            parallel=request.jobs or None,
+            meanwhile=request.import_reports,
+        )
         return zip(targets, with_progress(results, len(targets)), strict=True)
+
+    def linted_launches(entries: list[PlannedTarget]) -> Iterator[tuple[Target, TargetResult]]:
+        return linted([entry.target for entry in entries], [entry.must_read for entry in entries])
 
     plan = planned(files, arguments, request.config.robots)
     if request.shard is not None:
@@ -61,7 +72,7 @@ def lint_files(files: DiscoveredFiles, arguments: Arguments, settings: Settings,
     launch_files = [entry for entry in plan if entry.is_launched]
     launched = [
         (entry, pair)
-        for entry, pair in _launched(launch_files, linted, settings, request)
+        for entry, pair in _launched(launch_files, linted_launches, settings, request)
         if entry.is_reported(pair[1])
     ]
     known = {(result.path, result.arguments) for _, (_, result) in launched if result.controllers}
@@ -96,11 +107,11 @@ def _without_generated(run: LintRun, files: DiscoveredFiles) -> LintRun:
 
 
 def _launched(
-    entries: list[PlannedTarget], linted: LintTargets, settings: Settings, request: LintRequest
+    entries: list[PlannedTarget], linted: LintPlanned, settings: Settings, request: LintRequest
 ) -> LaunchedTargets:
     """The results of launch files: with each choice of the arguments that they need, with each of their robots, and
     of included launch files that could not be followed."""
-    results = list(zip(entries, linted([entry.target for entry in entries]), strict=True))
+    results = list(zip(entries, linted(entries), strict=True))
     known = {os.path.abspath(entry.target.path) for entry in entries}
     needy = [entry for entry, (_, result) in results if is_launch(result.path) and not entry.target.launch]
     choices = launch_variants([entry.target for entry in needy], settings, request.jobs or None) if needy else []
@@ -118,7 +129,7 @@ def _launched(
             known.update(map(os.path.abspath, inner))
             more += [entry._replace(target=Target(path)) for path in inner]
     kept = [(entry, pair) for entry, pair in results if entry.target not in replaced]
-    return [*kept, *zip(more, linted([entry.target for entry in more]), strict=True)]
+    return [*kept, *zip(more, linted(more), strict=True)]
 
 
 def _paired(

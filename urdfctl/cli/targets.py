@@ -11,7 +11,7 @@ from urdfctl.config.file import Config
 from urdfctl.config.robots import ConfiguredRobot
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.discover.robots import DiscoveredFiles, discover_files
-from urdfctl.lint.results import TargetResult
+from urdfctl.lint.results import TargetResult, among
 from urdfctl.load.target import Target
 from urdfctl.startup.hints import TYPE_CHECKING
 from urdfctl.startup.records import NamedTuple
@@ -50,6 +50,11 @@ class PlannedTarget(NamedTuple):
         """Whether it is a launch file that the user did not name."""
         return self.origin in (Origin.LAUNCHED, Origin.AROUND)
 
+    @property
+    def must_read(self) -> tuple[str, ...]:
+        """The files and folders of which something must be read for the target to be reported; empty if none."""
+        return self.focus if self.origin is Origin.AROUND else ()
+
     def is_reported(self, result: TargetResult) -> bool:
         """Return whether the result of the target is reported."""
         if self.origin is Origin.FOUND:
@@ -63,8 +68,7 @@ class PlannedTarget(NamedTuple):
 
     def read(self, result: TargetResult) -> set[str]:
         """Return those files that the user names, or names the folder of, which were read for the target."""
-        folders = tuple(f"{path}{os.sep}" for path in self.focus)
-        return {file for file in result.files if file in self.focus or file.startswith(folders)}
+        return among(result.files, self.focus)
 
 
 def _is_own(finding: Diagnostic) -> bool:

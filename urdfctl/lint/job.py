@@ -10,6 +10,7 @@ from importlib import import_module
 
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Finding, diagnosed
+from urdfctl.lint.memory import RuleMemory
 from urdfctl.lint.results import Outcome, TargetResult
 from urdfctl.lint.selection import Selection
 from urdfctl.lint.serialising import outcome_from_json, result_from_json, result_to_json
@@ -18,7 +19,8 @@ from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
 from urdfctl.rules import all_rules, rule_of
 from urdfctl.run.limits import Json, Limits, Result, WorkerFailure, processors
-from urdfctl.run.pool import run_jobs
+from urdfctl.run.pool import Division, run_jobs
+from urdfctl.source.files import is_launch
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.xacro import private_module
 from urdfctl.startup.hints import Any
@@ -35,12 +37,14 @@ class Work(NamedTuple):
     """One target in a worker, with what it needs.
 
     details: what else the job needs, as plain data.
+    memory: what the rules found in the worker's other targets; None if there is one target.
     """
 
     loader: Loader
     target: Target
     selection: Selection
     details: Json
+    memory: RuleMemory | None = None
 
 
 WorkFunction = Callable[[Work], Json]
@@ -84,15 +88,21 @@ def run_on_targets(
         job_for(function, target, settings, selection=selection, details=its_details)
         for target, its_details in zip(targets, details or [{}] * len(targets), strict=True)
     ]
+    memory = RuleMemory() if len(jobs) > 1 else None
     return run_jobs(
         jobs,
-        partial(_perform, function, workers.loader or Loader(settings)),
+        partial(_perform, function, workers.loader or Loader(settings), memory=memory),
         Limits(settings.timeout, settings.memory, settings.environ),
         workers.parallel or processors(),
         function_name="urdfctl.lint.job:perform_alone",
-        jobs_per_worker=workers.targets_per_worker,
+        division=Division(workers.targets_per_worker, [_folder_of_launch(target) for target in targets]),
         meanwhile=workers.meanwhile,
     )
+
+
+def _folder_of_launch(target: Target) -> str:
+    """The folder of a launch file, whose others often start the same robot; empty for other targets."""
+    return os.path.dirname(target.path) if is_launch(target.path) else ""
 
 
 def run_on_one(function: WorkFunction, target: Target, settings: Settings) -> tuple[dict[str, Any] | None, Outcome]:
@@ -124,9 +134,9 @@ def job_for(
     }
 
 
-def _perform(function: WorkFunction, loader: Loader, job: Json) -> Json:
+def _perform(function: WorkFunction, loader: Loader, job: Json, *, memory: RuleMemory | None = None) -> Json:
     target, selection = Target.from_json(job["target"]), Selection.from_json(job["selection"])
-    return function(Work(loader, target, selection, job["details"]))
+    return function(Work(loader, target, selection, job["details"], memory))
 
 
 def perform_alone(job: Json) -> Json:
@@ -142,22 +152,27 @@ def lint_all(
     targets: Sequence[Target],
     settings: Settings,
     selection: Selection,
+    *,
+    focus: Sequence[Sequence[str]] = (),
     parallel: int | None = None,
     meanwhile: Callable[[], object] = _nothing,
 ) -> Iterator[TargetResult]:
     """Yield the findings of each target, in order, each from a limited worker.
 
+    focus: as in `lint_target`, for each target; no target has one if empty.
     parallel, meanwhile: as in `Workers`.
     """
     workers = Workers(shared_loader(targets, settings), parallel, _TARGETS_PER_WORKER, meanwhile)
-    results = run_on_targets(lint_work, targets, settings, selection, workers=workers)
+    details = [{"focus": list(paths)} for paths in focus] or None
+    results = run_on_targets(lint_work, targets, settings, selection, details=details, workers=workers)
     for target, result in zip(targets, results, strict=True):
         yield result_from_json(result) if isinstance(result, dict) else failed(target, settings, result)
 
 
 def lint_work(work: Work) -> Json:
     """Lint a target in a worker."""
-    return result_to_json(lint_target(work.loader, work.target, work.selection).result)
+    focus = work.details.get("focus", ())
+    return result_to_json(lint_target(work.loader, work.target, work.selection, focus=focus, memory=work.memory).result)
 
 
 def launch_variants(targets: Sequence[Target], settings: Settings, parallel: int | None = None) -> list[list[Target]]:

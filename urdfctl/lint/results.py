@@ -2,9 +2,18 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Iterable, Sequence
+
 from urdfctl.diagnostic import Diagnostic, Location
 from urdfctl.load.bringup import Bringup
 from urdfctl.startup.records import NamedTuple
+
+
+def among(files: Iterable[str], focus: Sequence[str]) -> set[str]:
+    """Return those of some files that are in focus: named, or in a folder that is named."""
+    folders = tuple(f"{path}{os.sep}" for path in focus)
+    return {file for file in files if file in focus or file.startswith(folders)}
 
 
 class SuppressionUse(NamedTuple):

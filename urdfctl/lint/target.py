@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 
 from urdfctl.lint.engine import lint
 from urdfctl.lint.generated import twin_digest
-from urdfctl.lint.results import Outcome, TargetResult
+from urdfctl.lint.results import Outcome, TargetResult, among
 from urdfctl.lint.selection import Selection
 from urdfctl.load.bringup import bringup_of
 from urdfctl.load.loader import LoadedTarget, Loader
@@ -17,7 +18,14 @@ from urdfctl.source.files import is_launch
 from urdfctl.source.problem import ProblemKind
 from urdfctl.source.span import SourceSpan, SourceText
 from urdfctl.source.suppressions import is_reached
+from urdfctl.startup.hints import TYPE_CHECKING
 from urdfctl.startup.records import NamedTuple
+
+if TYPE_CHECKING:
+    from urdfctl.lint.memory import RuleMemory
+
+Run = Callable[..., Outcome]
+"""Runs the rules on a project."""
 
 
 class LintedTarget(NamedTuple):
@@ -29,8 +37,19 @@ class LintedTarget(NamedTuple):
     sources: Mapping[str, SourceText]
 
 
-def lint_target(loader: Loader, target: Target, selection: Selection) -> LintedTarget:
-    """Return the target with the findings in it: in the robot, or in a file without one."""
+def lint_target(
+    loader: Loader,
+    target: Target,
+    selection: Selection,
+    *,
+    focus: Sequence[str] = (),
+    memory: RuleMemory | None = None,
+) -> LintedTarget:
+    """Return the target with the findings in it: in the robot, or in a file without one.
+
+    focus: files and folders; if there are any and none of them is read for the target, no rule runs.
+    memory: what the rules found in other targets.
+    """
     loaded = loader.load(target)
     project, root = loaded.project, loaded.root
     robot, controllers = project.robot, project.controllers
@@ -39,13 +58,15 @@ def lint_target(loader: Loader, target: Target, selection: Selection) -> LintedT
     def reached(span: SourceSpan) -> bool:
         return root is None or is_reached(span, root)
 
-    sources = list(loaded.sources.values())
-    if target.by_elimination and project.controllers is not None:
-        project, outcome = _by_elimination(loaded, selection, reached)
+    run = partial(lint, sources=list(loaded.sources.values()), selection=selection, reached=reached, memory=memory)
+    if focus and not among(loaded.sources, focus):
+        outcome = Outcome([], [])
+    elif target.by_elimination and project.controllers is not None:
+        project, outcome = _by_elimination(loaded, run)
     elif target.guessed:
-        outcome = _guessed(loaded, selection, reached)
+        outcome = _guessed(project, run)
     else:
-        outcome = lint(project, sources, selection, reached=reached)
+        outcome = run(project)
     result = TargetResult(
         path=project.path,
         ros=project.ros,
@@ -71,28 +92,29 @@ def lint_target(loader: Loader, target: Target, selection: Selection) -> LintedT
     return LintedTarget(result, project, root, loaded.sources)
 
 
-def _guessed(loaded: LoadedTarget, selection: Selection, reached: Callable[[SourceSpan], bool]) -> Outcome:
+def _guessed(project: Project, run: Run) -> Outcome:
     """The outcome of a launch file whose arguments are guessed: only the robot alone can have errors."""
     from urdfctl.lint.elimination import GUESSED, weakened
 
-    project, sources = loaded.project, list(loaded.sources.values())
-    alone = lint(project._replace(controllers=None, started=None, launch=None), sources, selection, reached=reached)
-    return weakened(lint(project, sources, selection, reached=reached), [alone], GUESSED)
+    alone = run(project._replace(controllers=None, started=None, launch=None))
+    return weakened(run(project), [alone], GUESSED)
 
 
-def _by_elimination(
-    loaded: LoadedTarget, selection: Selection, reached: Callable[[SourceSpan], bool]
-) -> tuple[Project, Outcome]:
+def _by_elimination(loaded: LoadedTarget, run: Run) -> tuple[Project, Outcome]:
     """The project and its outcome; without the controllers if they share no joint with the robot."""
     from urdfctl.lint.elimination import shares_joints, weakened
 
-    project, sources = loaded.project, list(loaded.sources.values())
+    project = loaded.project
     without = project._replace(controllers=None, started=None)
-    alone = lint(without, sources, selection, reached=reached)
+    alone = run(without)
     if not shares_joints(project, loaded.sources):
         return without, alone
-    together = lint(project, sources, selection, reached=reached)
-    return project, weakened(together, [alone, lint(project._replace(robot=None), sources, selection)])
+    together = run(project)
+    return project, weakened(together, [alone, run(project._replace(robot=None), reached=_everywhere)])
+
+
+def _everywhere(_: SourceSpan) -> bool:
+    return True
 
 
 def _missing_packages(project: Project) -> set[str]:

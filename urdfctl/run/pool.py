@@ -9,9 +9,23 @@ from collections.abc import Callable, Iterator, Sequence
 
 from urdfctl.run.fork import ForkPool
 from urdfctl.run.limits import CAN_FORK, Json, Limits, Result
+from urdfctl.startup.records import NamedTuple
 
 MAX_PARALLEL = 128
 """More workers would reach the limit on open files without being faster."""
+_MAX_TOGETHER = 8
+"""How many jobs that share work one worker does, while others may wait for work."""
+
+
+class Division(NamedTuple):
+    """How jobs are divided among workers.
+
+    jobs_per_worker: how many jobs a forked worker may do, each within the limits.
+    together: for each job, a key; neighbours with the same key share work and go to the same worker. Empty: none do.
+    """
+
+    jobs_per_worker: int = 1
+    together: Sequence[str] = ()
 
 
 def run_jobs(
@@ -21,14 +35,14 @@ def run_jobs(
     parallel: int,
     *,
     function_name: str,
-    jobs_per_worker: int = 1,
+    division: Division = Division(),  # noqa: B008 (immutable)
     meanwhile: Callable[[], object] = lambda: None,
 ) -> Iterator[Result]:
     """Yield the result of each job, in order.
 
     parallel: how many workers run at the same time, up to MAX_PARALLEL.
     function_name: `package.module:function`, used instead of `function` where the system cannot fork.
-    jobs_per_worker: how many jobs a forked worker may do, each within the limits.
+    division: of the jobs among forked workers.
     meanwhile: called once, after the first workers were started.
     """
     parallel = min(max(parallel, 1), MAX_PARALLEL)
@@ -37,9 +51,8 @@ def run_jobs(
 
         yield from run_all_fresh(jobs, function_name, limits, parallel)
         return
-    size = max(min(jobs_per_worker, len(jobs) // (4 * parallel)), 1)
-    shares = [range(start, min(start + size, len(jobs))) for start in range(0, len(jobs), size)]
-    pool = ForkPool(jobs, function, limits, shares)
+    size = max(min(division.jobs_per_worker, len(jobs) // (4 * parallel)), 1)
+    pool = ForkPool(jobs, function, limits, _shares(division.together or [""] * len(jobs), size))
     try:
         pool.fill(parallel)
         meanwhile()
@@ -50,3 +63,15 @@ def run_jobs(
             yield pool.results.pop(number)
     finally:
         pool.kill()
+
+
+def _shares(keys: Sequence[str], size: int) -> list[range]:
+    """Part jobs into ranges of `size`, and of more where the neighbours at the end share a key."""
+    shares: list[range] = []
+    start = 0
+    for end in range(1, len(keys) + 1):
+        shared = end < len(keys) and keys[end] and keys[end] == keys[end - 1]
+        if end == len(keys) or end - start >= (max(size, _MAX_TOGETHER) if shared else size):
+            shares.append(range(start, end))
+            start = end
+    return shares
