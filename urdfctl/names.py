@@ -5,6 +5,9 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable
 
+_LEAST_SIMILARITY = 0.8
+"""The least ratio, from 0 to 1, at which one name counts as a misspelling of the other."""
+
 
 def nearest(name: str, known: Iterable[str]) -> str | None:
     """Return the known name most similar to `name`, or None if none is similar."""
@@ -13,7 +16,7 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
     same = by_folded.get(name.casefold().replace("-", "_"))
     if same is not None and same != name:
         return same
-    similar = [candidate for candidate in candidates if candidate != name and _may_be_similar(name, candidate)]
+    similar = [candidate for candidate in candidates if candidate != name and may_be_similar(name, candidate)]
     if not similar:
         return None
     from difflib import get_close_matches
@@ -22,13 +25,9 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
     return closest[0] if closest else None
 
 
-_LEAST_SIMILARITY = 0.8
-"""The least ratio, from 0 to 1, at which one name counts as a misspelling of the other."""
-
-
-def _may_be_similar(name: str, other: str) -> bool:
-    """Whether two names share enough letters to be similar. Cheap, to skip most of the slow exact comparisons."""
-    least = _LEAST_SIMILARITY * (len(name) + len(other)) / 2
+def may_be_similar(name: str, other: str, ratio: float = _LEAST_SIMILARITY) -> bool:
+    """Return whether two names share enough letters to be similar: cheap, to skip most of the exact comparisons."""
+    least = ratio * (len(name) + len(other)) / 2
     return min(len(name), len(other)) >= least and sum(map(other.__contains__, name)) >= least
 
 

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import lru_cache
 
+from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.distros import ROS1, ROS2, generation
 from urdfctl.catalog.entries import Replacement
 from urdfctl.control.readers import controllers_in, is_of_ros2, type_of
 from urdfctl.model.controllers import Controller
 from urdfctl.model.parameters import Value
 from urdfctl.model.project import Project
-from urdfctl.names import nearest
+from urdfctl.names import may_be_similar, nearest
 from urdfctl.startup.per_object import once_for_the_last
 from urdfctl.startup.records import NamedTuple
 
@@ -50,13 +52,12 @@ def typed(project: Project) -> tuple[Typed, ...]:
 
 
 @once_for_the_last
-def _known(project: Project) -> tuple[dict[str, str], dict[str, str]]:
+def _known(catalog: Catalog) -> tuple[dict[str, str], dict[str, str]]:
     """The types that come with ros_control and with ros2_control themselves, by generation, with their ROS packages."""
-    return tuple(dict(_own_types(project, family)) for family in (ROS1, ROS2))  # type: ignore[return-value]
+    return tuple(dict(_own_types(catalog, family)) for family in (ROS1, ROS2))  # type: ignore[return-value]
 
 
-def _own_types(project: Project, family: tuple[str, ...]) -> Iterator[tuple[str, str]]:
-    catalog = project.catalog
+def _own_types(catalog: Catalog, family: tuple[str, ...]) -> Iterator[tuple[str, str]]:
     for distro in family:
         for name in catalog.known_types(distro):
             kind = catalog.controller(name, distro)
@@ -66,12 +67,17 @@ def _own_types(project: Project, family: tuple[str, ...]) -> Iterator[tuple[str,
 
 def meant_by(project: Project, unknown: Typed) -> str | None:
     """Return the known type that an unknown type means; None if it may be from another package."""
-    packages = _known(project)[unknown.ros - 1]
-    types = list(packages)
     own = nearest(unknown.type.strip(), project.own.controllers)
     if own is not None:
         return own
-    text = unknown.type.strip(" '\"").replace("::", "/")
+    return _meant_in(project.catalog, unknown.ros, unknown.type.strip(" '\"").replace("::", "/"))
+
+
+@lru_cache(64)
+def _meant_in(catalog: Catalog, ros: int, text: str) -> str | None:
+    """The type of a catalogue that a text means. Two rules ask for each unknown type."""
+    packages = _known(catalog)[ros - 1]
+    types = list(packages)
     parts = text.split("/")
     package, name = parts[0], parts[-1]
     if f"{package}/{name}" in types:
@@ -105,14 +111,17 @@ def _only_one_of(package: str, types: list[str]) -> str | None:
 
 def _of_alike_package(package: str, name: str, types: list[str]) -> str | None:
     """The type whose package and class both resemble the given ones: `controllers` for `controller`."""
-    from difflib import SequenceMatcher
-
     for known in types:
         known_package, _, known_name = known.partition("/")
-        alike = (SequenceMatcher(None, *pair).ratio() for pair in ((package, known_package), (name, known_name)))
-        if all(ratio >= _ALIKE for ratio in alike):
+        if _is_alike(package, known_package) and _is_alike(name, known_name):
             return known
     return None
+
+
+def _is_alike(name: str, other: str) -> bool:
+    from difflib import SequenceMatcher
+
+    return may_be_similar(name, other, _ALIKE) and SequenceMatcher(None, name, other).ratio() >= _ALIKE
 
 
 def instead_of(project: Project, kind: str, distro: str) -> tuple[Replacement | None, str]:

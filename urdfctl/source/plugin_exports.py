@@ -64,9 +64,12 @@ def exported_classes(folder: str, files: Files) -> Iterator[ExportedClass]:
 
 def _descriptions(folder: str) -> list[str]:
     """The plugin descriptions that package.xml and CMakeLists.txt name, and others directly in the folder."""
-    cmake = _substituted(_text(os.path.join(folder, "CMakeLists.txt")))
-    manifest = _XML_COMMENT.sub("", _text(os.path.join(folder, "package.xml")))
-    named = [*_PLUGIN_ATTRIBUTE.findall(manifest), *_EXPORT_FILE.findall(cmake)]
+    manifest, cmake = (_text(os.path.join(folder, name)) for name in ("package.xml", "CMakeLists.txt"))
+    named: list[str] = []
+    if "${prefix}" in manifest:
+        named += _PLUGIN_ATTRIBUTE.findall(_XML_COMMENT.sub("", manifest))
+    if "plugin_description_file" in cmake.lower():
+        named += _EXPORT_FILE.findall(_substituted(cmake))
     paths = [os.path.normpath(os.path.join(folder, name)) for name in named]
     return list(dict.fromkeys([*(path for path in paths if os.path.isfile(path)), *_by_form(folder)]))
 
