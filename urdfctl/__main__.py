@@ -9,6 +9,9 @@ import sys
 
 def main() -> None:
     """Run a command, and exit with its status: 2 after a UserError, 3 after a crash."""
+    from urdfctl.startup.quick_imports import import_quickly
+
+    import_quickly()
     from urdfctl.errors import UserError
 
     _open_closed_streams()

@@ -1,0 +1,64 @@
+"""Import the modules of a few packages from their compiled files directly.
+
+Saves: a run imports about three hundred modules, and looking for each takes a third of its import: Python asks every
+finder, and reads the folder's state and the file's state several times. The result is the same: a compiled file is only
+used if it is the one that Python itself would use, otherwise Python imports the module as usual.
+"""
+
+from __future__ import annotations
+
+import marshal
+import os
+import sys
+from collections.abc import Sequence
+from importlib._bootstrap_external import MAGIC_NUMBER
+from importlib.machinery import ModuleSpec, SourceFileLoader
+from types import CodeType
+
+_PACKAGES = ("urdfctl.", "yaml.")
+_HEADER = 16
+"""Bytes of a compiled file before the code: magic number, flags, and the source's time and size."""
+
+
+class _Loader(SourceFileLoader):
+    code: CodeType | None = None
+
+    def get_code(self, fullname: str) -> CodeType | None:
+        return self.code or super().get_code(fullname)
+
+
+class _Finder:
+    """Finds a module beside others of its package, if it is compiled."""
+
+    def __init__(self) -> None:
+        self._compiled = f".{sys.implementation.cache_tag}.pyc"
+
+    def find_spec(self, name: str, path: Sequence[str] | None, _target: object = None) -> ModuleSpec | None:
+        if not (path and name.startswith(_PACKAGES)):
+            return None
+        folder, module = path[0], name.rpartition(".")[2]
+        source, compiled = (
+            f"{folder}{os.sep}{module}.py",
+            f"{folder}{os.sep}__pycache__{os.sep}{module}{self._compiled}",
+        )
+        try:
+            info = os.stat(source)
+            with open(compiled, "rb", 0) as file:
+                data = file.read()
+        except OSError:
+            return None
+        of_source = (int(info.st_mtime) & 0xFFFFFFFF, info.st_size & 0xFFFFFFFF)
+        expected = b"".join((MAGIC_NUMBER, bytes(4), *(number.to_bytes(4, "little") for number in of_source)))
+        if data[:_HEADER] != expected:
+            return None
+        loader = _Loader(name, source)
+        loader.code = marshal.loads(memoryview(data)[_HEADER:])  # noqa: S302 (Python's own compiled file)
+        spec = ModuleSpec(name, loader, origin=source)
+        spec.has_location, spec.cached = True, compiled
+        return spec
+
+
+def import_quickly() -> None:
+    """From now on, import modules of the packages quickly, unless compiled files are in a special place or form."""
+    if sys.implementation.cache_tag and not (sys.pycache_prefix or sys.flags.optimize):
+        sys.meta_path.insert(0, _Finder())
