@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -70,8 +71,8 @@ def test_controllers_that_nothing_starts_are_judged_one_at_a_time(tmp_path: Path
         (
             FORWARD,
             "joints: [], interface_name: position",
-            "failed configure",
-            "After configuring, controller 'arm' is in state 'unconfigured' , expected inactive.",
+            "failed load",
+            "Could not initialize the controller named 'arm'",
         ),
         (
             FORWARD,
@@ -228,3 +229,49 @@ def test_a_controller_before_one_that_is_refused_is_refused_too(tmp_path: Path) 
         "the controller manager says: Unable to activate controller 'high' since the command interface "
         "'low/elbow/velocity' is not available."
     )
+
+
+# -- what stops more than one controller -------------------------------------------------------------------------------
+
+STEERING = "ackermann_steering_controller/AckermannSteeringController"
+GEOMETRY = "wheelbase: 1.0, traction_track_width: 1.0, traction_wheels_radius: 0.1"
+JOINTS = "traction_joints_names: [shoulder, elbow], steering_joints_names: [shoulder, elbow]"
+
+
+def test_a_controller_that_ends_the_manager_stops_the_others(tmp_path: Path) -> None:
+    car = section("car", f"{GEOMETRY}, {JOINTS}, velocity_rolling_window_size: 0")
+    yaml = manager(arm=FORWARD, car=STEERING) + section("arm", ELBOW) + car
+    made = smoked(target_of(tmp_path, files(yaml)), distro="jazzy")
+    reasons = {result.name: result.reason for result in made.controllers}
+    assert verdicts(made) == {"arm": "failed activate", "car": "failed activate"}
+    assert reasons["arm"] == "controller 'car' ends the process of the controller manager"
+
+
+def test_hardware_that_stays_unconfigured_stops_its_controllers(tmp_path: Path) -> None:
+    name = re.findall(r'<ros2_control name="(\w+)"', HARDWARE)[0]
+    state = f"    hardware_components_initial_state: {{unconfigured: [{name}]}}\n"
+    yaml = manager(arm=FORWARD) + state + section("arm", ELBOW)
+    made = smoked(target_of(tmp_path, files(yaml)), distro="jazzy", started=("arm",))
+    assert verdicts(made) == {"arm": "failed activate"}
+
+
+@pytest.mark.parametrize(("distro", "verdict"), [("jazzy", "failed activate"), ("humble", "skipped activate")])
+def test_an_empty_list_for_the_node_of_the_hardware_stops_all_controllers(
+    tmp_path: Path, distro: str, verdict: str
+) -> None:
+    hardware = re.sub(r'<ros2_control name="\w+"', '<ros2_control name="Arm"', HARDWARE)
+    yaml = manager(arm=FORWARD, hand=FORWARD) + section("arm", "joints: []") + section("hand", ELBOW)
+    made = smoked(target_of(tmp_path, files(yaml, hardware)), distro=distro)
+    assert verdicts(made)["hand"] == verdict
+
+
+def test_a_section_for_another_namespace_stops_only_its_controller(tmp_path: Path) -> None:
+    yaml = manager(arm=FORWARD, hand=FORWARD) + section("'/*/arm'", ELBOW) + section("hand", ELBOW)
+    made = smoked(target_of(tmp_path, files(yaml)), distro="jazzy")
+    assert verdicts(made)["hand"] == "skipped activate"
+
+
+def test_a_file_with_parameters_that_have_no_value_is_not_read(tmp_path: Path) -> None:
+    yaml = manager(arm=FORWARD, hand=FORWARD) + "arm:\n  ros__parameters:\n" + section("hand", ELBOW)
+    made = smoked(target_of(tmp_path, files(yaml)), distro="jazzy")
+    assert verdicts(made) == {"arm": "failed load", "hand": "failed load"}

@@ -33,11 +33,11 @@ MANAGER = ("ros2_manager",)
 STAGES = {"load": Stage.LOAD, "configure": Stage.CONFIGURE, "activate": Stage.ACTIVATE, "start": Stage.ACTIVATE}
 
 # Of MANAGER, as measured: lower them when the smoke test gets better, never raise them.
-VERDICTS_WRONG = 23 / 604
+VERDICTS_WRONG = 5 / 604
 """Whether the manager rejects anything."""
-STAGES_WRONG = 13 / 261
+STAGES_WRONG = 3 / 276
 """The stage at which it does, of the cases that both reject."""
-CONTROLLERS_WRONG = 26 / 566
+CONTROLLERS_WRONG = 5 / 566
 """Which of several controllers it rejects."""
 
 

@@ -15,6 +15,7 @@ from urdfctl.control.chains import Chained, chained_claims, circle, late
 from urdfctl.control.claims import Claim
 from urdfctl.control.conflicts import claimed_twice, conflicts
 from urdfctl.control.hardware import Absence, Kind
+from urdfctl.control.inactive_hardware import inactive_hardware
 from urdfctl.control.needed_interfaces import nothing_to_claim
 from urdfctl.control.parameter_rules import breaches
 from urdfctl.control.session import Configured, Session
@@ -35,6 +36,7 @@ class Reason(Enum):
     NOT_EXPORTED = "another controller does not export a claimed interface"
     NOT_CHAINABLE = "another controller exports no interfaces"
     CLAIMED_TWICE = "it claims an interface twice"
+    NOT_ACTIVE = "its hardware is not activated"
     NOTHING_TO_CLAIM = "it has no interface to claim"
     CONFLICT = "another controller has claimed an interface"
     NOT_STARTED = "a controller whose interface it claims is not started first"
@@ -65,7 +67,9 @@ class Stop(NamedTuple):
     absence: Absence = Absence.SURE
     """How certain it is; a stop that is only likely may not happen."""
     words: str = ""
-    """The message of a broken rule on parameters."""
+    """The message of a broken rule on parameters, or on inactive hardware."""
+    ends_manager: bool = False
+    """Whether the process of the controller manager ends, and all its controllers with it."""
 
 
 class Life(NamedTuple):
@@ -108,12 +112,17 @@ def _stops(session: Session, controller: Configured) -> Iterator[Stop]:
     for breach in breaches(controller.type, controller.values):
         if breach.rule.severity == "error":
             words = f"'{breach.parameter}' {breach.message}"
-            yield Stop(Stage.LOAD if ros1 else stage_of_breach(breach.rule), Reason.PARAMETERS, words=words)
+            stage = Stage.LOAD if ros1 else stage_of_breach(breach.rule)
+            ends = bool(breach.rule.details.get("ends_manager"))
+            yield Stop(stage, Reason.PARAMETERS, words=words, ends_manager=ends)
     for _, claim in claimed_twice(controller, session.distro):
         yield Stop(Stage.ACTIVATE if ros1 else Stage.CONFIGURE, Reason.CLAIMED_TWICE, claim)
     for missing in controller.missing:
         stage = Stage.LOAD if ros1 else Stage.ACTIVATE
         yield Stop(stage, Reason.NOT_OFFERED, missing.claim, missing.kind, absence=missing.absence)
+    for inactive in inactive_hardware(session, controller):
+        words = f"hardware '{inactive.hardware}' stays {inactive.state}"
+        yield Stop(Stage.ACTIVATE, Reason.NOT_ACTIVE, words=words)
     absence = None if ros1 else nothing_to_claim(session, controller)
     if absence is not None:
         yield Stop(Stage(controller.type.needs_interface), Reason.NOTHING_TO_CLAIM, absence=absence)

@@ -120,6 +120,8 @@ def _nodes(mapping: Mapping, keys: tuple[Key, ...], flat: Flat) -> None:
             leaves = list(_leaves_of_rcl(value, (), faults))
             flat.faults.extend(fault._replace(keys=keys) for fault in faults)
             flat.sections.append(Section(name, at, parameters_of(leaves), key.at))
+        elif isinstance(value, Scalar) and typed_by_rcl(value).kind is Kind.NULL:
+            flat.faults.append(Fault(FaultKind.EMPTY, key.at, key.text, keys))  # rcl rejects the whole file
         else:
             flat.faults.append(Fault(FaultKind.PARAMETERS_NOT_A_MAP, key.at, name, keys))
 

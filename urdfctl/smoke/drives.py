@@ -260,7 +260,7 @@ def _rolling(mechanism: Mechanism, task: Task, drive: Drive, wheels: Sequence[Wh
         if hinge.type != "continuous" and (hinge.type == "prismatic" or high - low < LEAST_ROLL):
             fields = {"joint": hinge.name, "type": hinge.type, "low": low, "high": high}
             yield trouble_of(wheel_cannot_roll, f"joint:{hinge.name}", task.controller, (), **fields)
-        if not hinge.effort or not radius:
+        if not hinge.effort or not radius or radius < 0:
             known = False
             continue
         left = hinge.effort - hinge.friction
@@ -269,7 +269,7 @@ def _rolling(mechanism: Mechanism, task: Task, drive: Drive, wheels: Sequence[Wh
             known = False
         thrust += max(0.0, left) / radius
     mass = sum(body.mass for body in mechanism.bodies.values())
-    if known and thrust * TIME < mass * speed:
+    if known and 0 < thrust * TIME < mass * speed:  # without any thrust, a value is not a number
         seconds = f"{mass * speed / thrust:.2g}"
         fields = {"thrust": f"{thrust:.3g}", "mass": f"{mass:.3g}", "speed": f"{speed:g}", "seconds": seconds}
         yield trouble_of(wheels_too_weak, f"controller:{task.controller}", task.controller, (), **fields)

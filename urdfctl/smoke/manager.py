@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 
-from urdfctl.catalog.distros import generation
+from urdfctl.catalog.distros import generation, since
 from urdfctl.control.chains import chained_claims
 from urdfctl.control.hardware import Absence
 from urdfctl.control.life import Reason, Stop, lives
@@ -17,6 +17,7 @@ from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.model.project import Project
 from urdfctl.model.stage import CONTROLLER_STAGES, Stage, StageDependsOn
 from urdfctl.rule import Rule
+from urdfctl.rules.controllers.collection_empty import collection_empty
 from urdfctl.rules.controllers.controller_type_missing import controller_type_missing
 from urdfctl.rules.controllers.controller_type_not_in_distro import controller_type_not_in_distro
 from urdfctl.rules.controllers.controller_type_of_other_ros import controller_type_of_other_ros
@@ -56,13 +57,14 @@ _TYPE_DOES_NOT_EXIST = frozenset(
 class Refusal(NamedTuple):
     """The stage at which a controller is stopped, why, and the line that the manager prints.
 
-    `reported_as` is the code under which lint reports it, or empty.
+    `reported_as` is the code under which lint reports it, or empty. `ends_manager`: the manager's process ends too.
     """
 
     stage: Stage
     why: str
     line: str
     reported_as: str = ""
+    ends_manager: bool = False
 
 
 class Way(NamedTuple):
@@ -103,7 +105,7 @@ def life_cycle(project: Project, findings: Sequence[Diagnostic]) -> Cycle:
     errors = [finding for finding in findings if finding.severity is Severity.ERROR]
     session = _best_session(project, errors)
     of_robot = [error for error in errors if stops_robot(error)]
-    of_hardware = [error for error in errors if stops_hardware(error)]
+    of_hardware = [error for error in errors if stops_hardware(error) or _stops_node_of_hardware(session, error)]
     troubles: list[Trouble] = []
     blocked: Refusal | None = None
     if of_robot:
@@ -112,9 +114,21 @@ def life_cycle(project: Project, findings: Sequence[Diagnostic]) -> Cycle:
     elif of_hardware:
         blocked = Refusal(Stage.ACTIVATE, "the hardware is rejected", "")
         troubles.append(_trouble_of_errors(hardware_not_started, of_hardware))
-    ways = _cascaded(session, tuple(_ways(session, errors, blocked)))
+    ways = _cascaded(session, _ended_together(tuple(_ways(session, errors, blocked))))
     troubles += [_trouble(way.configured, way.refusal) for way in ways if way.refusal and way.refusal is not blocked]
     return Cycle(session.distro, session, ways, tuple(troubles), blocked is None)
+
+
+def _stops_node_of_hardware(session: Session, error: Diagnostic) -> bool:
+    """Whether an error in a controller's section stops the hardware of the same name, whose node reads the section too.
+
+    From jazzy on each component has a node, with its name in lower case (hardware_component_interface.cpp).
+    """
+    if error.code != collection_empty.code or session.distro not in since("jazzy"):
+        return False
+    offers = (offer for each in (session.hardware.command, session.hardware.state) for offer in each.values())
+    nodes = {one.by.lower().replace("/", "_") for offered in offers for one in offered if one.by}
+    return any(each.name in nodes and concerns(error, each.controller) for each in session.controllers)
 
 
 def _best_session(project: Project, errors: Sequence[Diagnostic]) -> Session:
@@ -149,7 +163,8 @@ def _ways(session: Session, errors: Sequence[Diagnostic], blocked: Refusal | Non
         codes = {error.code for error in about if found_by_manager(error)}
         code = codes.pop() if len(codes) == len(stops) == 1 else ""
         of_life[id(life.controller)] = [
-            Refusal(stop.stage, reason_of(stop), line_of_stop(life.controller, stop, ros), code) for stop in stops
+            Refusal(stop.stage, reason_of(stop), line_of_stop(life.controller, stop, ros), code, stop.ends_manager)
+            for stop in stops
         ]
     everyone = (*started, *alone.controllers)
     of_files = [error for error in errors if stops_controller(error)]
@@ -158,6 +173,16 @@ def _ways(session: Session, errors: Sequence[Diagnostic], blocked: Refusal | Non
         refusals = [*_of_files(configured, of_files, of_all, ros), *of_life[id(configured)]]
         first = min(refusals, key=lambda refusal: CONTROLLER_STAGES.index(refusal.stage), default=None)
         yield Way(configured, _with_line(first, of_life[id(configured)]) if first else blocked)
+
+
+def _ended_together(ways: tuple[Way, ...]) -> tuple[Way, ...]:
+    """The ways, in which all controllers stop if one of them ends the manager's process."""
+    fatal = next((way for way in ways if way.refusal and way.refusal.ends_manager), None)
+    if fatal is None:
+        return ways
+    why = f"controller '{fatal.configured.name}' ends the process of the controller manager"
+    ended = Refusal(Stage.ACTIVATE, why, "")
+    return tuple(way if way.refusal else way._replace(refusal=ended) for way in ways)
 
 
 def _cascaded(session: Session, ways: tuple[Way, ...]) -> tuple[Way, ...]:

@@ -80,7 +80,7 @@ def concerns(finding: Diagnostic, controller: Controller) -> bool:
     spans = ((place.source.path, place.span) for place in _places(controller))
     if any(path == at.file and span.start <= at.start <= span.end for path, span in spans):
         return True
-    return f"'{controller.name}'" in finding.message
+    return any(f"'{name}'" in finding.message for name in (controller.name, f"/{controller.full_name.lstrip('/')}"))
 
 
 def _places(controller: Controller) -> Iterator[Place]:

@@ -89,6 +89,7 @@ def reason_of(stop: Stop) -> str:
         Reason.TYPE_MISSING: "its type is missing",
         Reason.TYPE_UNKNOWN: "its type does not exist in this ROS distro",
         Reason.PARAMETERS: stop.words,
+        Reason.NOT_ACTIVE: stop.words,
         Reason.NOT_OFFERED: f"no hardware offers {_resource_of_ros1(stop.claim) or f'the {kind} interface {claim}'}",
         Reason.NOT_EXPORTED: f"{other} does not export {claim}",
         Reason.NOT_CHAINABLE: f"it claims {claim} of {other}, which exports no interfaces",

@@ -5,14 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
-from urdfctl.control.hardware import Kind
+from urdfctl.control.inactive_hardware import inactive_hardware
 from urdfctl.control.session import Configured, Session
 from urdfctl.model.parameters import Value
 from urdfctl.rule import Finding, Note, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.claims.common import home, of_each_candidate
 
-_STATES = "hardware_components_initial_state"
-_ALLOWED = "defaults.allow_controller_activation_with_inactive_hardware"
 _ROBOT = """
     <ros2_control name="arm_hardware" type="system">
       <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
@@ -86,19 +84,8 @@ def _is_activated(project: Project) -> bool:
 
 
 def _inactive(session: Session, controller: Configured) -> Iterator[Finding]:
-    manager = controller.controller.manager
-    if session.started is None or manager is None:
-        return
-    allowed = manager.parameters.value(_ALLOWED)
-    states = ["unconfigured"]
-    if session.distro in since("jazzy") and not (allowed and (allowed.value is True or not allowed.is_known)):
-        states.append("inactive")
-    for state in states:
-        names = manager.parameters.value(f"{_STATES}.{state}")
-        for hardware in sorted(_claimed(session, controller)):
-            place = _named(names, hardware)
-            if place is not None:
-                yield _finding(controller, place, hardware, state)
+    for hardware, state, named in inactive_hardware(session, controller):
+        yield _finding(controller, named, hardware, state)
 
 
 def _finding(controller: Configured, named: Value, hardware: str, state: str) -> Finding:
@@ -106,17 +93,3 @@ def _finding(controller: Configured, named: Value, hardware: str, state: str) ->
     notes = (Note(f"controller '{controller.name}' is declared here", declared),) if declared else ()
     message = f"hardware '{hardware}' stays {state}, so controller '{controller.name}' cannot be activated"
     return Finding(named.at, message, notes)
-
-
-def _claimed(session: Session, controller: Configured) -> set[str]:
-    """The hardware components with interfaces that the controller claims."""
-    components: set[str] = set()
-    for kind in Kind:
-        for claim in controller.claimed(kind):
-            offers = session.hardware.of(kind, claim.component)
-            components.update(offer.by for offer in offers if offer.interface == claim.interface and offer.by)
-    return components
-
-
-def _named(names: Value | None, hardware: str) -> Value | None:
-    return next((item for item in names.items if item.text == hardware), None) if names else None

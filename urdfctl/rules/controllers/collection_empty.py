@@ -7,13 +7,13 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ROS2
 from urdfctl.control.readers import controllers_in
 from urdfctl.model.controllers import FaultKind
-from urdfctl.rule import Finding, Project, Severity, StageDependsOn, rule
+from urdfctl.rule import Finding, Project, Severity, Stage, rule
 from urdfctl.rules.controllers.common import faults
 
 
 @rule(
     "UC407",
-    stage=StageDependsOn.PARAMETER_CHECKS,
+    stage=Stage.LOAD,
     severity=Severity.ERROR,
     distros=ROS2,
     authority="rclcpp rclcpp/src/rclcpp/parameter_map.cpp: 'No parameter value set'",

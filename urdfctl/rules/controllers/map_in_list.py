@@ -6,12 +6,13 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.model.controllers import FaultKind
-from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rule import Finding, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.controllers.common import faults
 
 
 @rule(
     "UC409",
+    stage=StageDependsOn.PARAMETER_CHECKS,
     severity=Severity.WARNING,
     distros=ROS2,
     authority="rcl rcl_yaml_param_parser/src/parse.c: a map in a list is read as if it were not in a list",
