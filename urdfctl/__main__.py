@@ -61,7 +61,7 @@ def _run(words: list[str]) -> int:
             from urdfctl.cli.lint_command import run_lint
 
             return run_lint(options)
-    if words == ["--version"]:  # a common call in scripts, without the import of typer
+    if words in (["--version"], ["-V"]):  # a common call in scripts, without the import of typer
         from urdfctl import __version__
 
         sys.stdout.write(f"urdfctl {__version__}\n")

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Annotated, Any
 
 import typer
+from typer.core import TyperGroup
 
 from urdfctl.cli.generate_options import (
     GENERATORS,
@@ -14,7 +16,10 @@ from urdfctl.cli.generate_options import (
     OneDashCommand,
     short_help,
 )
+from urdfctl.cli.help import GroupedCommand
 from urdfctl.cli.options import ExpandOptions, ExplainOptions, LintOptions, RulesOptions, ShowOptions, SmokeOptions
+from urdfctl.cli.slips import command_hint
+from urdfctl.errors import UserError
 
 
 def _lint(options: LintOptions) -> int:
@@ -82,13 +87,25 @@ def _run(options: object, **_: object) -> None:
     raise typer.Exit(_RUN[type(options)](options))
 
 
+class Commands(TyperGroup):
+    """The commands, with an answer to words that are none."""
+
+    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
+        """Return the command that the first word names. UserError if it is clear what else is meant."""
+        if self.get_command(ctx, args[0]) is None:
+            hint = command_hint(args[0])
+            if hint is not None:
+                raise UserError(hint)
+        return super().resolve_command(ctx, args)
+
+
 app = typer.Typer(
     name="urdfctl",
     no_args_is_help=True,
-    add_completion=False,
+    cls=Commands,
     rich_markup_mode=None,
     pretty_exceptions_enable=False,
-    context_settings={"help_option_names": ["-h", "--help"]},
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 120},
     help="Lint, smoke-test, expand and explain the control configuration of robots in URDF and xacro, without ROS.",
     result_callback=_run,
 )
@@ -105,21 +122,22 @@ def _version(requested: bool) -> None:  # noqa: FBT001 (typer's callback)
 @app.callback()
 def main(
     version: Annotated[
-        bool, typer.Option("--version", callback=_version, is_eager=True, help="Show the version and exit.")
+        bool, typer.Option("--version", "-V", callback=_version, is_eager=True, help="Show the version and exit.")
     ] = False,
 ) -> None:
     """Lint, smoke-test, expand and explain the control configuration of robots in URDF and xacro, without ROS."""
 
 
-app.command("lint", short_help="Find what keeps a robot from starting and moving.")(LintOptions)
-app.command("smoke", short_help="Load, start and move each controller, without ROS.")(SmokeOptions)
-app.command("show", short_help="Show what is started together.")(ShowOptions)
-app.command("expand", short_help="Expand xacro without ROS.")(ExpandOptions)
-app.command("rules")(RulesOptions)
-app.command("explain", short_help="Explain a rule, an error message, or a whole log.")(ExplainOptions)
+_command = partial(app.command, cls=GroupedCommand)
+_command("lint", short_help="Find what keeps a robot from starting and moving.")(LintOptions)
+_command("smoke", short_help="Load, start and move each controller, without ROS.")(SmokeOptions)
+_command("show", short_help="Show what is started together.")(ShowOptions)
+_command("expand", short_help="Expand xacro without ROS.")(ExpandOptions)
+_command("rules")(RulesOptions)
+_command("explain", short_help="Explain a rule, an error message, or a whole log.")(ExplainOptions)
 for name, generator in GENERATORS.items():
     app.command(name, cls=OneDashCommand, short_help=short_help(generator))(generator)
-app.command("gen-check", short_help="Check that generated files are up to date.")(CheckGeneratedOptions)
+_command("gen-check", short_help="Check that generated files are up to date.")(CheckGeneratedOptions)
 
 
 def run_words(words: Sequence[str]) -> int:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 
+from urdfctl.cli.slips import check_path
 from urdfctl.cli.words import configured, settings_from, split_arguments
 from urdfctl.cli.writing import print_text, would_overwrite, write_file
 from urdfctl.errors import UserError
@@ -29,16 +30,15 @@ def run_expand(options: ExpandOptions) -> int:
     if paths:
         raise UserError(f"unexpected argument '{paths[0]}': expand reads one file; arguments are name:=value")
     if not os.path.lexists(file):
+        check_path(file)
         raise UserError(f"file '{file}' does not exist{nearest_path(file)}")
     if output is not None and would_overwrite(output) and not force:
         raise UserError(f"'{output}' exists; --force overwrites it")
     expanded = expand_file(file, arguments, settings)
     if expanded.text is None:
-        lines = render(Report((), expanded.problems)).splitlines()
-        sys.stderr.write("\n".join(lines[:-1]) + "\n")
+        sys.stderr.write(render(Report((), expanded.problems, quiet=True)))
         return 3 if expanded.crashed else 1
-    for warning in render(Report((), expanded.problems)).splitlines()[:-1]:
-        sys.stderr.write(warning + "\n")
+    sys.stderr.write(render(Report((), expanded.problems, quiet=True)))
     if output is not None:
         write_file(output, expanded.text, force=force)
     else:

@@ -15,6 +15,7 @@ from urdfctl.names import did_you_mean
 from urdfctl.rule import Rule
 
 _FORMATS = ("text", "json")
+_DESCRIPTIONS = (".urdf", ".xacro", ".yaml", ".yml", ".launch", ".launch.py", ".sdf", ".world")
 _NOTHING = (
     "nothing to explain; pass a rule code, a line of a log in quotes, or a log: urdfctl explain gazebo.log, "
     "or pipe it: ... | urdfctl explain"
@@ -36,6 +37,8 @@ def run_explain(words: Sequence[str], output_format: str) -> int:
     rule = _rule(text)
     if rule is not None:
         return _explain_rule(rule, output_format)
+    if text.lower().endswith(_DESCRIPTIONS):
+        raise UserError(f"explain reads rules, messages and logs; to check '{text}', run: urdfctl lint {text}")
     if os.path.isfile(text):
         return _explain_file(text, output_format)
     if len(text.split()) == 1:

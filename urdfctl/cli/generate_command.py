@@ -12,6 +12,7 @@ from urdfctl.catalog.catalog import catalog_with
 from urdfctl.cli.generate_again import words_of_generated_file
 from urdfctl.cli.generate_requests import needs_joints, with_requests
 from urdfctl.cli.generate_writing import Writing, deliver
+from urdfctl.cli.slips import check_description
 from urdfctl.cli.targets import discovered
 from urdfctl.cli.words import configured, settings_from, split_arguments
 from urdfctl.cli.writing import print_message, print_text
@@ -118,6 +119,8 @@ def _sources(
         listed += joints_listed(_text(path), "standard input" if path == "-" else path)
     if not robots and (listed or lists):
         return None, listed
+    for path in robots:
+        check_description(path)
     found = discovered(robots, config)
     descriptions = [path for path, _ in found.descriptions() if robots or not _is_part(path)]
     if len(descriptions) != 1:

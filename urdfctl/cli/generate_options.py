@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from typing import Annotated, ClassVar
 
 import typer
-from typer.core import TyperCommand
 
+from urdfctl.cli.help import GroupedCommand
 from urdfctl.cli.options import TargetOptions
 from urdfctl.startup.hints import Any
 
@@ -225,7 +225,7 @@ def short_help(generator: type[GenerateOptions]) -> str:
     return re.split("[,:]", summary)[0].rstrip(".") + "."
 
 
-class OneDashCommand(TyperCommand):
+class OneDashCommand(GroupedCommand):
     """Accepts `-type effort` for `--type effort`: an XML comment that names its command cannot contain `--`."""
 
     def parse_args(self, ctx: Any, args: list[str]) -> Any:

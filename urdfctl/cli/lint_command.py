@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from urdfctl.cli.known_findings import Baseline
     from urdfctl.cli.options import LintOptions
     from urdfctl.discover.shards import Shard
+    from urdfctl.lint.results import TargetResult
 
 
 def run_lint(options: LintOptions) -> int:
@@ -53,7 +54,7 @@ def _request(words: Sequence[str], config: Config, options: LintOptions) -> Lint
     return LintRequest(
         words=tuple(words),
         selection=_selection(config, options),
-        outputs=tuple(output_of(text, FORMATS) for text in options.formats or ("text",)),
+        outputs=_outputs(options),
         fail_on=_severity(options.fail_on or config.fail_on or "error"),
         exit_zero=options.exit_zero,
         jobs=options.jobs,
@@ -63,7 +64,18 @@ def _request(words: Sequence[str], config: Config, options: LintOptions) -> Lint
         fixing=Fixing(options.unsafe_fixes, options.diff) if fixes else None,
         shard=_shard(options.shard, options.write_baseline),
         cached=not options.no_cache,
+        quiet=options.quiet,
     )
+
+
+def _outputs(options: LintOptions) -> tuple[tuple[str, str | None], ...]:
+    """The formats, each with its file; --output-file is that of the one that has none."""
+    outputs = [output_of(text, FORMATS) for text in options.formats or ("text",)]
+    if options.output_file is None:
+        return tuple(outputs)
+    if sum(file is None for _, file in outputs) != 1:
+        raise UserError("--output-file takes one report; give the others a file with --format FORMAT=FILE")
+    return tuple((name, file or options.output_file) for name, file in outputs)
 
 
 def lint(request: LintRequest, settings: Settings) -> int:
@@ -147,13 +159,21 @@ def _report(run: LintRun, request: LintRequest) -> Report:
         known=known,
         statistics=request.statistics,
         missing_packages=tuple(sorted({name for result in run.results for name in result.missing_packages})),
+        quiet=request.quiet,
+        uncontrolled=_uncontrolled(run.robots),
     )
-    if report.missing_packages and all(name == "concise" for name, _ in request.outputs):
+    if report.missing_packages and not request.quiet and all(name == "concise" for name, _ in request.outputs):
         print_message(about_missing_packages(report.missing_packages))
     for name, file in request.outputs:
         if file is not None or not (request.fixing and request.fixing.as_diff):
             _write(report, name, file)
     return report
+
+
+def _uncontrolled(robots: Sequence[TargetResult]) -> str:
+    """The path of the first robot if nothing of any robot is controlled."""
+    whole = [result for result in robots if result.links]
+    return whole[0].path if whole and all(result.idle for result in whole) else ""
 
 
 def _selection(config: Config, options: LintOptions) -> Selection:
@@ -192,6 +212,11 @@ def _shard(text: str | None, to_write: str | None) -> Shard | None:
     return shard(text)
 
 
+def _is_coloured() -> bool:
+    """Whether standard output is a terminal, or FORCE_COLOR is set; never if NO_COLOR is."""
+    return not os.environ.get("NO_COLOR") and (bool(os.environ.get("FORCE_COLOR")) or sys.stdout.isatty())
+
+
 def _severity(name: str) -> Severity:
     try:
         return Severity(name)
@@ -202,7 +227,7 @@ def _severity(name: str) -> Severity:
 def _write(report: Report, name: str, file: str | None) -> None:
     if file is not None:
         write_file(file, render(report, name), force=True)
-    elif name == "text" and sys.stdout.isatty() and not os.environ.get("NO_COLOR"):
+    elif name == "text" and _is_coloured():
         from urdfctl.report.text import print_coloured
 
         print_coloured(report)

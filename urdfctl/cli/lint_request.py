@@ -35,6 +35,7 @@ class LintRequest(NamedTuple):
     words: paths and name:=value arguments.
     outputs: formats, each with its file; None for standard output.
     jobs: how many robots at the same time; 0 for one for each processor.
+    quiet: show only the findings.
     cached: results of an earlier run may be used, and those of this one stored.
     """
 
@@ -50,6 +51,7 @@ class LintRequest(NamedTuple):
     fixing: Fixing | None = None
     shard: Shard | None = None
     cached: bool = False
+    quiet: bool = False
 
     def import_reports(self) -> None:
         """Import what will write the reports, while the workers are busy."""

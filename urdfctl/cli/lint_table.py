@@ -7,6 +7,8 @@ from __future__ import annotations
 
 FLAGS = {
     "--trust": "trust",
+    "-q": "quiet",
+    "--quiet": "quiet",
     "--statistics": "statistics",
     "--exit-zero": "exit_zero",
     "--no-cache": "no_cache",
@@ -37,6 +39,8 @@ VALUES = {
     "--fail-on": ("fail_on", "str"),
     "--baseline": ("baseline", "str"),
     "--write-baseline": ("write_baseline", "str"),
+    "-o": ("output_file", "str"),
+    "--output-file": ("output_file", "str"),
 }
 DEFAULTS: dict[str, object] = {
     "workspace": None,
@@ -59,6 +63,8 @@ DEFAULTS: dict[str, object] = {
     "fail_on": None,
     "baseline": None,
     "write_baseline": None,
+    "output_file": None,
+    "quiet": False,
     "statistics": False,
     "exit_zero": False,
     "no_cache": False,

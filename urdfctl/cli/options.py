@@ -9,6 +9,8 @@ from typing import Annotated
 
 import typer
 
+from urdfctl.catalog.distros import ALL
+
 JOBS_HELP = "How many robots to check at the same time. 0: one for each processor."
 
 
@@ -49,11 +51,11 @@ class TargetOptions(ReadingOptions):
     """Options of every command that checks a robot for a distro and a simulator."""
 
     distro: Annotated[
-        str | None, typer.Option(help="ROS distro, e.g. noetic or jazzy. Default: detected from the files.")
+        str | None, typer.Option(help=f"ROS distro: {', '.join(ALL)}. Default: detected from the files.")
     ] = None
     simulator: Annotated[
         str | None,
-        typer.Option(help="Simulator: gz, gazebo-classic, mujoco or none. Default: detected from plugins."),
+        typer.Option(help="Simulator to check against. Default: detected from plugins."),
     ] = None
 
 
@@ -85,20 +87,22 @@ class LintOptions(CheckOptions):
     formats: Annotated[
         list[str] | None,
         _list(
-            "Output format: text, concise, json, jsonl, sarif, github, gitlab or junit. FORMAT=FILE writes a file.",
+            "Output format. FORMAT=FILE writes a file.",
             "--format",
         ),
     ] = None
     fail_on: Annotated[
         str | None,
-        typer.Option(
-            help="Exit with status 1 on findings of this severity or worse: error, warning or info. Default: error."
-        ),
+        typer.Option(help="Exit with status 1 on findings of this severity or worse. Default: error."),
     ] = None
     baseline: Annotated[
         str | None, typer.Option(help="Hide the findings listed in this file, and report those that are fixed.")
     ] = None
     write_baseline: Annotated[str | None, typer.Option(help="Write all findings to this file, for --baseline.")] = None
+    output_file: Annotated[
+        str | None, typer.Option("-o", "--output-file", help="Write the report to this file, not to standard output.")
+    ] = None
+    quiet: Annotated[bool, typer.Option("-q", "--quiet", help="Show only the findings, without a summary.")] = False
     statistics: Annotated[bool, typer.Option("--statistics", help="Count the findings of each rule.")] = False
     exit_zero: Annotated[bool, typer.Option("--exit-zero", help="Exit with status 0 whatever is found.")] = False
     no_cache: Annotated[

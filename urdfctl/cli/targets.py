@@ -76,6 +76,10 @@ def _is_own(finding: Diagnostic) -> bool:
     return finding.code.startswith("UC6") or finding.severity == Severity.ERROR
 
 
+_COMMON = (".urdf", ".xacro", ".yaml")
+"""Files that exist and end so need no closer look."""
+
+
 def discovered(paths: Sequence[str], config: Config) -> DiscoveredFiles:
     """Return the files that paths mean; without paths, the robots of the configuration if it has any."""
     robots = [robot.path for robot in config.robots]
@@ -83,6 +87,11 @@ def discovered(paths: Sequence[str], config: Config) -> DiscoveredFiles:
         files = DiscoveredFiles()
         files.robots += dict.fromkeys(robots)
         return files
+    for path in paths:
+        if not (os.path.isdir(path) or (path.endswith(_COMMON) and os.path.exists(path))):
+            from urdfctl.cli.slips import check_path
+
+            check_path(path)
     files = discover_files(paths, config.excludes)
     folders = tuple(os.path.abspath(path).rstrip(os.sep) + os.sep for path in paths if os.path.isdir(path))
     files.robots += (path for path in dict.fromkeys(robots) if os.path.abspath(path).startswith(folders))

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 
 from urdfctl.catalog.additions import NO_ADDITIONS, Additions
-from urdfctl.catalog.distros import ALL, SIMULATORS
+from urdfctl.catalog.distros import ALL, ROS1, ROS2, SIMULATORS
 from urdfctl.errors import UserError
 from urdfctl.names import did_you_mean
 from urdfctl.startup.hints import Any
@@ -69,7 +69,7 @@ class Settings(NamedTuple):
 def validate_settings(settings: Settings) -> Settings:
     """Return the settings. UserError if one is invalid."""
     if settings.distro is not None and settings.distro not in ALL:
-        raise UserError(f"unknown distro '{settings.distro}'{did_you_mean(settings.distro, ALL)}")
+        raise UserError(_unknown_distro(settings.distro))
     if settings.simulator is not None and settings.simulator not in SIMULATORS:
         near = did_you_mean(settings.simulator, SIMULATORS)
         raise UserError(f"unknown simulator '{settings.simulator}'{near}; known are {', '.join(SIMULATORS)}")
@@ -81,6 +81,26 @@ def validate_settings(settings: Settings) -> Settings:
     if not 0 < settings.memory <= MOST_BYTES:
         raise UserError(f"--memory must be a number of MiB up to {MOST_BYTES >> 20}, not {settings.memory >> 20}")
     return settings
+
+
+_OF_UBUNTU = {
+    **dict.fromkeys(("20.04", "focal"), ("noetic", "foxy", "galactic")),
+    **dict.fromkeys(("22.04", "jammy"), ("humble", "iron")),
+    **dict.fromkeys(("24.04", "noble"), ("jazzy", "kilted")),
+    **dict.fromkeys(("18.04", "bionic"), ("melodic",)),
+    **dict.fromkeys(("16.04", "xenial"), ("kinetic",)),
+}
+
+
+def _unknown_distro(name: str) -> str:
+    """The error for a name that is no distro, with the distros that may be meant."""
+    lowered = name.lower().removeprefix("ubuntu").strip(" -_")
+    of_ros = {"ros": ALL, "ros1": ROS1, "ros 1": ROS1, "ros2": ROS2, "ros 2": ROS2}.get(name.lower())
+    meant = of_ros or _OF_UBUNTU.get(lowered)
+    hint = did_you_mean(name, ALL)
+    if meant and not of_ros:
+        return f"unknown distro '{name}': it is a release of Ubuntu, for which there is {' or '.join(meant)}"
+    return f"unknown distro '{name}'{hint}" if hint else f"unknown distro '{name}'; known are {', '.join(meant or ALL)}"
 
 
 def passed_on(environ: Mapping[str, str], named: tuple[str, ...] = ()) -> dict[str, str]:

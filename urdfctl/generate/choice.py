@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from urdfctl.errors import UserError
 from urdfctl.generate.facts import JointFacts, RobotFacts
-from urdfctl.names import did_you_mean
+from urdfctl.names import did_you_mean, enumerated, is_slip
+
+_MOST_NAMED = 6
 
 
 def chosen(
@@ -64,8 +66,23 @@ def _of_robot(listed: JointFacts, robot: RobotFacts) -> JointFacts:
 def _check(wanted: list[re.Pattern[str]], joints: list[JointFacts]) -> None:
     for regex in wanted:
         if not any(regex.fullmatch(joint.name) for joint in joints):
-            names = [joint.name for joint in joints]
-            raise UserError(f"no joint matches '{regex.pattern}'{did_you_mean(regex.pattern, names)}")
+            raise UserError(no_match(regex.pattern, [joint.name for joint in joints]))
+
+
+def no_match(pattern: str, names: Sequence[str]) -> str:
+    """Return the error for a pattern that matches no whole name: what would match, or the joints that there are."""
+    problem = f"no joint matches '{pattern}'"
+    parts = [name for name in names if pattern and re.search(pattern, name)]
+    if parts and not any(is_slip(pattern, name) for name in names):
+        wider = f"{'' if parts[0].startswith(pattern) else '.*'}{pattern}{'' if parts[0].endswith(pattern) else '.*'}"
+        return f"{problem}: a pattern matches whole names; '{wider}' matches {_in_words(parts)}"
+    return problem + (did_you_mean(pattern, names) or f"; the joints are {_in_words(names)}" * bool(names))
+
+
+def _in_words(names: Sequence[str]) -> str:
+    quoted = [f"'{name}'" for name in names]
+    rest = len(quoted) - _MOST_NAMED
+    return enumerated([*quoted[:_MOST_NAMED], f"{rest} more"] if rest > 1 else quoted)
 
 
 def regex_of(text: str) -> re.Pattern[str]:

@@ -6,10 +6,9 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 
 from urdfctl.errors import UserError
-from urdfctl.generate.choice import regex_of
+from urdfctl.generate.choice import no_match, regex_of
 from urdfctl.generate.facts import JointFacts, RobotFacts
 from urdfctl.generate.options import Request
-from urdfctl.names import did_you_mean
 
 _FORM = "--controller NAME=TYPE or NAME=TYPE:JOINTS, e.g. arm=trajectory:'joint_.*'"
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
@@ -92,4 +91,4 @@ def _why_none(request: Request, pattern: str, known: Iterable[str], robot: Robot
     follower = next((joint for joint in robot.joints if joint.name == pattern and joint.mimic), None)
     if follower and follower.mimic:
         return f"joint '{pattern}' mimics '{follower.mimic[0]}'; command that joint in '{request.name}'"
-    return f"controller '{request.name}': no joint matches '{pattern}'{did_you_mean(pattern, known)}"
+    return f"controller '{request.name}': {no_match(pattern, list(known))}"

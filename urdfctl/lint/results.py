@@ -54,6 +54,7 @@ class TargetResult(NamedTuple):
     distros: the distros that it may be for.
     nodes: the nodes that were checked by a definition that the user names.
     sections: the names of other nodes that its files have parameters for, if the user names a definition.
+    idle: how many joints of the robot move, if nothing of it is controlled: 0 otherwise.
     twin: a digest of the expanded description if a file of the same name, plain or xacro, is beside it.
     missing_packages: the packages that it uses and package.xml declares, and that are not in the workspace.
     """
@@ -78,3 +79,4 @@ class TargetResult(NamedTuple):
     sections: tuple[str, ...] = ()
     missing_packages: tuple[str, ...] = ()
     twin: str | None = None
+    idle: int = 0

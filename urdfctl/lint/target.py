@@ -88,6 +88,7 @@ def lint_target(
         sections=tuple(s.name for s in controllers.others) if controllers and loader.settings.nodes else (),
         missing_packages=tuple(sorted(_missing_packages(project))),
         twin=twin_digest(project.path, root) if project.complete else None,
+        idle=_idle_joints(project),
     )
     return LintedTarget(result, project, root, loaded.sources)
 
@@ -115,6 +116,16 @@ def _by_elimination(loaded: LoadedTarget, run: Run) -> tuple[Project, Outcome]:
 
 def _everywhere(_: SourceSpan) -> bool:
     return True
+
+
+def _idle_joints(project: Project) -> int:
+    """The number of joints that move, if nothing of the robot is controlled."""
+    robot = project.robot
+    if robot is None or not project.complete or project.library or project.controllers is not None:
+        return 0
+    if robot.ros2_controls or robot.transmissions or robot.plugins or (project.launch and project.launch.spawns):
+        return 0
+    return sum(joint.type in ("revolute", "continuous", "prismatic") and not joint.mimic for joint in robot.joints)
 
 
 def _missing_packages(project: Project) -> set[str]:

@@ -15,7 +15,8 @@ class Report(NamedTuple):
     """What a run found: the robots it looked at (and controllers' files and launch files named alone), the findings in
     their stable order, the other files that were linted (macro libraries, fragments and controller files in folders,
     which no robot uses), from which severity on findings make it fail, how many more findings the baseline hides,
-    whether the rules are to be counted, and the declared packages that are not in the workspace."""
+    whether the rules are to be counted, the declared packages that are not in the workspace, whether only the findings
+    are shown, and the path of the robot if nothing controls it."""
 
     targets: tuple[TargetResult, ...]
     findings: tuple[Diagnostic, ...]
@@ -24,6 +25,8 @@ class Report(NamedTuple):
     known: int = 0
     statistics: bool = False
     missing_packages: tuple[str, ...] = ()
+    quiet: bool = False
+    uncontrolled: str = ""
 
     def count(self, severity: Severity) -> int:
         """Return the number of findings with a severity."""
@@ -38,6 +41,13 @@ def about_missing_packages(names: tuple[str, ...]) -> str:
     if not first:
         return f"1 package is not in this workspace: {last}; what it defines is not checked"
     return f"{len(names)} packages are not in this workspace: {first} and {last}; what they define is not checked"
+
+
+def counted(report: Report) -> list[tuple[int, Severity, str, str]]:
+    """Return the number of findings of each rule with its severity, code and name, most frequent first."""
+    keys = [(finding.severity, finding.code, finding.name) for finding in report.findings]
+    counts = [(keys.count(key), *key) for key in dict.fromkeys(keys)]
+    return sorted(counts, key=lambda item: (-item[0], item[2]))
 
 
 def is_robot(target: TargetResult) -> bool:

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from urdfctl.diagnostic import Diagnostic
-from urdfctl.report.common import Report, relative, visible
+from urdfctl.report.common import Report, counted, relative, visible
 from urdfctl.report.words import likewise
 
 
 def render(report: Report) -> str:
-    """Return a line `file:line:column: severity CODE message` for each finding."""
-    return "".join(f"{line(relative(diagnostic))}\n" for diagnostic in report.findings)
+    """Return a line `file:line:column: severity CODE message` for each finding, and the statistics if asked for."""
+    lines = [line(relative(diagnostic)) for diagnostic in report.findings]
+    if report.statistics:
+        lines += [f"{count:>6}  {severity.value:<7} {code} {name}" for count, severity, code, name in counted(report)]
+    return "".join(f"{text}\n" for text in lines)
 
 
 def line(diagnostic: Diagnostic) -> str:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections import Counter
+import os
 from collections.abc import Iterable, Iterator, Sequence
 
 from urdfctl.catalog.distros import APPLIES, span_in_words
 from urdfctl.diagnostic import Diagnostic, Severity
-from urdfctl.report.common import Report, about_missing_packages, is_robot, relative, shown, visible
+from urdfctl.report.common import Report, about_missing_packages, counted, is_robot, relative, shown, visible
 from urdfctl.report.concise import place
 from urdfctl.report.words import fix_in_words, notes
 from urdfctl.report.wrapping import wrapped
@@ -52,7 +52,8 @@ def print_pieces(parts: Iterable[Piece]) -> None:
     text = Text()
     for piece in parts:
         text.append(piece.text.encode("utf-8", "surrogateescape").decode("utf-8", "replace"), piece.style)
-    Console(highlight=False, soft_wrap=True).print(text, end="")
+    forced = True if os.environ.get("FORCE_COLOR") else None
+    Console(highlight=False, soft_wrap=True, force_terminal=forced).print(text, end="")
 
 
 def pieces(report: Report, width: int = WIDTH) -> Iterator[Piece]:
@@ -61,7 +62,8 @@ def pieces(report: Report, width: int = WIDTH) -> Iterator[Piece]:
         yield from _finding(relative(diagnostic), width)
     if report.statistics:
         yield from _statistics(report)
-    yield from _summary(report, width)
+    if not report.quiet:
+        yield from _summary(report, width)
 
 
 def _finding(diagnostic: Diagnostic, width: int) -> Iterator[Piece]:
@@ -104,8 +106,7 @@ def _with_single_columns(text: str) -> str:
 
 def _statistics(report: Report) -> Iterator[Piece]:
     """Yield the number of findings of each rule, most frequent first."""
-    counts = Counter((finding.code, finding.severity, finding.name) for finding in report.findings)
-    for (code, severity, name), count in sorted(counts.items(), key=lambda item: (-item[1], item[0][0])):
+    for count, severity, code, name in counted(report):
         yield Piece(f"{count:>6}  ")
         yield Piece(f"{severity.value:<7} {code}", _COLOURS[severity])
         yield Piece(f" {name}\n")
@@ -116,6 +117,9 @@ def _summary(report: Report, width: int) -> Iterator[Piece]:
     if report.unused:
         yield Piece(wrapped(visible(_unused(report.unused)), width))
     yield from _open_distro(report)
+    if report.uncontrolled:
+        hint = f"nothing controls the robot's joints; to generate control: urdfctl gen-all {shown(report.uncontrolled)}"
+        yield Piece(wrapped(visible(hint), width))
     if report.missing_packages:
         yield Piece(wrapped(visible(about_missing_packages(report.missing_packages)), width))
     counts = [
