@@ -1,7 +1,7 @@
 """Golden cases: each folder of tests/cases is linted from within, and what is printed stands in its expected.txt.
 
-The first line of a file `command` gives the arguments of `urdfctl lint`; without one the folder is linted. The last
-line of expected.txt is the exit status; <checkout> stands for where the checkout lies.
+The first line of a file `command` gives the arguments of `urdfctl lint`; without one the folder is linted. Samples are
+linted from the checkout, so that lines do not depend on where it is. The last line of expected.txt is the exit status.
 To write the files anew, and then read the difference:
 
     python tests/test_cases.py --update
@@ -28,7 +28,7 @@ def said(case: Path) -> str:
     words = shlex.split(command.read_text(encoding="utf-8").splitlines()[0]) if command.exists() else ["."]
     ran = subprocess.run(
         [sys.executable, "-m", "urdfctl", "lint", *words],
-        cwd=case,
+        cwd=CHECKOUT if words[0].startswith("samples/") else case,
         env=environment({"PYTHONPATH": os.pathsep.join(path for path in sys.path if path)}),
         capture_output=True,
         check=False,
