@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from collections.abc import Sequence as Several
 
 from urdfctl.model.build_controllers import Loaded, controllers_of, form_of
-from urdfctl.model.controllers import Controllers, FileReference, MoveItController, MoveItList
+from urdfctl.model.controllers import Controllers, FileReference, MoveItList
 from urdfctl.model.launch import Launch, ParameterLoad
 from urdfctl.model.robot import Robot
 from urdfctl.source.dom import Document
@@ -21,7 +21,6 @@ from urdfctl.startup.records import NamedTuple
 
 _MOST_BYTES_WITH_TABS = 1 << 20
 _DEEPEST = 6
-_OF_MOVEIT, _MOVEIT = "ros2_controllers.yaml", "moveit_controllers.yaml"
 _LISTED = ("controller_list", "joint_limits")
 _REPORTED_BY_RULES = (ProblemKind.FILE_NOT_FOUND, ProblemKind.OUTSIDE_WORKSPACE)
 """Rules report a missing file at the place that names it."""
@@ -34,7 +33,6 @@ class ControllerFiles(NamedTuple):
     references: the places in the robot or a launch file that name a file.
     problems: the errors of reading them.
     whole: False if a launch file may load more files.
-    moveit: the controllers that MoveIt uses.
     moveit_lists: the lists that ROS 1's MoveIt reads.
     """
 
@@ -42,7 +40,6 @@ class ControllerFiles(NamedTuple):
     references: tuple[FileReference, ...]
     problems: tuple[Problem, ...]
     whole: bool = True
-    moveit: tuple[MoveItController, ...] = ()
     moveit_lists: tuple[MoveItList, ...] = ()
 
     @property
@@ -58,7 +55,7 @@ class ControllerFiles(NamedTuple):
         nodes: the names of other nodes that are checked.
         """
         controllers = controllers_of(self.files, ros, started, self.references, nodes)
-        return controllers._replace(whole=self.whole, moveit=self.moveit, moveit_lists=self.moveit_lists)
+        return controllers._replace(whole=self.whole, moveit_lists=self.moveit_lists)
 
 
 def read_controllers(
@@ -140,22 +137,9 @@ class _Reader:
             references=tuple(self._references),
             problems=(*self._problems, *problems),
             whole=self.whole,
-            moveit=tuple(self._moveit(used)),
             moveit_lists=tuple(self._moveit_lists()),
         )
         return result if result.files or result.references or result.problems or not self.whole else None
-
-    def _moveit(self, used: Iterable[str]) -> Iterator[MoveItController]:
-        """Yield the controllers of MoveIt, from the file that its setup assistant writes beside a controller file."""
-        for folder in sorted({os.path.dirname(path) for path in used if os.path.basename(path) == _OF_MOVEIT}):
-            path = os.path.join(folder, _MOVEIT)
-            if os.path.isfile(path):
-                from urdfctl.model.moveit import moveit_controllers
-
-                try:
-                    yield from moveit_controllers(self._tree(path))
-                except FileProblem:
-                    continue
 
     def _moveit_lists(self) -> Iterator[MoveItList]:
         """Yield the lists for ROS 1's MoveIt in the loaded files; each file once, though several nodes may load it."""

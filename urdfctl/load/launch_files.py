@@ -100,7 +100,8 @@ class _Reader:
         from urdfctl.model.build_launch_ros2 import Sources as SourcesOfRos2
         from urdfctl.model.build_launch_ros2 import launch_of_ros2
 
-        return launch_of_ros2(self.path, arguments, SourcesOfRos2(self.term, self.locate, self.find, self.environ))
+        sources = SourcesOfRos2(self.term, self.locate, self.find, self.environ, self.yaml)
+        return launch_of_ros2(self.path, arguments, sources)
 
     # -- texts -------------------------------------------------------------------------------------------------------
 

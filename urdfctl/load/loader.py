@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from urdfctl.load.launch_files import LaunchFile
     from urdfctl.load.own_types import Exports
     from urdfctl.model.launch import Description, Launch
+    from urdfctl.model.moveit_parts import MoveIt
 
 
 class LoadedTarget(NamedTuple):
@@ -181,6 +182,7 @@ class Loader:
             *(controller_files.problems if controller_files else ()),
         )
         project = Project(None, path, problems=problems, absent=absent_sources(packages, files))
+        project = project._replace(moveit=self._moveit(path, launch, controller_files, files))
         project = self._completed(project, evidence, controller_files, launch)
         return LoadedTarget(project, None, _sources(files, launch_file))
 
@@ -206,7 +208,21 @@ class Loader:
         project = Project(robot, path, problems=problems, complete=expansion.complete, library=expansion.library)
         listed, absent = _listed_joints(path, files), absent_sources(described.packages, files)
         project = project._replace(influence=described.influence, listed=listed, absent=absent)
+        project = project._replace(moveit=self._moveit(path, launch, controller_files, files))
         return self._completed(project, evidence, controller_files, launch)
+
+    def _moveit(
+        self, path: str, launch: Launch | None, controller_files: ControllerFiles | None, files: Files
+    ) -> MoveIt | None:
+        """Return MoveIt's configuration of a target. Its reader is imported only if there may be one."""
+        controllers = [loaded.yaml.source.path for loaded in controller_files.files] if controller_files else []
+        beside = (file for file in controllers if os.path.basename(file) == "ros2_controllers.yaml")
+        semantic = f"{path.removesuffix('.xacro').removesuffix('.urdf')}.srdf"
+        if not (launch and launch.moveit) and not any(beside) and not os.path.isfile(semantic):
+            return None
+        from urdfctl.load.moveit_files import read_moveit
+
+        return read_moveit(path, launch, controllers, files, partial(self.expander, path))
 
     def _completed(
         self, project: Project, evidence: Evidence, controller_files: ControllerFiles | None, launch: Launch | None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from urdfctl.model.controllers import FileReference
 from urdfctl.model.launch import (
@@ -18,6 +18,7 @@ from urdfctl.model.launch import (
     Word,
     joined,
 )
+from urdfctl.model.moveit_files import MoveItFiles
 from urdfctl.model.substitutions import Substitutions
 from urdfctl.model.xacro_command import of_command
 from urdfctl.source.dom import Document, Element
@@ -26,6 +27,7 @@ from urdfctl.source.span import Place
 from urdfctl.startup.records import NamedTuple
 
 _DESCRIPTION = "robot_description"
+_SEMANTIC = "_semantic"
 _MOST_DEPTH = 16
 _MOST_INCLUDES = 200
 _SIMULATOR_ALONE = ("gazebo_ros", "gazebo_worlds")
@@ -96,7 +98,19 @@ def launch_of(path: str, arguments: Mapping[str, str], sources: Sources) -> Laun
         packages=tuple(builder.packages),
         strays=tuple(builder.strays),
         arguments=tuple(builder.arguments.items()),
+        moveit=tuple(_with_loads(files, builder.loads) for files in builder.moveit),
     )
+
+
+def _with_loads(files: MoveItFiles, loads: Sequence[ParameterLoad]) -> MoveItFiles:
+    """The files for MoveIt with the YAML files that are loaded for the same robot."""
+
+    def last(ending: str) -> FileReference | None:
+        name = f"{files.namespace or ''}/{_DESCRIPTION}{ending}"
+        return next((load.file for load in reversed(loads) if load.sure and load.namespace == name), None)
+
+    known = tuple(load.file for load in loads if load.sure and load.file.path)
+    return files._replace(kinematics=last("_kinematics"), limits=last("_planning"), controllers=known)
 
 
 def is_of_ros2(root: Element) -> bool:
@@ -131,6 +145,7 @@ class _Builder:
         self.references: list[Reference] = []
         self.packages: list[Word] = []
         self.strays: list[Word] = []
+        self.moveit: list[MoveItFiles] = []
         self.arguments: dict[str, str | None] = {}
         self.complete = True
         self._includes = 0
@@ -230,6 +245,9 @@ class _Builder:
     def _param(self, element: Element, scope: _Scope, texts: Substitutions) -> None:
         name = joined(scope.namespace, texts.resolve(element.attrs.get("name", "")))
         last = name.rpartition("/")[2]
+        if last.endswith(_SEMANTIC):
+            self._semantic(element, name, scope, texts)
+            return
         if last != _DESCRIPTION and not (last.endswith("_description") and _makes_urdf(element)):
             return
         path: str | None = None
@@ -254,6 +272,17 @@ class _Builder:
             in_node=scope.in_node,
         )
         (self.descriptions if last == _DESCRIPTION else self.others).append(description)
+
+    def _semantic(self, element: Element, name: str, scope: _Scope, texts: Substitutions) -> None:
+        """Add an SRDF that is set on the parameter server."""
+        source = "command" if "command" in element.attrs else "textfile"
+        written = re.sub(r"\$\(find xacro\)", "xacro", element.attrs.get(source, ""))
+        text = texts.resolve(written)
+        path, arguments = of_command(text) if source == "command" else (if_known(text), ())
+        reference = self._reference(written, element.at[source], path, "argument", sure=scope.sure)
+        namespace = if_known(name.rpartition("/")[0])
+        files = MoveItFiles(element.at, reference, arguments, namespace=namespace, sure=scope.sure)
+        self.moveit.append(files)
 
     def _rosparam(self, element: Element, scope: _Scope, texts: Substitutions) -> None:
         if "file" not in element.attrs or element.attrs.get("command", "load") != "load":

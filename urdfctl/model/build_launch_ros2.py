@@ -6,8 +6,9 @@ import os
 import re
 from collections.abc import Callable, Mapping, Sequence
 
-from urdfctl.model.descriptions import content_of, moveit_builder, moveit_folder
+from urdfctl.model.descriptions import content_of
 from urdfctl.model.launch import Launch, Simulation, Spawn, Word, joined
+from urdfctl.model.launch_moveit import LAUNCHES
 from urdfctl.model.launch_nodes import Gathered, Nodes
 from urdfctl.model.launch_texts import Scope, Texts, table_of
 from urdfctl.source.launch.terms import (
@@ -28,12 +29,7 @@ from urdfctl.startup.records import NamedTuple
 _MOST_DEPTH = 16
 _MOST_INCLUDES = 200
 _MOST_ACTIONS = 5000
-_SIMULATORS = {
-    "ros_gz_sim": "gz",
-    "ros_ign_gazebo": "gz",
-    "ros_gz": "gz",
-    "gazebo_ros": "gazebo-classic",
-}
+_SIMULATORS = {"ros_gz_sim": "gz", "ros_ign_gazebo": "gz", "ros_gz": "gz", "gazebo_ros": "gazebo-classic"}
 _WITHOUT_CONTROLLERS = frozenset(
     "nav2_bringup slam_toolbox ros_gz_bridge foxglove_bridge rosbridge_server realsense2_camera rplidar_ros joy "
     "teleop_twist_joy robot_localization turtlebot3_navigation2 velodyne usb_cam moveit_servo rviz2 depthai_ros_driver "
@@ -55,7 +51,6 @@ _ALTERING = frozenset({"SetParameter", "SetParametersFromFile", "SetRemap", "Set
 _NODES = frozenset({"Node", "LifecycleNode"})
 _PROCESSES = frozenset({"ExecuteProcess", "ExecuteLocal"})
 _HANDLERS = {"OnProcessExit": "on_exit", "OnProcessStart": "on_start", "OnExecutionComplete": "on_completion"}
-_MOVEIT_DEMO = "generate_demo_launch"
 _SPAWNING = frozenset(
     (
         "generate_load_controller_launch_description generate_controllers_spawner_launch_description "
@@ -71,12 +66,14 @@ class Sources(NamedTuple):
     locate: returns the source path of a file, and whether it exists; None if that cannot be checked.
     find: returns the folder of a package that is used at a place; None if it is not among the sources.
     environ: the environment variables.
+    values: returns the content of a YAML file; None if it cannot be read.
     """
 
     read: Callable[[str], Term | None]
     locate: Callable[[str], tuple[str, bool | None]]
     find: Callable[[str, Place], str | None]
     environ: Mapping[str, str]
+    values: Callable[[str], Term | None] = lambda _: None
 
 
 class _State(NamedTuple):
@@ -116,6 +113,7 @@ def launch_of_ros2(path: str, arguments: Mapping[str, str], sources: Sources) ->
         simulations=tuple(walk.simulations),
         references=tuple(facts.references.values()),
         arguments=tuple(walk.arguments.items()),
+        moveit=tuple(facts.moveit),
     )
 
 
@@ -137,7 +135,7 @@ class _Walk:
         self._includes = self._actions = 0
 
     def texts(self, scope: Scope) -> Texts:
-        return Texts(scope, self.sources.find, self.sources.environ)
+        return Texts(scope, self.sources.find, self.sources.environ, self.sources.values)
 
     def nodes(self, scope: Scope) -> Nodes:
         return Nodes(self.facts, self.texts(scope), self.sources.locate)
@@ -283,11 +281,9 @@ class _Walk:
             actions = actions.call([Missing(term.at), Missing(term.at)], {}, self.texts(scope).context)
         self.action(actions, scope, state)
 
-    def demo(self, term: Called, scope: Scope, state: _State) -> None:
-        """Add MoveIt's demo: a controller manager with ros2_controllers.yaml, and spawners of MoveIt's controllers."""
-        builder, _ = moveit_builder(term.given("moveit_config", 0))
-        folder = moveit_folder(builder, self.texts(scope)) if builder else UNKNOWN
-        self.nodes(scope).moveit_demo(term, f"{folder}/config/ros2_controllers.yaml", sure=state.sure, held=state.held)
+    def moveit(self, term: Called, scope: Scope, state: _State) -> None:
+        """Add what a function of moveit_configs_utils.launches starts."""
+        self.nodes(scope).moveit(term, sure=state.sure, held=state.held)
 
     # -- included files ----------------------------------------------------------------------------------------------
 
@@ -377,7 +373,7 @@ _ACTIONS: dict[str, Callable[[_Walk, Called, Scope, _State], None]] = {
     "ROSTimer": _Walk.timer,
     "RegisterEventHandler": _Walk.handler,
     "IncludeLaunchDescription": _Walk.include,
-    _MOVEIT_DEMO: _Walk.demo,
+    **dict.fromkeys(LAUNCHES, _Walk.moveit),
 }
 
 

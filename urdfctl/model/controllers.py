@@ -175,14 +175,17 @@ class Controller(NamedTuple):
 
 
 class MoveItController(NamedTuple):
-    """A controller in moveit_controllers.yaml.
+    """A controller that MoveIt sends trajectories to, in moveit_controllers.yaml or ROS 1's `controller_list`.
 
     name: its entry in `controller_names`.
-    section: the key of its section; None if it has none.
+    section: the key of its section; None if it has none. In ROS 1, its name.
     lacking: required settings that are missing.
     type: None if missing.
     joints: the joints that MoveIt sends to it.
     first: place of its first setting; None if it has none.
+    action: its action namespace; None if missing.
+    type_at: place of the type; None if missing.
+    joints_at: place of the list of joints; None if missing.
     """
 
     name: Key
@@ -191,6 +194,9 @@ class MoveItController(NamedTuple):
     type: str | None
     joints: tuple[Key, ...]
     first: Place | None
+    action: Key | None = None
+    type_at: Place | None = None
+    joints_at: Place | None = None
 
 
 class MoveItList(NamedTuple):
@@ -245,7 +251,6 @@ class Controllers(NamedTuple):
     others: sections that no manager or controller in these files reads: other nodes, or a misspelt name.
     references: the files that the robot or a launch file names.
     whole: False if a launch file may load files that could not be determined.
-    moveit: controllers that MoveIt sends trajectories to, from a MoveIt file beside one of the files.
     moveit_lists: joints that MoveIt files for ROS 1 list.
     nodes: other nodes whose parameters the user defines.
     shared: ROS 2: the sections for several nodes, with a wildcard as the last part of the path.
@@ -257,7 +262,6 @@ class Controllers(NamedTuple):
     others: tuple[Section, ...] = ()
     references: tuple[FileReference, ...] = ()
     whole: bool = True
-    moveit: tuple[MoveItController, ...] = ()
     moveit_lists: tuple[MoveItList, ...] = ()
     nodes: tuple[Controller, ...] = ()
     shared: tuple[Section, ...] = ()

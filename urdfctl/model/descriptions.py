@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Callable, Iterator
 
+from urdfctl.model.launch_moveit import builder_of
 from urdfctl.model.launch_texts import Content, Texts, table_of
 from urdfctl.model.xacro_command import is_of_parameter, known_path, of_command
-from urdfctl.source.launch.terms import Called, Items, Member, OneOf, Term, outside
-from urdfctl.source.opaque import UNKNOWN
+from urdfctl.source.launch.terms import Called, Items, Member, OneOf, Term
 from urdfctl.source.span import Place
 
 _ARGUMENT = r"(\w+):="
@@ -121,49 +120,8 @@ def _of_process(term: Term | None, texts: Texts, at: Place) -> Content | None:
 
 
 def _of_moveit(term: Member, texts: Texts, exists: Callable[[str], bool]) -> Content | None:
-    """The description that `MoveItConfigsBuilder` uses: a file in its package."""
+    """The description that `MoveItConfigsBuilder` loads."""
     if term.name not in {"robot_description", "[robot_description]"}:
         return None
-    builder, described = moveit_builder(term.of)
-    if builder is None:
-        return None
-    folder = known_path(moveit_folder(builder, texts))
-    if folder is None:
-        return Content(None, None, term.at)
-    file = texts.of(described.given("file_path", 0)) if described and described.given("file_path", 0) else ""
-    name = texts.of(builder.given("robot_name", 0))
-    path = os.path.join(folder, file or f"config/{name}.urdf.xacro")
-    given = described.given("mappings", 1) if described else None
-    mappings = table_of(given)
-    values = {key: texts.of(value) for key, value in mappings.entries.items()} if mappings else {}
-    whole = given is None or (mappings is not None and mappings.whole)
-    known = known_path(path) if file or exists(path) else None
-    names = tuple(mappings.keys.items()) if mappings else ()
-    return Content(known, tuple(values.items()) if whole else None, term.at, names)
-
-
-def moveit_builder(term: Term | None) -> tuple[Called | None, Called | None]:
-    """Return the MoveItConfigsBuilder at the start of a chain of calls, and the call of its `robot_description`.
-
-    Each is None if there is none.
-    """
-    described: Called | None = None
-    for _ in range(_DEEPEST):
-        if isinstance(term, Called) and term.short == "MoveItConfigsBuilder":
-            return term, described
-        if isinstance(term, Called) and term.name == "robot_description":
-            described = term
-        if isinstance(term, OneOf):
-            return None, None
-        term = term.of if isinstance(term, (Called, Member)) else None
-    return None, None
-
-
-def moveit_folder(builder: Called, texts: Texts) -> str:
-    """Return the folder of the package that a MoveItConfigsBuilder reads; contains UNKNOWN if it is unknown."""
-    given = builder.given("package_name") or builder.given("robot_name", 0)
-    name = texts.of(given)
-    if given is None or UNKNOWN in name:
-        return UNKNOWN
-    package = name if builder.given("package_name") else f"{name}_moveit_config"
-    return texts.find(package, given.at) or outside(package)
+    builder = builder_of(term.of, texts)
+    return builder.description(exists, term.at) if builder else None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from urdfctl.model.controllers import FileReference
+from urdfctl.model.moveit_files import MoveItFiles
 from urdfctl.model.package import Package
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
@@ -185,6 +186,7 @@ class Launch(NamedTuple):
     package: the package that contains it; None if unknown.
     strays: ROS 1: arguments for included files that do not declare them.
     arguments: the launch arguments that the file itself declares, with their defaults; None for a required one.
+    moveit: the files that it gives to MoveIt.
     """
 
     path: str
@@ -201,6 +203,7 @@ class Launch(NamedTuple):
     package: Package | None = None
     strays: tuple[Word, ...] = ()
     arguments: tuple[tuple[str, str | None], ...] = ()
+    moveit: tuple[MoveItFiles, ...] = ()
 
     @property
     def started(self) -> tuple[str, ...] | None:

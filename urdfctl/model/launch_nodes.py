@@ -7,9 +7,11 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 
 from urdfctl.model.controllers import FileReference
-from urdfctl.model.descriptions import content_of, is_of_other_node, moveit_builder
+from urdfctl.model.descriptions import content_of, is_of_other_node
 from urdfctl.model.launch import Description, Node, ParameterLoad, Reference, Spawn, Word, joined
+from urdfctl.model.launch_moveit import builder_of, files_of_table
 from urdfctl.model.launch_texts import Content, Texts, replaced_by
+from urdfctl.model.moveit_files import MoveItFiles
 from urdfctl.model.spawner import SpawnerArguments, command_arguments, manager_of, spawner_arguments
 from urdfctl.source.launch.terms import Called, Constant, Items, Member, Missing, OneOf, Perhaps, Table, Term
 from urdfctl.source.opaque import UNKNOWN, if_known
@@ -17,8 +19,9 @@ from urdfctl.source.span import Place
 
 SPAWNERS = ("spawner", "spawner.py")
 MANAGERS = ("ros2_control_node",)
-_DESCRIBED = ("robot_state_publisher", *MANAGERS)
+_DESCRIBED = ("robot_state_publisher", *MANAGERS, "move_group")
 _OF_MANAGERS = r"ros2_control|controller_manager"
+_SEMANTIC = "robot_description_semantic"
 _FILE_OPTIONS = ("-file", "--file")
 _SUFFIXES = (".yaml", ".yml", ".urdf", ".xacro", ".rviz", ".sdf", ".world", ".srdf")
 _NAMING = ("controller_name", "controller_names", "controller_info_dict")
@@ -36,6 +39,7 @@ class Gathered:
         self.elsewhere: list[Spawn] = []
         self.nodes: list[Node] = []
         self.references: dict[tuple[str, int], Reference] = {}
+        self.moveit: list[MoveItFiles] = []
         self.altered = False
         """Whether an action changes the parameters or remappings of all following nodes."""
 
@@ -150,12 +154,28 @@ class Nodes:
         spawn = self._spawn_with(parsed, program, term.at, self.texts.scope.namespace, paths, sure=sure)
         (self.facts.spawns if held else self.facts.elsewhere).append(spawn)
 
-    def moveit_demo(self, term: Called, controllers: str, *, sure: bool, held: bool) -> None:
-        """Add MoveIt's demo: a controller manager, and spawners of the controllers in MoveIt's configuration."""
-        spawn = Spawn((), if_known(self.texts.scope.namespace), term.at, sure=sure, complete=False)
-        if held:
-            self.load(Word(controllers, term.at), MANAGERS[0], sure=sure, of=spawn.namespace)
-            self.facts.spawns.append(spawn)
+    def moveit(self, term: Called, *, sure: bool, held: bool) -> None:
+        """Add what a function of moveit_configs_utils.launches starts.
+
+        The demo also starts a controller manager with ros2_controllers.yaml, and spawners of MoveIt's controllers.
+        """
+        builder = builder_of(term.given("moveit_config", 0), self.texts)
+        kind, namespace = term.short, if_known(self.texts.scope.namespace)
+        demo = kind == "generate_demo_launch"
+        if not held:
+            return
+        if builder is not None:
+            runs = demo or kind == "generate_move_group_launch"
+            self.facts.moveit.append(builder.files(term.at, self._locate, namespace=namespace, sure=sure, runs=runs))
+            if runs or kind == "generate_rsp_launch":
+                content = builder.description(lambda path: bool(self._locate(path)[1]), term.at)
+                self.described(content, _DESCRIBED[0] if not runs else "move_group", namespace, sure=sure)
+        if demo or kind == "generate_spawn_controllers_launch":
+            self.facts.spawns.append(Spawn((), namespace, term.at, sure=sure, complete=False))
+        if demo:
+            folder = builder.folder if builder else UNKNOWN
+            controllers = Word(f"{folder}/config/ros2_controllers.yaml", term.at)
+            self.load(controllers, MANAGERS[0], sure=sure, of=namespace)
 
     # -- commands ----------------------------------------------------------------------------------------------------
 
@@ -303,8 +323,8 @@ class _Parameters:
                 self._add(option)
         elif isinstance(term, Table):
             self._table(term)
-        elif isinstance(term, Member) and moveit_builder(term)[0] is not None:
-            self._member(term)
+        elif isinstance(term, (Member, Called)) and builder_of(term, self.nodes.texts) is not None:
+            self._of_builder(term)
         elif isinstance(term, (Constant, Called)):
             self._file(term)
         elif isinstance(term, Items):
@@ -319,12 +339,26 @@ class _Parameters:
             self.names.append(Word(name, table.keys[name]))
             if name == "robot_description":
                 self._description(value)
+        files = files_of_table(table, table.at, self.nodes.texts, self.nodes._locate)
+        if files is not None:
+            runs = self.executable == "move_group"
+            self.nodes.facts.moveit.append(files._replace(namespace=self.namespace, sure=self.sure, runs=runs))
 
-    def _member(self, term: Member) -> None:
+    def _of_builder(self, term: Member | Called) -> None:
+        """Add the parameters of a MoveItConfigsBuilder: one of its dicts, or all of them (`to_dict()`)."""
         self.complete = False
-        if term.name == "robot_description":
+        nodes, builder = self.nodes, builder_of(term, self.nodes.texts)
+        if isinstance(term, Member) and term.name == "robot_description":
             self.names.append(Word(term.name, term.at))
             self._description(term)
+        elif builder is not None and (isinstance(term, Called) or term.name == _SEMANTIC):
+            runs = self.executable == "move_group"
+            nodes.facts.moveit.append(
+                builder.files(term.at, nodes._locate, namespace=self.namespace, sure=self.sure, runs=runs)
+            )
+            if runs and isinstance(term, Called):
+                exists = lambda path: bool(nodes._locate(path)[1])  # noqa: E731 (one use)
+                nodes.described(builder.description(exists, term.at), self.executable, self.namespace, sure=self.sure)
 
     def _description(self, value: Term) -> None:
         if self.executable not in _DESCRIBED:

@@ -75,12 +75,20 @@ class Texts:
 
     find: returns the folder of a package that is used at a place; None if it is not among the sources.
     environ: the environment variables.
+    values: returns the content of a YAML file; None if it cannot be read.
     """
 
-    def __init__(self, scope: Scope, find: Callable[[str, Place], str | None], environ: Mapping[str, str]) -> None:
+    def __init__(
+        self,
+        scope: Scope,
+        find: Callable[[str, Place], str | None],
+        environ: Mapping[str, str],
+        values: Callable[[str], Term | None],
+    ) -> None:
         self.scope = scope
         self.find = find
         self.environ = environ
+        self.values = values
         self._depth = 0
 
     @property

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from urdfctl.model.controllers import Controllers
     from urdfctl.model.evidence import Evidence
     from urdfctl.model.launch import Launch
+    from urdfctl.model.moveit_parts import MoveIt
 
 
 class Project(NamedTuple):
@@ -45,6 +46,7 @@ class Project(NamedTuple):
     evidence: everything that indicates the distro; None if nobody looked.
     own: the types that packages of the workspace define themselves, if the catalogue does not have some type.
     absent: the files and folders that the package's CMakeLists.txt installs and that do not exist.
+    moveit: MoveIt's configuration of the robot; None if there is none.
     """
 
     robot: Robot | None
@@ -67,6 +69,7 @@ class Project(NamedTuple):
     evidence: Evidence | None = None
     own: OwnTypes = NO_OWN_TYPES
     absent: tuple[tuple[str, Place], ...] = ()
+    moveit: MoveIt | None = None
 
     @property
     def ros(self) -> int | None:

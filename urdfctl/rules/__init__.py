@@ -84,8 +84,7 @@ def _has_controllers(project: Project) -> bool:
 
 
 def _has_moveit(project: Project) -> bool:
-    controllers = project.controllers
-    return controllers is not None and bool(controllers.moveit or controllers.moveit_lists)
+    return project.moveit is not None or bool(project.controllers and project.controllers.moveit_lists)
 
 
 FAMILIES = (

@@ -33,7 +33,7 @@ def moveit_controller_incomplete(project: Project) -> Iterator[Finding]:
     actuate the specified joints'. It requires the type, the joints and the action namespace. The setup assistant omits
     the last one.
     """
-    for controller in project.controllers.moveit if project.controllers else ():
+    for controller in project.moveit.controllers if project.moveit else ():
         if controller.section is None:
             name = controller.name
             yield Finding(name.at, f"controller_names lists '{name.text}', but this file does not describe it")

@@ -30,7 +30,7 @@ def moveit_controller_unknown(project: Project) -> Iterator[Finding]:
     if controllers is None or not controllers.complete or not controllers.controllers:
         return
     names = list(dict.fromkeys(controller.name for controller in controllers.controllers))
-    for controller in controllers.moveit:
+    for controller in project.moveit.controllers if project.moveit else ():
         name = controller.name
         if name.text.rpartition("/")[2] in names:
             continue

@@ -30,7 +30,7 @@ def moveit_joints_differ(project: Project) -> Iterator[Finding]:
     rejects every goal that omits one of its joints.
     """
     controllers = project.controllers
-    for moveit in controllers.moveit if controllers else ():
+    for moveit in project.moveit.controllers if project.moveit else ():
         name = moveit.name.text.rpartition("/")[2]
         controller = controllers.controller(name) if controllers else None
         joints = controller.own.value("joints") if controller else None

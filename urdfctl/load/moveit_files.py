@@ -1,0 +1,158 @@
+"""Read MoveIt's configuration of a robot: the files that a launch file gives to MoveIt, or those beside its robot."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Sequence
+
+from urdfctl.load.description import expansion_of
+from urdfctl.model.build_semantic import semantic_of
+from urdfctl.model.controllers import FileReference, MoveItController
+from urdfctl.model.launch import Launch
+from urdfctl.model.moveit import (
+    empty_controller_list,
+    empty_values,
+    limits_of,
+    moveit_controllers,
+    pipeline_of,
+    solvers_of,
+)
+from urdfctl.model.moveit_files import MoveItFiles
+from urdfctl.model.moveit_parts import MoveIt, Pipeline
+from urdfctl.model.semantic import Semantic
+from urdfctl.source.files import FileProblem, Files
+from urdfctl.source.span import Place, SourceText
+from urdfctl.source.xacro.expansion import Expander
+from urdfctl.source.yaml import YamlFile, read_yaml
+
+_ROS_2 = 2
+_CONTROLLERS, _OF_MOVEIT = "ros2_controllers.yaml", "moveit_controllers.yaml"
+_KINEMATICS, _LIMITS = "kinematics.yaml", "joint_limits.yaml"
+_DESCRIPTIONS = (".urdf.xacro", ".urdf", ".xacro")
+_PIPELINE = "_planning.yaml"
+
+
+def read_moveit(
+    path: str, launch: Launch | None, controllers: Sequence[str], files: Files, expander: Callable[[], Expander]
+) -> MoveIt | None:
+    """Return MoveIt's configuration of a target; None if there is none.
+
+    path: the robot description, or the file that is linted without one.
+    controllers: the controller files that belong to the robot.
+    files: reads the YAML files. expander: returns an expander for the SRDF, which may be a xacro file.
+    """
+    given = _given(launch) if launch is not None and launch.moveit else None
+    found = given or _beside(path, controllers)
+    if found is None:
+        return None
+    return _Reader(files, expander).read(found, is_given=given is not None, ros=launch.ros if launch else None)
+
+
+def _given(launch: Launch) -> MoveItFiles:
+    """What a launch file gives to MoveIt: what move_group gets, with what other nodes get where that is unknown."""
+    home = launch.description.namespace if launch.description else None
+    sure = [each for each in launch.moveit if each.sure] or list(launch.moveit)
+    near = [each for each in sure if home is None or each.namespace in (None, home)] or sure
+    first, *others = sorted(near, key=lambda each: not each.runs)
+    for other in others:
+        first = first._replace(
+            semantic=first.semantic or other.semantic,
+            arguments=first.arguments if first.semantic else other.arguments,
+            kinematics=first.kinematics or other.kinematics,
+            limits=first.limits or other.limits,
+            controllers=first.controllers or other.controllers,
+            pipelines=first.pipelines or other.pipelines,
+        )
+    return first
+
+
+def _beside(path: str, controllers: Sequence[str]) -> MoveItFiles | None:
+    """The files that the setup assistant writes beside a description or ros2_controllers.yaml; None without them."""
+    folder, name = os.path.split(path)
+    stem = next((name.removesuffix(ending) for ending in _DESCRIPTIONS if name.endswith(ending)), "")
+    semantic = os.path.join(folder, f"{stem}.srdf")
+    folders = [os.path.dirname(file) for file in controllers if os.path.basename(file) == _CONTROLLERS]
+    described = os.path.isfile(semantic) and bool(stem)
+    home = folder if described else next(iter(folders), None)
+    if home is None or not (described or os.path.isfile(os.path.join(home, _OF_MOVEIT))):
+        return None
+
+    def file(name: str) -> FileReference | None:
+        whole = os.path.join(home, name)
+        return FileReference(whole, _start_of(whole), whole, True) if os.path.isfile(whole) else None  # noqa: FBT003
+
+    of_moveit = file(_OF_MOVEIT)
+    return MoveItFiles(
+        at=_start_of(path),
+        semantic=file(os.path.basename(semantic)) if described else None,
+        kinematics=file(_KINEMATICS),
+        limits=file(_LIMITS),
+        controllers=(of_moveit,) if of_moveit else (),
+        pipelines=tuple(_pipelines(home, file)),
+        as_values=True,
+    )
+
+
+def _pipelines(folder: str, file: Callable[[str], FileReference | None]) -> Iterator[tuple[str, FileReference]]:
+    names = sorted(name for name in os.listdir(folder) if name.endswith(_PIPELINE))
+    for name in names:
+        found = file(name)
+        if found is not None:
+            yield name.removesuffix(_PIPELINE), found
+
+
+def _start_of(path: str) -> Place:
+    return Place(SourceText(path, b""), 0, end=0)
+
+
+class _Reader:
+    def __init__(self, files: Files, expander: Callable[[], Expander]) -> None:
+        self.files = files
+        self._expander = expander
+
+    def read(self, found: MoveItFiles, *, is_given: bool, ros: int | None) -> MoveIt:
+        """Return the content of the files; `is_given` tells whether a launch file gives them to MoveIt."""
+        kinematics, limits = self._tree(found.kinematics), self._tree(found.limits)
+        trees = [tree for file in found.controllers if (tree := self._tree(file))]
+        pipelines = [(name, tree) for name, file in found.pipelines if (tree := self._tree(file))]
+        lists = (empty_controller_list(tree) for tree in trees)
+        known = [tree for tree in (kinematics, limits, *trees, *(tree for _, tree in pipelines)) if tree]
+        values = [empty for tree in known for empty in empty_values(tree)] if found.as_values and ros != 1 else []
+        return MoveIt(
+            files=found if is_given else None,
+            semantic=self._semantic(found),
+            solvers=tuple(solvers_of(kinematics)) if kinematics else (),
+            limits=tuple(limits_of(limits)) if limits else (),
+            controllers=tuple(self._controllers(trees)),
+            pipelines=tuple(self._pipelines(pipelines)),
+            empty=tuple(values),
+            no_controllers=next((place for place in lists if place), None),
+        )
+
+    @staticmethod
+    def _controllers(trees: Sequence[YamlFile]) -> Iterator[MoveItController]:
+        for tree in {tree.source.path: tree for tree in trees}.values():
+            yield from moveit_controllers(tree)
+
+    @staticmethod
+    def _pipelines(trees: Sequence[tuple[str, YamlFile]]) -> Iterator[Pipeline]:
+        for name, tree in trees:
+            pipeline = pipeline_of(name, tree)
+            if pipeline is not None:
+                yield pipeline
+
+    def _semantic(self, found: MoveItFiles) -> Semantic | None:
+        path = found.semantic.path if found.semantic else None
+        if path is None or found.arguments is None or (found.semantic and found.semantic.exists is False):
+            return None
+        expansion = expansion_of(self._expander(), path, dict(found.arguments))
+        root = expansion.document.documentElement if expansion.document else None
+        return semantic_of(root, path, complete=expansion.complete) if root is not None else None
+
+    def _tree(self, file: FileReference | None) -> YamlFile | None:
+        if file is None or file.path is None:
+            return None
+        try:
+            return read_yaml(self.files.read(file.path))
+        except FileProblem:
+            return None
