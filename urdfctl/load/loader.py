@@ -118,6 +118,8 @@ class Loader:
             launch_file = self._fitting(target, launch_file, described.expansion.document)
         files = described.files.copy()
         project = self._project(path, described, files, target.controllers, launch_file)
+        if target.guessed and project.moveit is not None:
+            project = project._replace(moveit=project.moveit._replace(guessed=True))
         given = tuple((name, value) for name, value in arguments.items() if is_known(value))
         return LoadedTarget(project, described.root, _sources(files, launch_file), given)
 

@@ -45,6 +45,7 @@ def package_around(packages: Packages, tree: Callable[[str], Document | None]) -
         reaches=partial(_reaches, packages, running),
         installs=partial(_installs, packages, folder, name),
         build_file="setup.py" if "python" in kind else "CMakeLists.txt",
+        shares_models=partial(_shares_models, packages),
         tag="run_depend" if root.attrs.get("format", "1") == "1" else "exec_depend",
     )
 
@@ -72,6 +73,22 @@ def _reaches(packages: Packages, running: frozenset[str], name: str) -> bool:
         seen |= new
         pending += sorted(new)
     return name in seen
+
+
+def _shares_models(packages: Packages, name: str) -> bool | None:
+    """Whether a package exports a model path for Gazebo, or may set environment variables; None if it is not here."""
+    try:
+        folder = packages.find(name)
+        manifest = first_bytes(os.path.join(folder, "package.xml"), 65536)
+    except (PackageNotFound, OSError):
+        return None
+    if b"model_path" in _COMMENT.sub("", manifest.decode("utf-8", "replace")).encode():
+        return True
+    for build_file in ("CMakeLists.txt", "setup.py"):
+        path = os.path.join(folder, build_file)
+        if os.path.isfile(path) and re.search(rb"environment_hooks|\bhook", first_bytes(path, 1 << 18)):
+            return True
+    return False
 
 
 def _needed_by(packages: Packages, name: str) -> set[str]:

@@ -17,6 +17,7 @@ class Package(NamedTuple):
     reaches: returns whether a package is among its run dependencies, directly or through other source packages.
     installs: returns whether a source file, by its path, is installed to the share folder; None if unknown.
     build_file: the file with the install rules.
+    shares_models: returns whether a package, by its name, adds its folder to Gazebo's model path; None if unknown.
     """
 
     name: str
@@ -27,6 +28,7 @@ class Package(NamedTuple):
     reaches: Callable[[str], bool]
     installs: Callable[[str], bool | None]
     build_file: str
+    shares_models: Callable[[str], bool | None] = lambda _: None
     tag: str = "exec_depend"
     """The element for a run dependency in the manifest's format."""
 

@@ -37,6 +37,10 @@ _ARM = (
 )
 
 
+_OF_MOVEIT = ("kinematics.yaml", "joint_limits.yaml", "_planning.yaml")
+"""Files that only MoveIt reads."""
+
+
 class Mark(NamedTuple):
     """The place where an example expects its finding: the file, and byte offsets that do not count the marks."""
 
@@ -71,7 +75,8 @@ def companions(names: Iterable[str]) -> tuple[tuple[str, ...], str | None]:
     """Return the controller files and the launch file of an example, which are linted together with its first file."""
     _, *rest = names
     launches = [name for name in rest if is_launch(name)]
-    return tuple(name for name in rest if is_yaml(name)), launches[0] if launches else None
+    controllers = (name for name in rest if is_yaml(name) and not name.endswith(_OF_MOVEIT))
+    return tuple(controllers), launches[0] if launches else None
 
 
 def unmarked(files: Mapping[str, str]) -> tuple[dict[str, str], list[Mark]]:

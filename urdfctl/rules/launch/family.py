@@ -17,6 +17,7 @@ from urdfctl.rules.launch.joint_states_of_nobody import joint_states_of_nobody
 from urdfctl.rules.launch.launched_file_missing import launched_file_missing
 from urdfctl.rules.launch.listed_joint_unknown import listed_joint_unknown
 from urdfctl.rules.launch.manager_beside_simulator import manager_beside_simulator
+from urdfctl.rules.launch.mesh_not_on_model_path import mesh_not_on_model_path
 from urdfctl.rules.launch.node_name_twice import node_name_twice
 from urdfctl.rules.launch.package_not_in_manifest import package_not_in_manifest
 from urdfctl.rules.launch.parameters_not_given_to_controller import parameters_not_given_to_controller
@@ -54,5 +55,6 @@ RULES: tuple[Rule, ...] = (
     description_read_as_yaml,
     node_name_twice,
     joint_states_of_nobody,
+    mesh_not_on_model_path,
     installed_file_missing,
 )

@@ -14,6 +14,36 @@ MOVEIT = """
         default: true
         joints: [shoulder, elbow]
 """
+SEMANTIC = """
+    <?xml version="1.0"?>
+    <robot name="arm">
+      <group name="arm"><chain base_link="base" tip_link="fore"/></group>
+      <group name="wrist"><joint name="elbow"/></group>
+      <group_state name="home" group="arm">
+        <joint name="shoulder" value="0"/>
+        <joint name="elbow" value="0"/>
+      </group_state>
+      <disable_collisions link1="base" link2="upper" reason="Adjacent"/>
+    </robot>
+"""
+KINEMATICS = """
+    arm:
+      kinematics_solver: kdl_kinematics_plugin/KDLKinematicsPlugin
+      kinematics_solver_timeout: 0.05
+"""
+LIMITS = """
+    joint_limits:
+      shoulder:
+        has_velocity_limits: true
+        max_velocity: 1.5
+        has_acceleration_limits: true
+        max_acceleration: 2.0
+      elbow:
+        has_velocity_limits: true
+        max_velocity: 1.5
+        has_acceleration_limits: true
+        max_acceleration: 2.0
+"""
 
 
 def configured(old: str = "", new: str = "") -> dict[str, str]:
@@ -22,3 +52,9 @@ def configured(old: str = "", new: str = "") -> dict[str, str]:
         "ros2_controllers.yaml": CONTROLLERS,
         "moveit_controllers.yaml": MOVEIT.replace(old, new) if old else MOVEIT,
     }
+
+
+def planned(old: str = "", new: str = "", **more: str) -> dict[str, str]:
+    """Return the arm with its SRDF, in which `old` is replaced by `new`; `more` are YAML files without their ending."""
+    semantic = SEMANTIC.replace(old, new) if old else SEMANTIC
+    return {"arm.urdf": "", "arm.srdf": semantic, **{f"{name}.yaml": text for name, text in more.items()}}

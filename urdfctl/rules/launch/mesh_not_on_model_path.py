@@ -1,0 +1,89 @@
+"""UC636."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS2
+from urdfctl.model.launch import Launch
+from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rules.common import is_known, robot_in
+from urdfctl.rules.launch.common import ROS_2, launch_of
+from urdfctl.rules.launch_samples import PUBLISHER
+
+_VARIABLES = (b"MODEL_PATH", b"RESOURCE_PATH")
+_NAMES = {"gazebo-classic": ("Gazebo Classic", "GAZEBO_MODEL_PATH"), "gz": ("gz", "GZ_SIM_RESOURCE_PATH")}
+_PACKAGE = "package://"
+_EXPORT = '<export><gazebo_ros gazebo_model_path="${prefix}/.."/></export>'
+_INCLUDED = '<include file="$(find-pkg-share gazebo_ros)/launch/gazebo.launch.py"/>'
+
+
+def _files(mark: str, export: str) -> dict[str, str]:
+    return {
+        "arm.urdf": """
+            <link name="tool">
+              <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+              <visual><geometry><mesh filename="package://arm/tool.stl"/></geometry></visual>
+            </link>
+            <joint name="wrist" type="fixed"><parent link="fore"/><child link="tool"/></joint>
+        """,
+        "arm.launch.xml": f"""
+            <launch>
+              {mark.format(_INCLUDED)}{PUBLISHER}
+            </launch>
+        """,
+        "package.xml": f"""
+            <package format="3">
+              <name>arm</name>
+              <exec_depend>gazebo_ros</exec_depend>
+              <exec_depend>robot_state_publisher</exec_depend>
+              <exec_depend>xacro</exec_depend>
+              {export}
+            </package>
+        """,
+        "tool.stl": "solid tool\nendsolid tool",
+    }
+
+
+@rule(
+    "UC636",
+    severity=Severity.WARNING,
+    distros=ROS2,
+    options=("--distro=foxy",),
+    authority="sdformat parser_urdf.cc: package:// becomes model://; gazebo_ros and ros_gz_sim scripts GazeboRosPaths: the model "
+    "path is taken from <export><gazebo_ros gazebo_model_path=.../></export>; 'No mesh specified', 'Unable to find file "
+    "with URI [model://arm/tool.stl]'",
+    bad=_files("«{}»", ""),
+    good=_files("{}", _EXPORT),
+)
+def mesh_not_on_model_path(project: Project) -> Iterator[Finding]:
+    """Gazebo does not find the meshes of a package.
+
+    Gazebo reads package:// as model:// and looks for the package in its model path. A package adds itself to that path
+    with an export in package.xml, or the launch file sets the environment variable. Otherwise the links are invisible
+    and have no collision shapes, unless the variable is set outside.
+    """
+    launch, robot = launch_of(project, ROS_2), robot_in(project)
+    package = launch.package if launch else None
+    simulation = next((each for each in launch.simulations if each.sure), None) if launch else None
+    if launch is None or robot is None or package is None or simulation is None or _sets_path(launch):
+        return
+    for mesh in robot.meshes:
+        name = mesh.filename.removeprefix(_PACKAGE).partition("/")[0]
+        is_found = mesh.file is not None and mesh.file.exists
+        if mesh.filename.startswith(_PACKAGE) and is_known(name) and is_found and package.shares_models(name) is False:
+            simulator, variable = _NAMES.get(simulation.simulator, ("Gazebo", "GAZEBO_MODEL_PATH"))
+            message = (
+                f"{simulator} does not find the meshes of package '{name}'; add {_EXPORT} to its package.xml, "
+                f"or set {variable}"
+            )
+            yield Finding(simulation.at, message, (Note("the first mesh is here", mesh.at),))
+            return
+
+
+def _sets_path(launch: Launch) -> bool:
+    """Whether a launch file names a model path in any way."""
+    places = (*(node.at for node in launch.nodes), *(each.at for each in launch.simulations))
+    described = (each.at for each in launch.descriptions)
+    sources = {place.source.path: place.source for place in (*places, *described)}
+    return any(name in source.data for source in sources.values() for name in _VARIABLES)

@@ -1,0 +1,38 @@
+"""UC655."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rules.moveit.samples import planned
+
+_MOVEIT = """
+    moveit_simple_controller_manager:
+      {}: {}
+      arm_controller:
+        type: FollowJointTrajectory
+        action_ns: follow_joint_trajectory
+        joints: [shoulder, elbow]
+"""
+
+
+@rule(
+    "UC655",
+    severity=Severity.WARNING,
+    authority="moveit_simple_controller_manager.cpp: 'Returned 0 controllers in list', 'No controller_names specified.'; "
+    "trajectory_execution_manager.cpp: 'Unable to identify any set of controllers that can actuate the specified joints'",
+    bad=planned(moveit_controllers=_MOVEIT.format("«controller_names»", "[]")),
+    good=planned(moveit_controllers=_MOVEIT.format("controller_names", "[arm_controller]")),
+)
+def controller_list_empty(project: Project) -> Iterator[Finding]:
+    """MoveIt's list of controllers is empty.
+
+    MoveIt plans, but knows no controller that could execute the plan. The setup assistant of ROS 1 writes an empty
+    controller_list if no controllers were added in it. List each controller with its name, action_ns, type and joints.
+    """
+    moveit = project.moveit
+    if moveit is not None and moveit.no_controllers is not None and not moveit.controllers:
+        at = moveit.no_controllers
+        message = f"{at.span.text} is empty, so MoveIt knows no controller and executes nothing"
+        yield Finding(at, message)
