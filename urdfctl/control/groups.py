@@ -7,10 +7,11 @@ from itertools import pairwise
 
 from urdfctl.model.parts import Reference
 from urdfctl.model.robot import Robot
-from urdfctl.model.semantic import Chain, Group, Semantic
+from urdfctl.model.semantic import Chain, Group, Semantic, VirtualJoint
 
 _ROOT = ""
-"""The joint above the root link, which every robot model has."""
+"""The joint above the root link, which every robot model has: a virtual joint, or a fixed one."""
+_SHAPES = ("visual", "collision")
 _MOVING = ("revolute", "continuous", "prismatic", "planar", "floating")
 
 
@@ -26,7 +27,14 @@ class Groups:
         self.joints = {joint.name: joint for joint in robot.joints if joint.name}
         self.links = {link.name for link in robot.links if link.name}
         self._above = {name: joint.name for joint in robot.joints if joint.name and (name := _name_of(joint.child))}
+        children = set(self._above)
+        self.root = next((link.name for link in robot.links if link.name and link.name not in children), None)
         self.virtual = {joint.name.text: joint for joint in semantic.virtual if joint.name}
+        top = next((link for link in robot.links if link.name == self.root), None)
+        self._is_dummy = (
+            self.root == "world" and top is not None and not any(child.name in _SHAPES for child in top.tag.children)
+        )
+        self._at_root = next((one for one in semantic.virtual if self.is_at_root(one)), None)
         self._members: dict[str, frozenset[str]] = {}
 
     def path_up(self, link: str) -> Iterator[str]:
@@ -39,6 +47,12 @@ class Groups:
             joint = self.joints.get(self._above.get(current) or _ROOT)
             current = _name_of(joint.parent) if joint else None
 
+    def is_at_root(self, virtual: VirtualJoint) -> bool:
+        """Return whether MoveIt uses a virtual joint: it is at the root link, or fixed below an empty link `world`."""
+        if virtual.child is None:
+            return False
+        return virtual.child.text == self.root or (self._is_dummy and virtual.type == "fixed")
+
     def joins(self, chain: Chain) -> bool:
         """Return whether a path leads from one link of a chain to the other. False if one of them is unknown."""
         if chain.base is None or chain.tip is None or not {chain.base.text, chain.tip.text} <= self.links:
@@ -49,7 +63,9 @@ class Groups:
         """Return the names of a group's joints, also fixed ones; an empty name is the joint above the root link."""
         name = group.name.text
         if name not in self._members and depth <= len(self.semantic.groups):
-            found = {joint.text for joint in group.joints if joint.text in self.joints or joint.text in self.virtual}
+            found = {joint.text for joint in group.joints if joint.text in self.joints}
+            if self._at_root and self._at_root.name and self._at_root.name.text in {one.text for one in group.joints}:
+                found.add(_ROOT)
             found |= {self._above.get(link.text, _ROOT) for link in group.links if link.text in self.links}
             for chain in group.chains:
                 found |= self._between(chain)
@@ -61,7 +77,7 @@ class Groups:
 
     def active(self, group: Group) -> list[str]:
         """Return the joints of a group that move on their own, without mimic and virtual joints."""
-        return sorted(name for name in self.members(group) if self._is_active(name) and name not in self.virtual)
+        return sorted(name for name in self.members(group) if name and self._is_active(name))
 
     def is_chain(self, group: Group) -> bool:
         """Return whether a group is a chain: each of its joints is right below the one before it."""
@@ -91,7 +107,7 @@ class Groups:
     def _is_below(self, name: str, other: str) -> bool:
         """Whether only fixed joints are between a joint and another one above it."""
         for above in self._joints_above(name):
-            if above == other or (above == _ROOT and other in self.virtual):
+            if above == other:
                 return True
             joint = self.joints.get(above)
             if joint is None or joint.type != "fixed":
@@ -99,11 +115,12 @@ class Groups:
         return False
 
     def _depth(self, name: str) -> int:
+        """The number of joints above a joint, with the one above the root link."""
         return sum(1 for _ in self._joints_above(name))
 
     def _is_active(self, name: str) -> bool:
-        if name in self.virtual:
-            return self.virtual[name].type != "fixed"
+        if name == _ROOT:
+            return self._at_root is not None and self._at_root.type in _MOVING
         joint = self.joints.get(name)
         return joint is not None and joint.type in _MOVING and joint.mimic is None
 

@@ -25,6 +25,7 @@ from urdfctl.rules.moveit.semantic_out_of_reach import semantic_out_of_reach
 from urdfctl.rules.moveit.semantic_part_unknown import semantic_part_unknown
 from urdfctl.rules.moveit.solver_group_unknown import solver_group_unknown
 from urdfctl.rules.moveit.solver_needs_chain import solver_needs_chain
+from urdfctl.rules.moveit.virtual_joint_not_at_root import virtual_joint_not_at_root
 
 RULES: tuple[Rule, ...] = (
     moveit_controller_incomplete,
@@ -49,4 +50,5 @@ RULES: tuple[Rule, ...] = (
     pipeline_of_other_distro,
     semantic_out_of_reach,
     moveit_action_differs,
+    virtual_joint_not_at_root,
 )

@@ -34,7 +34,9 @@ def semantic_group_unknown(project: Project) -> Iterator[Finding]:
         meant = names.meant_by(key.text)
         hint = f"; did you mean '{meant}'?" if meant else ""
         fix = replaced(key.at, key.text, meant) if meant else None
-        yield Finding(key.at, f"{what} refers to group '{key.text}', which the SRDF does not define{hint}", (), fix)
+        severity = None if what.startswith("group") else Severity.WARNING
+        message = f"{what} refers to group '{key.text}', which the SRDF does not define{hint}"
+        yield Finding(key.at, message, (), fix, severity)
 
 
 def _named(semantic: Semantic) -> Iterator[tuple[str, Key]]:
