@@ -145,6 +145,10 @@ class _Reader:
         path = found.semantic.path if found.semantic else None
         if path is None or found.arguments is None or (found.semantic and found.semantic.exists is False):
             return None
+        try:
+            self.files.read(path)
+        except FileProblem:
+            return None
         expansion = expansion_of(self._expander(), path, dict(found.arguments))
         root = expansion.document.documentElement if expansion.document else None
         return semantic_of(root, path, complete=expansion.complete) if root is not None else None

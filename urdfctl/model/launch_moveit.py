@@ -160,14 +160,21 @@ def builder_of(term: Term | None, texts: Texts) -> Builder | None:
     return None
 
 
-def files_of_table(table: Table, at: Place, texts: Texts, locate: Locate) -> MoveItFiles | None:
-    """Return the files whose content is in a dict of parameters for a node; None if there is none for MoveIt."""
+def files_of_table(
+    table: Table, at: Place, read: Callable[[Term], Content | None], locate: Locate
+) -> MoveItFiles | None:
+    """Return the files whose content is in a dict of parameters for a node; None if there is none for MoveIt.
+
+    read: returns the file whose text a term is, and the xacro arguments for it.
+    """
     found = MoveItFiles(at, as_values=True)
     semantic = table.entries.get(_SEMANTIC)
     if semantic is not None:
-        path, arguments = _path_of(semantic, texts)
+        content = read(semantic)
+        path = content.path if content else None
         where = locate(path) if path else (None, None)
-        found = found._replace(semantic=FileReference(path or UNKNOWN, semantic.at, *where), arguments=arguments)
+        file = FileReference(path or UNKNOWN, semantic.at, *where)
+        found = found._replace(semantic=file, arguments=content.arguments if content else None)
     controllers = _file_of(table.entries.get(_MANAGER))
     found = found._replace(
         kinematics=_file_of(table.entries.get(_KINEMATICS)),
@@ -175,14 +182,6 @@ def files_of_table(table: Table, at: Place, texts: Texts, locate: Locate) -> Mov
         controllers=(controllers,) if controllers else (),
     )
     return None if found == MoveItFiles(at, as_values=True) else found
-
-
-def _path_of(term: Term, texts: Texts) -> tuple[str | None, tuple[tuple[str, str], ...] | None]:
-    """The SRDF whose text a term is, and the xacro arguments for it."""
-    from urdfctl.model.descriptions import content_of
-
-    content = content_of(term, texts, lambda _: False)
-    return (content.path, content.arguments) if content else (None, None)
 
 
 def _file_of(term: Term | None) -> FileReference | None:

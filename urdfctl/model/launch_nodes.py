@@ -339,7 +339,8 @@ class _Parameters:
             self.names.append(Word(name, table.keys[name]))
             if name == "robot_description":
                 self._description(value)
-        files = files_of_table(table, table.at, self.nodes.texts, self.nodes._locate)
+        read = lambda term: content_of(term, self.nodes.texts, lambda _: False)  # noqa: E731 (one use)
+        files = files_of_table(table, table.at, read, self.nodes._locate)
         if files is not None:
             runs = self.executable == "move_group"
             self.nodes.facts.moveit.append(files._replace(namespace=self.namespace, sure=self.sure, runs=runs))

@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ROS1
 from urdfctl.model.launch import Launch, Node
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.launch.common import launch_of
 from urdfctl.source.span import Place
 
 _READERS = ("moveit_ros_move_group", "moveit_servo", "rviz", "moveit_commander", "moveit_ros_visualization")
@@ -55,7 +54,7 @@ def semantic_out_of_reach(project: Project) -> Iterator[Finding]:
     A node finds the SRDF in its own namespace or in one above it. Start the node in the namespace of the parameter, or
     remap robot_description and robot_description_semantic.
     """
-    launch = launch_of(project, 1)
+    launch = project.launch if project.launch and project.launch.ros == 1 else None
     known = [files for files in launch.moveit if files.namespace is not None] if launch else []
     if launch is None or not known or len(known) < len(launch.moveit):
         return
