@@ -56,7 +56,7 @@ def _rules(options: RulesOptions) -> int:
 def _explain(options: ExplainOptions) -> int:
     from urdfctl.cli.explain_command import run_explain
 
-    return run_explain(options.what or [], options.output_format)
+    return run_explain(options.what or [], options.output_format, options.folder)
 
 
 def _generate(options: GenerateOptions) -> int:

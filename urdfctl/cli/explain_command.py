@@ -22,9 +22,10 @@ _NOTHING = (
 )
 
 
-def run_explain(words: Sequence[str], output_format: str) -> int:
+def run_explain(words: Sequence[str], output_format: str, folder: str | None = None) -> int:
     """Explain the rule, message or log that the words name. Without words, or for `-`, read standard input.
 
+    folder: check which causes the robots in this folder have.
     Raises UserError if there is nothing to explain, or for a single word that is neither a rule nor a file.
     """
     if output_format not in _FORMATS:
@@ -33,17 +34,17 @@ def run_explain(words: Sequence[str], output_format: str) -> int:
     if words and not text:
         raise UserError(_NOTHING)
     if text in {"", "-"}:
-        return _explain_log(_standard_input(), output_format)
+        return _explain_log(_standard_input(), output_format, folder)
     rule = _rule(text)
     if rule is not None:
-        return _explain_rule(rule, output_format)
-    if text.lower().endswith(_DESCRIPTIONS):
+        return _explain_rule(rule, output_format, folder)
+    if " " not in text and text.lower().endswith(_DESCRIPTIONS):
         raise UserError(f"explain reads rules, messages and logs; to check '{text}', run: urdfctl lint {text}")
     if os.path.isfile(text):
-        return _explain_file(text, output_format)
+        return _explain_file(text, output_format, folder)
     if len(text.split()) == 1:
         raise UserError(_unknown(text))
-    return _explain_log(io.BytesIO(text.encode("utf-8", "surrogateescape")), output_format, pasted=True)
+    return _explain_log(io.BytesIO(text.encode("utf-8", "surrogateescape")), output_format, folder, pasted=True)
 
 
 def _rule(text: str) -> Rule | None:
@@ -66,7 +67,11 @@ def _unknown(word: str) -> str:
     return f"unknown rule '{word}'{did_you_mean(word, known) or '.'} To list all rules, run urdfctl rules"
 
 
-def _explain_rule(rule: Rule, output_format: str) -> int:
+def _explain_rule(rule: Rule, output_format: str, folder: str | None) -> int:
+    if folder is not None:
+        raise UserError(
+            f"--in is for messages and logs; to check files, run urdfctl lint {folder} --select {rule.code}"
+        )
     if output_format == "json":
         from urdfctl.cli.rules_command import plain_rule
 
@@ -84,28 +89,32 @@ def _standard_input() -> BinaryIO:
     return sys.stdin.buffer
 
 
-def _explain_file(path: str, output_format: str) -> int:
+def _explain_file(path: str, output_format: str, folder: str | None) -> int:
     try:
         with open(path, "rb") as file:
-            return _explain_log(file, output_format)
+            return _explain_log(file, output_format, folder)
     except OSError as error:
         raise UserError(f"'{path}' cannot be read: {error.strerror}") from None
 
 
-def _explain_log(stream: BinaryIO, output_format: str, *, pasted: bool = False) -> int:
+def _explain_log(stream: BinaryIO, output_format: str, folder: str | None, *, pasted: bool = False) -> int:
     from urdfctl.logs.digest import digest
     from urdfctl.logs.reading import Lines
 
     lines = Lines(stream)
-    messages = digest(lines, pasted=pasted)
+    messages, files = digest(lines, pasted=pasted), None
     if not messages.lines:
         raise UserError(_NOTHING)
+    if folder is not None:
+        from urdfctl.cli.explain_files import checked
+
+        messages, files = checked(messages, folder)
     if output_format == "json":
         from urdfctl.report.log_json import render_log_json
 
-        print_text(render_log_json(messages, complete=lines.complete))
+        print_text(render_log_json(messages, complete=lines.complete, files=files))
         return 0
     from urdfctl.report.log_text import render_log
 
-    print_text(render_log(messages, pasted=pasted, complete=lines.complete))
+    print_text(render_log(messages, pasted=pasted, complete=lines.complete, files=files))
     return 0

@@ -13,7 +13,7 @@ from urdfctl.cli.words import check_jobs, codes, configured, output_of, settings
 from urdfctl.cli.writing import print_message, print_text, write_file
 from urdfctl.config.file import Config
 from urdfctl.config.settings import Settings
-from urdfctl.diagnostic import Severity
+from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.errors import UserError
 from urdfctl.lint.grouping import grouped
 from urdfctl.lint.merging import worst
@@ -47,6 +47,18 @@ def run_lint(options: LintOptions) -> int:
         print_text(settings_text(request, settings, vars(options)))
         return 0
     return lint(request, settings)
+
+
+def findings_in(options: LintOptions) -> list[Diagnostic]:
+    """Return the findings in the files that the options name. Raises UserError if there is nothing to lint."""
+    paths, arguments = split_arguments(options.paths or [])
+    config = configured(paths, options)
+    request = _request(paths, config, options)
+    files = discovered(paths, config)
+    if not files.paths():
+        raise UserError(f"nothing to lint in {', '.join(paths)}: it contains no robot, controller file or launch file")
+    run = lint_files(files, tuple(arguments.items()), settings_to_check(config, options, paths), request)
+    return request.findings(run.results)
 
 
 def _request(words: Sequence[str], config: Config, options: LintOptions) -> LintRequest:

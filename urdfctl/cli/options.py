@@ -198,7 +198,7 @@ class ExplainOptions:
     \b
     Example: urdfctl explain UC201
              urdfctl explain "No p gain specified for pid."
-             urdfctl explain gazebo.log
+             urdfctl explain gazebo.log --in .
     """
 
     what: Annotated[
@@ -206,6 +206,12 @@ class ExplainOptions:
         typer.Argument(
             help="A rule's code or name, a line of a log in quotes, or a log file (- for standard input).",
             show_default=False,
+        ),
+    ] = None
+    folder: Annotated[
+        str | None,
+        typer.Option(
+            "--in", help="Folder with the robot. Checks which of the causes its files have, and shows these first."
         ),
     ] = None
     output_format: Annotated[str, typer.Option("--format", help="Output format: text or json.")] = "text"

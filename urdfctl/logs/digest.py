@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from itertools import chain, islice
 
+from urdfctl.catalog.distros import ALL
 from urdfctl.catalog.log_messages import KINDS, LogMessage
 from urdfctl.logs.evidence import Reading, reading
 from urdfctl.logs.index import Hit, Spelling, found_among, index, loose_index
 from urdfctl.logs.line import PROCESS, Line, plain, records
 from urdfctl.logs.partial import partial
-from urdfctl.logs.pattern import single_blanks
+from urdfctl.logs.pattern import Match, single_blanks
 from urdfctl.startup.records import NamedTuple
 
 _MOST_VALUES = 100
@@ -26,9 +27,11 @@ _MOST_CANDIDATES = 3
 """Messages reported for a truncated pasted line; with more candidates, the line is unknown."""
 _SHORT = 40
 """Lines up to which a log is read like pasted lines: those without a level may be errors too."""
+_INSTALLED = "/opt/ros/"
+_LEVELS = ("error", "warning", "", "info")
 _URGENT = ("failure", "consequence", "warning")
-_SAYS_NOTHING = re.compile(r"\W*(?:\w+\W*){0,2}$")
-"""Lines of at most two words are not listed as unknown."""
+_SAYS_NOTHING = re.compile(r"\s*\* /|\W*(?:\w+\W*){0,2}$")
+"""Lines of at most two words, and roslaunch's list of parameters, are not listed as unknown."""
 
 
 class Known(NamedTuple):
@@ -61,8 +64,8 @@ class Known(NamedTuple):
 class Unknown(NamedTuple):
     """An unknown text.
 
-    level: "error", "warning", or "" if the line has none. nearest: the most similar known message, None if none is
-    similar.
+    level: "error", "warning", "info", or "" if the line has none. nearest: the most similar known message, None if none
+    is similar.
     """
 
     line: int
@@ -73,12 +76,15 @@ class Unknown(NamedTuple):
 
 
 class Digest(NamedTuple):
-    """The known messages (most urgent first, then by line) and the unknown lines (errors first). lines: number of
-    lines read."""
+    """The known messages (most urgent first, then by line) and the unknown lines (errors first).
+
+    lines: number of lines read. distro: the ROS distro in the log's paths (/opt/ros/humble), "" if there is none.
+    """
 
     lines: int
     known: tuple[Known, ...]
     unknown: tuple[Unknown, ...]
+    distro: str = ""
 
 
 def digest(lines: Iterable[str], *, pasted: bool) -> Digest:
@@ -118,6 +124,7 @@ class _Reader:
         self._pasted = pasted
         self._short = short
         self._number = 0
+        self._distro = ""
         self._known: dict[str, Known] = {}
         self._last: dict[str, dict[str, int]] = {}
         """By the id of a message, the last line in which each process prints it."""
@@ -130,6 +137,9 @@ class _Reader:
     def read(self, line: str) -> None:
         """Read the next line."""
         self._number += 1
+        if not self._distro and _INSTALLED in line:
+            name = line.split(_INSTALLED, 1)[1].split("/", 1)[0]
+            self._distro = name if name in ALL else ""
         for record in records(line):
             self._read(record)
 
@@ -155,8 +165,8 @@ class _Reader:
         known = [self._read_in_context(entry, seen) for entry in self._known.values()]
         shown = [entry for entry in known if entry.kind != "progress"]
         shown.sort(key=lambda entry: (KINDS.index(entry.kind), entry.line))
-        unknown = sorted(self._unknown.values(), key=lambda entry: ("error", "warning", "").index(entry.level))
-        return Digest(self._number, tuple(shown), tuple(unknown))
+        unknown = sorted(self._unknown.values(), key=lambda entry: _LEVELS.index(entry.level))
+        return Digest(self._number, tuple(shown), tuple(unknown), self._distro)
 
     def _read_in_context(self, known: Known, seen: Iterable[str]) -> Known:
         message = known.message
@@ -200,8 +210,12 @@ class _Reader:
                 return
             self._searched[shape] = tuple(self._partial.cut(text))
         cut = _Wrapped(self._number, line, text, self._searched[shape])
+        similar = None if cut.hits else self._partial.similar(text)
         if cut.hits:
             self._wrapped = cut
+        elif similar is not None:
+            hit = Hit(similar.message, similar.pattern, Match(0, len(text), {}))
+            self._keep(hit, self._number, line._replace(text=text))
         else:
             self._record(cut)
 
@@ -269,10 +283,3 @@ class _Reader:
 def _add(lines: dict[str, int], process: str, number: int) -> None:
     if process in lines or len(lines) < _MOST_VALUES:
         lines[process] = number
-
-
-def values_of(known: Iterable[Known]) -> Iterator[str]:
-    """Yield the values that the messages print."""
-    for entry in known:
-        for values in entry.values:
-            yield from values.values()

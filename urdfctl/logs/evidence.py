@@ -8,6 +8,7 @@ before it:
 - `NAME in OTHER`: the value is one of the words of the other value
 - `NAME near OTHER`: a word of the other value is similar, and is then known as `{meant}`
 - `NAME only REGEX`: every word of the value matches
+- `NAME known`: the value is a type of controller in the catalogue; `NAME near known`: it is similar to one
 """
 
 from __future__ import annotations
@@ -16,12 +17,16 @@ import re
 from collections.abc import Collection, Mapping, Sequence
 
 from urdfctl.catalog.log_messages import LogMessage
+from urdfctl.catalog.store import plain
 from urdfctl.logs.pattern import filled
 from urdfctl.names import nearest
 from urdfctl.startup.records import NamedTuple
 
+_LEAST_NAME = 3
+"""Letters of a value that is looked for in findings."""
 
-class Place(NamedTuple):
+
+class FoundCause(NamedTuple):
     """A line of a file in which a rule found a cause. message: what is wrong there."""
 
     file: str
@@ -29,6 +34,13 @@ class Place(NamedTuple):
     column: int
     code: str
     message: str
+
+
+class CheckedFolder(NamedTuple):
+    """A folder in which causes were searched. others: how many errors in it cause none of the messages."""
+
+    folder: str
+    others: int
 
 
 class LikelyCause(NamedTuple):
@@ -41,7 +53,7 @@ class LikelyCause(NamedTuple):
     text: str
     rules: tuple[str, ...] = ()
     fix: str = ""
-    found: tuple[Place, ...] = ()
+    found: tuple[FoundCause, ...] = ()
 
 
 class Reading(NamedTuple):
@@ -50,6 +62,11 @@ class Reading(NamedTuple):
     meaning: str
     causes: tuple[LikelyCause, ...]
     fix: str
+
+    @property
+    def is_found(self) -> bool:
+        """Whether a rule found a cause in the user's files."""
+        return any(cause.found for cause in self.causes)
 
     @property
     def best_fix(self) -> str:
@@ -66,17 +83,25 @@ def reading(message: LogMessage, values: Mapping[str, str], seen: Collection[str
     return Reading(filled(message.meaning, values), tuple(likely), filled(message.fix, values))
 
 
-def with_findings(known: Reading, places: Sequence[Place], values: Collection[str]) -> Reading:
+def with_findings(known: Reading, findings: Sequence[FoundCause], values: Collection[str]) -> Reading:
     """Return the reading with the places where rules found its causes, those causes first.
 
-    values: of the log. Places whose message names one of them come first.
+    values: of the log. Findings that name one of them come first, and if no cause was found, they are a cause of their
+    own.
     """
-    names = [value for value in values if len(value) > 2]  # noqa: PLR2004 (shorter ones are in any text)
-    ordered = sorted(places, key=lambda place: not any(name in place.message for name in names))
-    causes = [
-        cause._replace(found=tuple(place for place in ordered if place.code in cause.rules)) for cause in known.causes
-    ]
-    rank = {place: number for number, place in enumerate(ordered)}
+    names = [value for value in values if len(value) >= _LEAST_NAME and " " not in value]
+    named = [one for one in findings if any(f"'{name}'" in one.message for name in names)]
+    ordered = [*named, *(one for one in findings if one not in named)]
+    shown: set[FoundCause] = set()
+    causes = []
+    for cause in known.causes:
+        found = tuple(one for one in ordered if one.code in cause.rules and one not in shown)
+        shown.update(found)
+        causes.append(cause._replace(found=found))
+    if not shown and named:
+        codes = tuple(dict.fromkeys(one.code for one in named))
+        causes.insert(0, LikelyCause("lint finds a fault of the same part in your files", codes, found=tuple(named)))
+    rank = {one: number for number, one in enumerate(ordered)}
     causes.sort(key=lambda cause: rank[cause.found[0]] if cause.found else len(rank))
     return known._replace(causes=tuple(causes))
 
@@ -98,6 +123,8 @@ def _holds(clause: str, values: Mapping[str, str], seen: Collection[str]) -> boo
     value = values.get(name, "").strip()
     if relation == "in":
         return bool(value) and value in _words(values.get(other, ""))
+    if relation == "known":
+        return value in _known_types()
     if relation == "near":
         return "meant" in values
     if relation == "only":
@@ -110,9 +137,10 @@ def _meant(message: LogMessage, values: Mapping[str, str]) -> dict[str, str]:
     for cause in message.causes:
         for clause in f"{cause.only_if} and {cause.first_if}".split(" and "):
             name, _, other = clause.strip().removeprefix("not ").partition(" near ")
-            value, known = values.get(name, "").strip(), _words(values.get(other, "")) if other else []
-            if value and value not in known:
-                meant = nearest(value, known) or _by_class(value, known)
+            value = values.get(name, "").strip()
+            known = [] if not other else _known_types() if other == "known" else _words(values.get(other, ""))
+            if value and known and value not in known:
+                meant = nearest(value, known) or ("" if other == "known" else _by_class(value, known))
                 return {"meant": meant} if meant else {}
     return {}
 
@@ -126,6 +154,11 @@ def _by_class(value: str, known: Sequence[str]) -> str | None:
 
 def _class(name: str) -> str:
     return re.split(r"[/:]", name)[-1].lower()
+
+
+def _known_types() -> list[str]:
+    """The types of controllers in the catalogue."""
+    return [name for ros in (1, 2) for name in plain(ros, "controllers")]
 
 
 def _words(text: str) -> list[str]:

@@ -12,6 +12,7 @@ from collections.abc import Iterable
 from functools import cached_property, lru_cache
 
 from urdfctl.logs.index import WORD, Hit, Index, Spelling, index
+from urdfctl.logs.loose import loosened
 from urdfctl.logs.pattern import Match, Pattern, single_blanks
 
 _MOST_CANDIDATES = 40
@@ -19,8 +20,10 @@ _MOST_CANDIDATES = 40
 _LEAST_LETTERS = 16
 """Letters that a truncated text must share with a pattern."""
 _LONGEST_VALUE = 300
-_LEAST_SIMILARITY = 0.7
-"""Share of words that an unknown text must have in common with the nearest pattern."""
+_SURE_SIMILARITY = 0.8
+"""Share of words that a text must have in common with a pattern to be taken for its message."""
+_SURE_WORDS = 5
+"""Words that it must have in common."""
 _ELLIPSES = re.compile(r"^(?:\.\.\.|…)\s*|\s*(?:\.\.\.|…)$")
 
 
@@ -42,19 +45,26 @@ class Partial:
         most = max((letters for letters, _ in best.values()), default=0)
         return [hit for letters, hit in best.values() if letters == most]
 
-    def nearest(self, text: str) -> Spelling | None:
-        """Return the pattern most similar to a text, None if none is similar enough."""
+    def similar(self, text: str) -> Spelling | None:
+        """Return the pattern that a text surely means although some of its words differ."""
+        return self.nearest(text, _SURE_SIMILARITY, _SURE_WORDS)
+
+    def nearest(self, text: str, least: float = 0.7, words_in_common: int = 3) -> Spelling | None:
+        """Return the pattern most similar to a text, None if none is similar enough.
+
+        least: the share of words that they must have in common, from 0 to 1.
+        """
         from difflib import SequenceMatcher
 
-        words = [word.lower() for word in WORD.findall(text)]
-        best, ratio = None, _LEAST_SIMILARITY
+        words = [word.lower() for word in WORD.findall(loosened(text))]
+        best, ratio = None, least
         for spelling in self._candidates(text):
-            literal = [word.lower() for word in WORD.findall(spelling.pattern.shown)]
+            literal = [word.lower() for word in WORD.findall(loosened(spelling.pattern.shown))]
             matcher = SequenceMatcher(None, literal, words, autojunk=False)
             same = sum(block.size for block in matcher.get_matching_blocks())
             # Gaps contain names, so words that are not in the pattern count half.
             similarity = same / (len(literal) + max(0, len(words) - same - len(spelling.pattern.gaps)) / 2)
-            if same > 2 and similarity >= ratio:  # noqa: PLR2004 (two words are not enough)
+            if same >= words_in_common and similarity >= ratio:
                 best, ratio = spelling, similarity
         return best
 

@@ -6,21 +6,27 @@ import json
 
 from urdfctl import __version__
 from urdfctl.logs.digest import Digest, Known, Unknown
+from urdfctl.logs.evidence import CheckedFolder
 from urdfctl.report.log_next import next_commands
 from urdfctl.rules import rule_of
 from urdfctl.startup.hints import Any
 
 
-def render_log_json(digest: Digest, *, complete: bool) -> str:
-    """Return the explanation as JSON, version 1. complete: whether the whole log was read."""
+def render_log_json(digest: Digest, *, complete: bool, files: CheckedFolder | None = None) -> str:
+    """Return the explanation as JSON, version 1.
+
+    complete: whether the whole log was read. files: the folder in which the causes were searched.
+    """
     plain = {
         "version": 1,
         "tool": {"name": "urdfctl", "version": __version__},
         "lines": digest.lines,
         "complete": complete,
+        "distro": digest.distro or None,
+        "folder": files._asdict() if files else None,
         "messages": [_message(known) for known in digest.known],
         "unknown": [_unknown(unknown) for unknown in digest.unknown],
-        "next": [command.text for command in next_commands(digest.known)],
+        "next": [command.text for command in next_commands(digest.known, files)],
     }
     return json.dumps(plain, indent=1, ensure_ascii=True) + "\n"
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from urdfctl.logs.digest import Known
+from urdfctl.logs.evidence import CheckedFolder
 from urdfctl.startup.records import NamedTuple
 
 _MOST_CODES = 6
@@ -18,9 +19,14 @@ class Command(NamedTuple):
     purpose: str
 
 
-def next_commands(known: Iterable[Known]) -> tuple[Command, ...]:
-    """Return the commands that find the causes: of the failures, or of the other messages if there are no failures."""
+def next_commands(known: Iterable[Known], files: CheckedFolder | None = None) -> tuple[Command, ...]:
+    """Return the commands that find the causes: of the failures, or of the other messages if there are no failures.
+
+    files: the folder in which the causes were already searched.
+    """
     known = tuple(known)
+    if files is not None:
+        return _after_checking(known, files)
     urgent = [entry for entry in known if entry.kind in _URGENT]
     codes = list(dict.fromkeys(code for entry in urgent or known for code in entry.rules))
     if not codes:
@@ -32,3 +38,12 @@ def next_commands(known: Iterable[Known]) -> tuple[Command, ...]:
         Command(f"urdfctl lint robot.xacro{controllers}", f"finds {shown} in your files"),
         Command(f"urdfctl explain {codes[0]}", "explains a rule, with an example"),
     )
+
+
+def _after_checking(known: Iterable[Known], files: CheckedFolder) -> tuple[Command, ...]:
+    """The commands to run after the causes were searched in a folder."""
+    found = [found.code for entry in known for cause in entry.reading.causes for found in cause.found]
+    explain = (Command(f"urdfctl explain {found[0]}", "explains the rule, with an example"),) if found else ()
+    errors = f"{files.others} {'other ' if found else ''}error{'' if files.others == 1 else 's'}"
+    purpose = f"shows {errors} in these files" if files.others else "shows all findings in these files"
+    return (*explain, Command(f"urdfctl lint {files.folder}", purpose))

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from urdfctl.catalog.distros import in_words
 from urdfctl.logs.digest import Digest, Known, Unknown
-from urdfctl.logs.evidence import LikelyCause
+from urdfctl.logs.evidence import CheckedFolder, LikelyCause
 from urdfctl.logs.pattern import filled
 from urdfctl.report.common import visible
 from urdfctl.report.log_next import next_commands
@@ -17,6 +17,7 @@ _WIDTH = 110
 _LONGEST = 240
 _MOST_OTHERS = 4
 _MOST_UNKNOWN = 5
+_MOST_FOUND = 3
 _HEADINGS = {
     "failure": "Failures",
     "consequence": "Consequences of a failure",
@@ -25,10 +26,10 @@ _HEADINGS = {
 }
 
 
-def render_log(digest: Digest, *, pasted: bool, complete: bool) -> str:
+def render_log(digest: Digest, *, pasted: bool, complete: bool, files: CheckedFolder | None = None) -> str:
     """Return the explanation: everything about a pasted message, or the essentials of a log.
 
-    complete: whether the whole log was read.
+    complete: whether the whole log was read. files: the folder in which the causes were searched.
     """
     parts = [] if pasted else [_summary(digest, complete=complete)]
     single = pasted and len(digest.known) == 1
@@ -43,7 +44,7 @@ def render_log(digest: Digest, *, pasted: bool, complete: bool) -> str:
         parts += ["\n".join([_where(known, pasted=pasted), *_explained(known, brief=brief)]) for known in chosen]
         if pasted:
             parts += [_source(known) for known in chosen if single]
-    commands = next_commands(digest.known)
+    commands = next_commands(digest.known, files)
     if commands:
         width = max(len(command.text) for command in commands)
         parts.append("\n".join(["Next:", *(f"  {command.text:<{width}}  {command.purpose}" for command in commands)]))
@@ -75,23 +76,33 @@ def _explained(known: Known, *, brief: bool) -> Iterator[str]:
     if known.settled:
         yield from _paragraph(f"Settled in line {known.settled}: nothing to do.")
         return
-    if brief:
+    if brief and not reading.is_found:
         yield from _paragraph(f"{reading.meaning} {reading.best_fix}")
         return
     yield from _paragraph(reading.meaning)
-    causes = [cause.text + _rules(cause) for cause in reading.causes]
-    if len(causes) == 1:
-        yield from _paragraph(causes[0], "  Likely cause: ", "    ")
-    elif causes:
-        yield "  Causes, most likely first:"
-        for number, cause in enumerate(causes, 1):
-            yield from _paragraph(cause, f"    {number}. ", "       ")
+    if len(reading.causes) == 1:
+        yield from _paragraph(reading.causes[0].text + _rules(reading.causes[0]), "  Likely cause: ", "    ")
+        yield from _found(reading.causes[0])
+    elif reading.causes:
+        yield "  Causes, those in your files first:" if reading.is_found else "  Causes, most likely first:"
+        for number, cause in enumerate(reading.causes, 1):
+            yield from _paragraph(cause.text + _rules(cause), f"    {number}. ", "       ")
+            yield from _found(cause)
     yield from _paragraph(reading.best_fix, "  Fix: ", "    ")
 
 
 def _source(known: Known) -> str:
     message = known.message
     return "\n".join(_paragraph(f"Printed by {message.by} ({in_words(message.distros)}): {message.authority}", "", ""))
+
+
+def _found(cause: LikelyCause) -> Iterator[str]:
+    """Where the rules found a cause in the user's files."""
+    for found in cause.found[:_MOST_FOUND]:
+        place = f"{visible(found.file)}:{found.line}:{found.column}"
+        yield from _paragraph(f"{place}: {found.message} ({found.code})", "       found: ", "              ")
+    if len(cause.found) > _MOST_FOUND:
+        yield f"       and {len(cause.found) - _MOST_FOUND} more"
 
 
 def _rules(cause: LikelyCause) -> str:

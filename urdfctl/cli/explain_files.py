@@ -1,0 +1,39 @@
+"""`urdfctl explain LOG --in FOLDER`: run the rules behind each cause on the robots of a folder."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from urdfctl.cli.lint_command import findings_in
+from urdfctl.cli.options import LintOptions
+from urdfctl.diagnostic import Diagnostic, Severity
+from urdfctl.logs.digest import Digest, Known
+from urdfctl.logs.evidence import CheckedFolder, FoundCause, with_findings
+from urdfctl.report.common import relative
+
+
+def checked(digest: Digest, folder: str) -> tuple[Digest, CheckedFolder]:
+    """Return the digest with the places where rules find its causes in a folder.
+
+    Of each kind, messages with such a place come first. The distro is the one that the log shows, if it shows one.
+    Raises UserError if there is nothing to lint.
+    """
+    findings = [relative(one) for one in findings_in(LintOptions(paths=[folder], distro=digest.distro or None))]
+    found = [FoundCause(one.at.file, one.at.line, one.at.column, one.code, one.message) for one in findings]
+    known = [_with(entry, found) for entry in digest.known]
+    kinds = list(dict.fromkeys(entry.kind for entry in known))
+    known.sort(key=lambda entry: (kinds.index(entry.kind), not entry.reading.is_found))
+    return digest._replace(known=tuple(known)), CheckedFolder(folder, _others(findings, known))
+
+
+def _with(known: Known, found: Sequence[FoundCause]) -> Known:
+    if known.kind == "harmless":
+        return known
+    values = {value for values in known.values for value in values.values()}
+    return known._replace(reading=with_findings(known.reading, found, values))
+
+
+def _others(findings: Sequence[Diagnostic], known: Sequence[Known]) -> int:
+    """The number of errors that no message has as a cause."""
+    codes = {found.code for entry in known for cause in entry.reading.causes for found in cause.found}
+    return sum(one.severity is Severity.ERROR and one.code not in codes for one in findings)
