@@ -70,6 +70,14 @@ def test_the_integral_part_holds_the_weight_within_the_effort_limit() -> None:
     assert (level.i, level.i_clamp) == (0.0, None)
 
 
+def test_a_joint_with_damping_and_friction_still_moves_at_once() -> None:
+    stiff = JointFacts("j", inertia=0.002, effort=54.0, damping=0.5, friction=0.3, load=Load(0.0, 0.002, 0.001))
+    gains = starting_gains(stiff, "position", "effort", Loop(0.001, 6))
+    assert stiff.damping / gains.p <= 0.1  # s
+    assert gains.i_clamp is not None
+    assert gains.i_clamp >= 0.3
+
+
 def test_damping_is_stable_for_the_lightest_load_at_the_update_rate() -> None:
     light = JointFacts("j", inertia=1.0, effort=90.0, load=Load(gravity=20.0, heaviest=1.0, lightest=0.01))
     for rate in (100, 500, 1000):

@@ -272,8 +272,9 @@ def test_everything_is_written_and_can_be_checked_again(folder: Folder) -> None:
     assert command(*words).returncode == 0
     assert command(*words, "--check").returncode == 0
     assert command("lint", "out", "--distro", "jazzy").returncode == 0
-    texts = [path.read_text() for path in (folder.path / "out").rglob("*") if path.is_file()]
-    assert len(texts) == 6
+    files = [path for path in (folder.path / "out").rglob("*") if path.is_file()]
+    texts = [path.read_text() for path in files if path.name != "everything.urdf"]
+    assert len(texts) == 7
     assert all("made by urdfctl gen-all everything.urdf" in text for text in texts)
     made_by = (folder.path / "out/urdf/control.xacro").read_text().splitlines()[1]
     again = made_by.removeprefix("<!-- made by urdfctl ").removesuffix(" -->").split()
@@ -311,13 +312,14 @@ def test_what_the_robot_is_given_is_passed_on(folder: Folder, tmp_path: Path) ->
     assert "cannot pass 'side:=right one'; use --form python or gen-all" in refused.stderr
 
 
-def test_that_a_robot_is_in_no_package_is_told(folder: Folder) -> None:
-    folder.write({"everything.urdf": robot()})
-    ran = command("gen-all", "everything.urdf", "--type", "velocity", "--distro", "jazzy", "-o", "out")
-    assert ran.stderr.splitlines() == [
-        "urdfctl: 'everything.urdf' is not in a package, so installed files cannot find it",
-        "urdfctl: 6 files written to 'out'; build the workspace, then: ros2 launch out control.launch.py",
-    ]
+def test_a_robot_in_no_package_is_copied_unless_it_includes_files(folder: Folder) -> None:
+    include = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:include filename="everything.urdf"/></robot>'
+    folder.write({"everything.urdf": robot(), "outer.xacro": include})
+    words = ("--type", "velocity", "--distro", "jazzy", "--joint", "arm")
+    assert command("gen-all", "everything.urdf", *words, "-o", "out").returncode == 0
+    assert (folder.path / "out/urdf/everything.urdf").read_text() == robot()
+    ran = command("gen-all", "outer.xacro", *words, "-o", "other")
+    assert "'outer.xacro' is not in a package, so installed files cannot find it" in ran.stderr
 
 
 @pytest.mark.parametrize("distro", sample(ALL, 5))

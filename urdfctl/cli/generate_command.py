@@ -8,8 +8,9 @@ import shlex
 import sys
 from collections.abc import Iterable, Mapping
 
-from urdfctl.catalog.catalog import catalog_with
+from urdfctl.catalog.catalog import Catalog, catalog_with
 from urdfctl.cli.generate_again import words_of_generated_file
+from urdfctl.cli.generate_distro import known_distro, made_for_newest, simulator_of
 from urdfctl.cli.generate_requests import needs_joints, with_requests
 from urdfctl.cli.generate_writing import Writing, deliver
 from urdfctl.cli.slips import check_description
@@ -24,7 +25,9 @@ from urdfctl.generate.everything import Order, files
 from urdfctl.generate.facts import NO_ROBOT, JointFacts, RobotFacts
 from urdfctl.generate.job import measure_robot
 from urdfctl.generate.joint_list import joints_listed
-from urdfctl.generate.options import Options, Roles
+from urdfctl.generate.next_steps import steps_after
+from urdfctl.generate.options import File, Options, Roles
+from urdfctl.generate.parameters import Controller
 from urdfctl.generate.scalars import xacro_text
 from urdfctl.generate.templates import Templates, template_names
 from urdfctl.report.common import Report
@@ -32,6 +35,7 @@ from urdfctl.report.text import render
 from urdfctl.source.files import MAX_BYTES, named_bytes
 from urdfctl.source.packages import package_name
 from urdfctl.startup.hints import TYPE_CHECKING, Any
+from urdfctl.startup.records import NamedTuple
 
 _LISTS = (".txt", ".csv", ".tsv", ".yaml", ".yml", ".json", ".list")
 _NOT_REPEATED = frozenset(
@@ -50,9 +54,9 @@ _NOT_REPEATED = frozenset(
         "trust",
     }
 )
+_OWN_NAMES = ("robot.urdf.xacro", "control.xacro")
 _PARTS = ("gen-transmissions", "gen-ros2-control", "gen-gazebo")
 _NAMES = {"types": "type", "command_interface": "command"}
-_DEFAULT_DISTRO = {1: "noetic", 2: "jazzy", None: "jazzy"}
 
 
 if TYPE_CHECKING:
@@ -82,22 +86,40 @@ def run_generate(options: GenerateOptions) -> int:
             **given,
             "words": [os.path.relpath(robot.file), *words],
         }  # name the robot: the generated files may hide it next time
-    requested = _options(command, given, settings, robot)
     joints = chosen(robot, listed, given.get("joints") or (), given.get("exclude") or ())
-    requested = with_requests(requested, command, given.get("controller") or (), joints, robot)
-    catalog = catalog_with(settings.additions)
-    if not joints and command != "gen-gazebo" and needs_joints(requested, catalog):
-        raise UserError(_no_joints(robot))
-    if command == "gen-all" and robot and not robot.package:
-        print_message(f"'{robot.file}' is not in a package, so installed files cannot find it")
     immovable = stuck(robot, joints) if robot and not (listed or given.get("joints")) else ()
     if immovable:
         print_message(
             f"left out because their limits allow no motion: {', '.join(immovable)}. Include them with --joint"
         )
-    order = Order(joints, requested, catalog, robot or NO_ROBOT, Templates(given["templates"]))
+    catalog, templates = catalog_with(settings.additions), Templates(given["templates"])
+
+    def make(distro: str) -> Made:
+        requested = _options(command, given, settings, robot, distro, catalog)
+        requested, proposal = with_requests(requested, command, given.get("controller") or (), joints, robot)
+        if not joints and command != "gen-gazebo" and needs_joints(requested, catalog):
+            raise UserError(_no_joints(robot))
+        order = Order(joints, requested, catalog, robot or NO_ROBOT, templates)
+        return Made(requested, files(command, order), order.made_if_typed(), proposal)
+
+    distro = known_distro(settings, robot)
+    made = make(distro) if distro else made_for_newest(robot, make)
+    if made.proposal:
+        print_message(made.proposal)
+    if command == "gen-all" and robot and not robot.package and not made.options.robot_text:
+        print_message(f"'{robot.file}' is not in a package, so installed files cannot find it")
     writing = Writing(given["output"], given["force"], given["diff"], given["check"], given.get("into"))
-    return deliver(files(command, order), writing, many=command == "gen-all")
+    steps = tuple(steps_after(command, made.controllers, made.options, given["output"] or ""))
+    return deliver(made.files, writing, many=command == "gen-all", steps=steps)
+
+
+class Made(NamedTuple):
+    """Generated files with the options and controllers that they are made from, and the proposal of controllers."""
+
+    options: Options
+    files: list[File]
+    controllers: tuple[Controller, ...]
+    proposal: str
 
 
 def _no_joints(robot: RobotFacts | None) -> str:
@@ -153,13 +175,13 @@ def _text(path: str) -> str:
         raise UserError(f"'{path}' cannot be read: it is not UTF-8") from None
 
 
-def _options(command: str, given: Mapping[str, Any], settings: Settings, robot: RobotFacts | None) -> Options:
-    distro = settings.distro or (robot.distro if robot else None) or settings.environ.get("ROS_DISTRO")
-    if not distro:
-        distro = _DEFAULT_DISTRO[robot.ros if robot else None]
-        print_message(f"ROS distro is unknown; using {distro}. Set it with --distro")
-    simulator = settings.simulator or (robot.simulator if robot else None) or "none"
+def _options(
+    command: str, given: Mapping[str, Any], settings: Settings, robot: RobotFacts | None, distro: str, catalog: Catalog
+) -> Options:
+    simulator = settings.simulator or (robot.simulator if robot else None)
+    simulator = simulator or simulator_of(distro, command, catalog)
     defaults = Options(distro)
+    copied = _copied(command, robot)
     states = given.get("state")
     return Options(
         distro=distro,
@@ -179,7 +201,8 @@ def _options(command: str, given: Mapping[str, Any], settings: Settings, robot: 
         package=_package(command, given, robot),
         controllers_file=given.get("controllers") or defaults.controllers_file,
         description=robot.package_path if robot else None,
-        robot_file=_included(given, robot),
+        robot_file=_included(given, robot) if not copied else f"$(find {_package(command, given, robot)})/{copied[0]}",
+        robot_text=copied,
         arguments=tuple(split_arguments(given["words"] or ())[1].items()),
         macro=bool(given.get("macro")),
         form=given.get("form") or defaults.form,
@@ -206,6 +229,17 @@ def _included(given: Mapping[str, Any], robot: RobotFacts | None) -> str:
     if robot.package:
         return f"$(find {robot.package})/{xacro_text(robot.package_path)}"
     return xacro_text(os.path.relpath(robot.file, os.path.join(given.get("output") or "", "urdf")).replace(os.sep, "/"))
+
+
+def _copied(command: str, robot: RobotFacts | None) -> tuple[str, str] | None:
+    """Return the path and text of a robot's copy in the package: of one that is in no package and includes no files."""
+    if command != "gen-all" or robot is None or robot.file is None or robot.package:
+        return None
+    text = _text(robot.file)
+    if "xacro:include" in text:
+        return None
+    name = os.path.basename(robot.file)
+    return f"urdf/{'base_' if name in _OWN_NAMES else ''}{name}", text
 
 
 def _split(given: Iterable[str] | None) -> list[str]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from urdfctl.catalog.catalog import Catalog
-from urdfctl.cli.writing import print_message
 from urdfctl.generate.facts import JointFacts, RobotFacts
 from urdfctl.generate.options import Options
 from urdfctl.generate.proposals import proposed, shown
@@ -17,18 +16,20 @@ _OF_CONTROLLERS = ("gen-controllers", "gen-launch", "gen-all")
 
 def with_requests(
     options: Options, command: str, texts: Sequence[str], joints: Sequence[JointFacts], robot: RobotFacts | None
-) -> Options:
-    """Return the options with the requested controllers. UserError if the requests are malformed or unclear."""
+) -> tuple[Options, str]:
+    """Return the options with the requested controllers, and a line about those that were proposed, or an empty one.
+
+    UserError if the requests are malformed or unclear.
+    """
     asked = requested(texts)
     if not asked and any(joint.controller or joint.controller_type for joint in joints):
         default = options.types[0] if len(options.types) == 1 else None
-        return options._replace(requests=of_list(joints, default), types=())
+        return options._replace(requests=of_list(joints, default), types=()), ""
     if asked or options.types or command not in _OF_CONTROLLERS or robot is None:
-        return options._replace(requests=asked)
+        return options._replace(requests=asked), ""
     found = proposed(robot, joints, options)
-    if found:
-        print_message(f"controllers proposed from the robot: {shown(found)}")
-    return options._replace(requests=found)
+    line = f"controllers proposed from the robot: {shown(found)}" if found else ""
+    return options._replace(requests=found), line
 
 
 def needs_joints(options: Options, catalog: Catalog) -> bool:

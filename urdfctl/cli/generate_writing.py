@@ -24,8 +24,11 @@ class Writing(NamedTuple):
     into: str | None
 
 
-def deliver(files: Sequence[File], writing: Writing, *, many: bool) -> int:
-    """Write, show or check the files, and return the exit status: 1 if a check finds a file out of date."""
+def deliver(files: Sequence[File], writing: Writing, *, many: bool, steps: Sequence[str] = ()) -> int:
+    """Write, show or check the files, and return the exit status: 1 if a check finds a file out of date.
+
+    steps: what to do after files were written, one line each.
+    """
     if writing.into is not None:
         return _insert(files[0], writing.into, writing)
     if (writing.check or many) and writing.output is None:
@@ -49,16 +52,11 @@ def deliver(files: Sequence[File], writing: Writing, *, many: bool) -> int:
     for path, text in stale:
         _make_folder(os.path.dirname(path))
         write_file(path, text, force=writing.force)
-    if many and stale:
-        print_message(_what_next(len(stale), writing.output, files))
+    if stale and (many or steps):
+        print_message(f"{len(stale)} file{'s' * (len(stale) > 1)} written to '{writing.output}'")
+        for step in steps:
+            print_message(f"next: {step}")
     return 0
-
-
-def _what_next(number: int, folder: str, files: Sequence[File]) -> str:
-    """Return a summary, with the command to start the robot from the launch file's first lines."""
-    what = f"{number} file{'s' * (number > 1)} written to '{folder}'"
-    start = next((match[1] for file in files if (match := re.search(r"Start it: (.*?)(?: -->)?\n", file.text))), None)
-    return f"{what}; build the workspace, then: {start}" if start else what
 
 
 def _insert(file: File, path: str, writing: Writing) -> int:

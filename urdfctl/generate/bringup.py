@@ -30,11 +30,10 @@ def launch_file(made: Sequence[Controller], options: Options, templates: Templat
     """Return the launch file that starts the controllers, in this order. UserError if the options do not fit."""
     if options.form not in FORMS:
         raise UserError(f"--form must be one of {', '.join(FORMS)}, not '{options.form}'")
-    ending = FORMS[options.form] if options.ros == 2 else "launch"  # noqa: PLR2004
-    name, space = f"control.{ending}", options.namespace
+    name, space = launch_name(options), options.namespace
     names = [controller.name for controller in made if not controller.waits]
     text = templates.render(
-        f"launch/ros2.{ending}" if options.ros == 2 else "launch/ros1.launch",  # noqa: PLR2004
+        f"launch/ros{options.ros}.{name.partition('.')[2]}",
         command=options.command,
         file=name,
         package=options.package or "my_robot_control",
@@ -57,6 +56,11 @@ def launch_file(made: Sequence[Controller], options: Options, templates: Templat
         gz=_gz(options.distro),
     )
     return File(f"launch/{name}", text)
+
+
+def launch_name(options: Options) -> str:
+    """Return the name of the launch file."""
+    return f"control.{FORMS[options.form] if options.ros == 2 else 'launch'}"  # noqa: PLR2004
 
 
 def _arguments(options: Options) -> str:
@@ -132,10 +136,12 @@ def dependencies(
     return sorted(name for name in packages if name and name != options.package)
 
 
-def package_files(depends: Sequence[str], options: Options, templates: Templates, title: str) -> list[File]:
-    """Return package.xml and CMakeLists.txt of the generated package."""
-    values = {"command": options.command, "ros": options.ros, "package": options.package, "title": title}
+def package_files(
+    depends: Sequence[str], options: Options, templates: Templates, title: str, xml_command: str
+) -> list[File]:
+    """Return package.xml and CMakeLists.txt of the generated package. `xml_command` is the command for a comment."""
+    values = {"ros": options.ros, "package": options.package, "title": title}
     return [
-        File("package.xml", templates.render("package/package.xml", **values, depends=depends)),
-        File("CMakeLists.txt", templates.render("package/CMakeLists.txt", **values)),
+        File("package.xml", templates.render("package/package.xml", **values, command=xml_command, depends=depends)),
+        File("CMakeLists.txt", templates.render("package/CMakeLists.txt", **values, command=options.command)),
     ]

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.errors import UserError
-from urdfctl.generate.bringup import dependencies, launch_file, package_files
+from urdfctl.generate.bringup import dependencies, launch_file, launch_name, package_files
 from urdfctl.generate.controllers import controllers
 from urdfctl.generate.controllers_file import controllers_file
 from urdfctl.generate.descriptions import (
@@ -160,14 +160,29 @@ def _all(order: Order) -> list[File]:
     includes = [order.options.robot_file]
     includes += [f"$(find {options.package})/urdf/control.xacro"] if blocks else []
     depends = dependencies(made, options, order.catalog, robot.package)
-    manifest = order._replace(options=options._replace(command=_one_dash(options.command)))
     return [
         controllers_file(made, options, order.templates, order.title),
         *([_wrapped(order, "urdf/control.xacro", *blocks)] if blocks else []),
         _wrapped(order, "urdf/robot.urdf.xacro", includes=includes, robot=robot.name or "robot"),
         _launch_file(order._replace(options=options._replace(arguments=())), made),
-        *package_files(depends, manifest.options, order.templates, order.title),
+        *([File(*options.robot_text)] if options.robot_text else []),
+        _settings(order),
+        *package_files(depends, options, order.templates, order.title, _one_dash(options.command)),
     ]
+
+
+def _settings(order: Order) -> File:
+    """The configuration that makes lint and smoke agree with the generator."""
+    options = order.options
+    text = order.templates.render(
+        "package/urdfctl.toml",
+        command=options.command,
+        distro=options.distro,
+        simulator=options.simulator,
+        controllers_file=options.controllers_file,
+        launch=launch_name(options),
+    )
+    return File("urdfctl.toml", text)
 
 
 GENERATORS: Mapping[str, Callable[[Order], list[File]]] = {

@@ -26,9 +26,11 @@ class JointFacts(NamedTuple):
 
     `at` and `axis` are in the frame of the root link. `radius` is that of the wheel it turns, in m. `inertia` is the
     load that it moves with all joints at zero, in kg m2, or kg for a prismatic joint; `load` is that of the worst
-    pose, None if it is unknown. `link` is the child link, `above` the next joint towards
-    the root that moves, and `mimic` the joint that it follows, with multiplier and offset. `interface`, `gains`,
-    `reduction`, `controller` and `controller_type` come from a joint list.
+    pose, None if it is unknown. `damping` and `friction` are its own, in N m s/rad and N m, or N s/m and N.
+
+    `link` is the child link, `above` the next joint towards the root that moves, and `mimic` the joint that it follows,
+    with multiplier and offset. `interface`, `gains`, `reduction`, `controller` and `controller_type` come from a joint
+    list.
     """
 
     name: str
@@ -51,6 +53,8 @@ class JointFacts(NamedTuple):
     controller: str | None = None
     controller_type: str | None = None
     load: Load | None = None
+    damping: float = 0.0
+    friction: float = 0.0
 
     @property
     def can_move(self) -> bool:
@@ -79,6 +83,8 @@ class RobotFacts(NamedTuple):
     `root` is its root link, `fixed` are the joints that do not move. `interfaces` are the command interfaces that its
     joints already have from transmissions or `<ros2_control>` tags. `parts` are the joints, sensors and gpios of these
     tags. `hosts` are the file names of its simulator plugins. `sensor_links` are the links of its sensors by name.
+    `distro` is that of the robot, None if several `distros` are possible. `arguments` are its xacro arguments with
+    their defaults.
     """
 
     name: str | None = None
@@ -94,8 +100,10 @@ class RobotFacts(NamedTuple):
     hosts: tuple[str, ...] = ()
     sensor_links: Mapping[str, str] = {}
     distro: str | None = None
+    distros: tuple[str, ...] = ()
     ros: int | None = None
     simulator: str | None = None
+    arguments: Mapping[str, str] = {}
 
     def of_kind(self, kind: str) -> tuple[PartFacts, ...]:
         """Return the joints, sensors or gpios of its `<ros2_control>` tags."""

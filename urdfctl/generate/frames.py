@@ -133,7 +133,7 @@ def _radius(link: Link | None) -> float | None:
     """The radius of the largest cylinder or sphere of a link, in m. Collision geometry comes first."""
     for role in ("collision", "visual"):
         shapes = [each.shape for each in (link.geometries if link else ()) if each.role == role and each.shape]
-        found = [_number(shape.attributes.get("radius")) for shape in shapes if shape.name in ("cylinder", "sphere")]
+        found = [number_of(shape.attributes.get("radius")) for shape in shapes if shape.name in ("cylinder", "sphere")]
         known = [radius for radius in found if radius]
         if known:
             return max(known)
@@ -147,14 +147,15 @@ def origin_of(tag: Tag | None) -> Pose:
 
 
 def _vector(text: str | None, otherwise: Vector) -> Vector:
-    numbers = [_number(part) for part in (text or "").split()]
+    numbers = [number_of(part) for part in (text or "").split()]
     if len(numbers) != 3 or None in numbers:  # noqa: PLR2004
         return otherwise
     x, y, z = (number or 0.0 for number in numbers)
     return x, y, z
 
 
-def _number(text: str | None) -> float | None:
+def number_of(text: str | None) -> float | None:
+    """Return a finite number, or None if a text is none."""
     try:
         value = float(text or "")
     except ValueError:

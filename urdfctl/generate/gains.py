@@ -19,6 +19,8 @@ _DAMPING, _LEAST_DAMPING = 1.0, 0.35
 """The damping ratio of the loop, and the least one if the update rate limits the damping."""
 _PER_UPDATE = 0.5
 """The part of its velocity that damping may take from the lightest load in one update, for all joints together."""
+_LAG = 0.1
+"""The time, in s, by which the joint's own damping may delay it."""
 _INTEGRAL = 1.0
 """I as a fraction of P, in 1/s: slower than the loop."""
 _MARGIN = 1.25
@@ -75,29 +77,31 @@ def _most_damping(load: Load, loop: Loop) -> float:
 
 
 def _of_position(joint: JointFacts, load: Load, loop: Loop, mass: str) -> Gains:
-    w, how = 2 * math.pi * _HERTZ, f"load of {mass}"
-    p = load.heaviest * w * w
-    if load.gravity / _SAG > p:
-        p, how = load.gravity / _SAG, f"weight of {load.gravity:.3g} {'N' if joint.slides else 'N m'}"
-    limit = joint.effort / (_STIFFEST if load.gravity else _FULL_EFFORT_AT) if joint.effort else None
+    w, unit = 2 * math.pi * _HERTZ, "N" if joint.slides else "N m"
+    held = load.gravity + joint.friction
+    wanted = {
+        f"load of {mass}": load.heaviest * w * w,
+        f"weight of {load.gravity:.3g} {unit}": held / _SAG,
+        "damping of the joint": joint.damping / _LAG,
+    }
+    how, p = max(wanted.items(), key=lambda item: item[1])
+    limit = joint.effort / (_STIFFEST if held or joint.damping else _FULL_EFFORT_AT) if joint.effort else None
     if limit and p > limit:
         p, how = limit, "effort limit"
-    d = 2 * _DAMPING * math.sqrt(p * load.heaviest)
+    d = max(0.0, 2 * _DAMPING * math.sqrt(p * load.heaviest) - joint.damping)
     most = _most_damping(load, loop)
     if d > most:
         d = most
-        softest = (d / (2 * _LEAST_DAMPING)) ** 2 / load.heaviest
+        softest = ((d + joint.damping) / (2 * _LEAST_DAMPING)) ** 2 / load.heaviest
         if p > softest:
             p, how = softest, f"update rate of {1 / loop.period:g} Hz"
-    holds = load.gravity / p > _LEAST_SAG
-    clamp = load.gravity * _MARGIN
-    clamp = min(clamp, joint.effort) if joint.effort else clamp
-    i = _INTEGRAL * min(p, clamp / _LEAST_SAG) if holds else 0.0
+    holds = held / p > _LEAST_SAG
+    clamp = min(held * _MARGIN, joint.effort or math.inf)
     note = f"; the weight of {load.gravity:.3g} exceeds the effort limit" if _too_weak(joint, load) else ""
     return Gains(
         p=_short(p),
-        i=_short(i) if i else 0.0,
-        d=_short(d),
+        i=_short(_INTEGRAL * p) if holds else 0.0,
+        d=_short(d) if d else 0.0,
         how=f"{_START}, from the {how}{note}",
         i_clamp=_short(clamp) if holds else None,
     )

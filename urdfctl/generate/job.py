@@ -63,6 +63,8 @@ def measure_work(work: Work) -> dict[str, Any]:
         package=package_name(os.path.join(folder, "package.xml")) if folder else None,
         package_path=os.path.relpath(path, folder).replace(os.sep, "/") if folder else None,
         distro=evidence.distro,
+        distros=evidence.distros,
+        arguments={name: node.attrs.get("default", "") for name, node in expander.declared.items()},
         ros=evidence.ros,
         simulator=evidence.simulator,
     )

@@ -45,7 +45,8 @@ class Options(NamedTuple):
     None for the one that the controllers need.
 
     `controllers_file`, `description` and `package` are the places of the installed files. `robot_file` is the path by
-    which a generated xacro file includes the robot, and `arguments` are its xacro arguments.
+    which a generated xacro file includes the robot, `arguments` are its xacro arguments, and `robot_text` is the
+    path and text of a copy of the robot in the package.
     """
 
     distro: str
@@ -66,6 +67,7 @@ class Options(NamedTuple):
     controllers_file: str = "config/controllers.yaml"
     description: str | None = None
     robot_file: str = "robot.urdf"
+    robot_text: tuple[str, str] | None = None
     arguments: tuple[tuple[str, str], ...] = ()
     macro: bool = False
     form: str = "python"

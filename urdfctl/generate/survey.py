@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.generate.facts import JointFacts, Load, PartFacts, RobotFacts
-from urdfctl.generate.frames import Measured, measured, root_of
+from urdfctl.generate.frames import Measured, measured, number_of, root_of
 from urdfctl.generate.loads import loads_of
 from urdfctl.model.parts import Number
 from urdfctl.model.robot import Joint, Robot
@@ -124,6 +124,8 @@ def _joint(name: str, joint: Joint, measurement: Measured | None) -> JointFacts:
         radius=measurement.radius if measurement else None,
         inertia=measurement.inertia if measurement else None,
         link=joint.child.name if joint.child else None,
+        damping=_dynamics(joint, "damping"),
+        friction=_dynamics(joint, "friction"),
     )
 
 
@@ -132,6 +134,12 @@ def _followed(joint: Joint) -> tuple[str, float, float] | None:
         return None
     multiplier, offset = _value(joint.mimic.multiplier), _value(joint.mimic.offset)
     return joint.mimic.joint, 1.0 if multiplier is None else multiplier, offset or 0.0
+
+
+def _dynamics(joint: Joint, name: str) -> float:
+    """A value of `<dynamics>`; 0 if there is none, or if it is not a number."""
+    dynamics = next(joint.tag.named("dynamics"), None)
+    return max(0.0, number_of(dynamics.attributes.get(name)) or 0.0) if dynamics else 0.0
 
 
 def _value(number: Number | None) -> float | None:
