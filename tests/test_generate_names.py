@@ -101,8 +101,8 @@ def test_files_are_the_same_in_processes_that_hash_otherwise(folder: Folder) -> 
         ran = folder.run(
             *words, seed, "--package", "p", text="wrist\nelbow\nshoulder\n", environ={"PYTHONHASHSEED": seed}
         )
-        what_next = f"urdfctl: 6 files written to '{seed}'; build the workspace, then: roslaunch p control.launch\n"
-        assert (ran.returncode, ran.stderr) == (0, what_next)
+        assert ran.returncode == 0
+        assert "next: roslaunch p control.launch\n" in ran.stderr
     assert command(*words, "1", "--package", "p", "--check", text="wrist\nelbow\nshoulder\n").returncode == 0
     for path in (folder.path / "1").rglob("*.*"):
         assert path.read_bytes() == (folder.path / "2" / path.relative_to(folder.path / "1")).read_bytes()

@@ -6,6 +6,7 @@ from itertools import product
 from pathlib import Path
 
 import pytest
+import yaml
 from folder import Folder
 from generating import JOINTS, ROBOT, command, made, roles_of, told
 from sampling import sample
@@ -274,7 +275,9 @@ def test_everything_is_written_and_can_be_checked_again(folder: Folder) -> None:
     assert command("lint", "out", "--distro", "jazzy").returncode == 0
     files = [path for path in (folder.path / "out").rglob("*") if path.is_file()]
     texts = [path.read_text() for path in files if path.name != "everything.urdf"]
-    assert len(texts) == 7
+    assert len(texts) == 8
+    moveit = yaml.safe_load((folder.path / "out/config/moveit_controllers.yaml").read_text())
+    assert moveit["moveit_simple_controller_manager"]["controller_names"] == ["joint_trajectory_controller"]
     assert all("made by urdfctl gen-all everything.urdf" in text for text in texts)
     made_by = (folder.path / "out/urdf/control.xacro").read_text().splitlines()[1]
     again = made_by.removeprefix("<!-- made by urdfctl ").removesuffix(" -->").split()
@@ -302,14 +305,17 @@ def test_what_the_robot_is_given_is_passed_on(folder: Folder, tmp_path: Path) ->
     expanded = command("expand", "q/urdf/robot.urdf.xacro", "--package-path", ".").stdout
     assert expanded.count('<joint name="right one_joint"') == 2
     launch = command("gen-launch", "urdf/r.xacro", "side:=right", *words).stdout
-    assert 'Command(["xacro ", robot_file, " side:=right"])' in launch
-    for form in ("xml", "yaml"):
-        assert (
-            "urdf/r.xacro side:=right')"
-            in command("gen-launch", "urdf/r.xacro", "side:=right", *words, "--form", form).stdout
-        )
+    assert 'DeclareLaunchArgument("side", default_value="right")' in launch
+    assert """" side:='",\n            LaunchConfiguration("side"),\n            "'",""" in launch
+    for form, default in (("xml", 'default="right"'), ("yaml", 'default: "right"')):
+        launch = command("gen-launch", "urdf/r.xacro", "side:=right", *words, "--form", form).stdout
+        assert "urdf/r.xacro side:=$(var side)')" in launch
+        assert default in launch
+    launch = command("gen-launch", "urdf/r.xacro", "--type", "velocity", "--distro", "noetic").stdout
+    assert '<arg name="side" default="left"/>' in launch
+    assert "urdf/r.xacro' side:=$(arg side)" in launch
     refused = command("gen-launch", "urdf/r.xacro", "side:=right one", *words, "--form", "xml")
-    assert "cannot pass 'side:=right one'; use --form python or gen-all" in refused.stderr
+    assert "cannot pass 'side:=right one'; use --form python" in refused.stderr
 
 
 def test_a_robot_in_no_package_is_copied_unless_it_includes_files(folder: Folder) -> None:

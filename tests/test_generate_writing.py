@@ -233,6 +233,19 @@ def test_a_package_of_the_robot_that_was_found_is_made_again(folder: Folder) -> 
     assert command("gen-check") == (0, "", "")
 
 
+def test_gen_check_works_in_the_package_and_in_the_workspace(folder: Folder) -> None:
+    folder.write({"src/r.urdf": ROBOT})
+    os.chdir(folder.path / "src")
+    assert command("gen-all", "r.urdf", *EFFORT, "-o", "made").returncode == 0
+    for place in ("src", "src/made", "src/made/config", "."):
+        os.chdir(folder.path / place)
+        assert command("gen-check") == (0, "", "")
+    (folder.path / "src/r.urdf").write_text(ROBOT.replace('name="j"', 'name="k"'))
+    for place in ("src", "src/made", "."):
+        os.chdir(folder.path / place)
+        assert command("gen-check").returncode == 1
+
+
 def test_what_cannot_be_made_again_is_named(folder: Folder) -> None:
     folder.write({"r.urdf": ROBOT, "c.yaml": "# made by urdfctl gen-controllers r.urdf --type efort --distro jazzy\n"})
     assert command("gen-check").stderr.startswith("urdfctl: 'c.yaml' cannot be generated again: unknown type 'efort'")
@@ -249,7 +262,9 @@ def test_what_cannot_be_made_again_is_named(folder: Folder) -> None:
 )
 def test_what_cannot_or_may_not_be_made_again_is_passed_over(said: str, why: str, folder: Folder) -> None:
     folder.write({"r.urdf": ROBOT, "c.yaml": f"# made by urdfctl {said}\n", "d.yaml": "# made by urdfctl gen-all 'x\n"})
-    assert command("gen-check") == (0, "", f"urdfctl: 'c.yaml' is skipped: {why}\n")
+    ran = command("gen-check")
+    assert (ran.returncode, ran.stdout) == (2, "")
+    assert "no generated file was checked in this folder" in ran.stderr
     assert command("gen-check", "none").stderr == "urdfctl: file or folder 'none' does not exist\n"
 
 

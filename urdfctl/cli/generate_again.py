@@ -47,7 +47,10 @@ def run_again(paths: Sequence[str], run_words: Callable[[Sequence[str]], int], *
     run_words: runs a command line and returns its exit status.
     """
     stale = False
-    for origin in dict.fromkeys(_origins(paths or ["."])):
+    origins = list(dict.fromkeys(_origins(paths or ["."])))
+    if not origins:
+        raise UserError(f"no generated file was checked in {', '.join(paths or ['this folder'])}")
+    for origin in origins:
         with _working_in(origin.home):
             try:
                 status = run_words([*origin.command, "--force" if update else "--check"])
@@ -99,10 +102,14 @@ def _origin(file: str, words: tuple[str, ...]) -> Origin | None:
     first = takewhile(lambda word: word == "-" or not word.startswith("-"), words[1:])
     inputs = [word for word in first if ":=" not in word]
     forbidden = next((word for word in words if _FORBIDDEN.fullmatch(word)), None)
-    above = list(folders_upwards(os.path.dirname(os.path.abspath(file))))
+    folder = os.path.dirname(os.path.abspath(file))
+    package = os.path.dirname(folder) if os.path.basename(folder) in _PARTS else folder
+    above = list(folders_upwards(folder))
     if not inputs:
         above = [folder for folder in above if os.path.exists(os.path.join(folder, "package.xml"))]
     homes = [os.curdir, *above] if inputs or not above else above
+    if words[0] == "gen-all":  # the package holds a copy of its robot, which is no input
+        homes = [home for home in homes if not f"{os.path.abspath(home)}{os.sep}".startswith(f"{package}{os.sep}")]
     home = next((home for home in homes if all(os.path.exists(os.path.join(home, path)) for path in inputs)), None)
     if forbidden or home is None or "-" in inputs:
         why = f"its command sets {forbidden}" if forbidden else f"its input '{' '.join(inputs)}' does not exist"
@@ -111,8 +118,6 @@ def _origin(file: str, words: tuple[str, ...]) -> Origin | None:
         return None
     if words[0] != "gen-all":
         return Origin(os.path.abspath(file), words, os.path.abspath(home))
-    folder = os.path.dirname(os.path.abspath(file))
-    package = os.path.dirname(folder) if os.path.basename(folder) in _PARTS else folder
     return Origin(package, words, os.path.abspath(home))
 
 

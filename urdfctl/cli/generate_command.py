@@ -8,7 +8,7 @@ import shlex
 import sys
 from collections.abc import Iterable, Mapping
 
-from urdfctl.catalog.catalog import Catalog, catalog_with
+from urdfctl.catalog.catalog import catalog_with
 from urdfctl.cli.generate_again import words_of_generated_file
 from urdfctl.cli.generate_distro import known_distro, made_for_newest, simulator_of
 from urdfctl.cli.generate_requests import needs_joints, with_requests
@@ -95,7 +95,8 @@ def run_generate(options: GenerateOptions) -> int:
     catalog, templates = catalog_with(settings.additions), Templates(given["templates"])
 
     def make(distro: str) -> Made:
-        requested = _options(command, given, settings, robot, distro, catalog)
+        simulator = settings.simulator or (robot.simulator if robot else None) or simulator_of(distro, command, catalog)
+        requested = _options(command, given, robot, distro, simulator)
         requested, proposal = with_requests(requested, command, given.get("controller") or (), joints, robot)
         if not joints and command != "gen-gazebo" and needs_joints(requested, catalog):
             raise UserError(_no_joints(robot))
@@ -175,11 +176,7 @@ def _text(path: str) -> str:
         raise UserError(f"'{path}' cannot be read: it is not UTF-8") from None
 
 
-def _options(
-    command: str, given: Mapping[str, Any], settings: Settings, robot: RobotFacts | None, distro: str, catalog: Catalog
-) -> Options:
-    simulator = settings.simulator or (robot.simulator if robot else None)
-    simulator = simulator or simulator_of(distro, command, catalog)
+def _options(command: str, given: Mapping[str, Any], robot: RobotFacts | None, distro: str, simulator: str) -> Options:
     defaults = Options(distro)
     copied = _copied(command, robot)
     states = given.get("state")

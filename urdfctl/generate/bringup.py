@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import shlex
 from collections.abc import Sequence
 
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.distros import since
 from urdfctl.errors import UserError
+from urdfctl.generate.facts import RobotFacts
 from urdfctl.generate.hardware import hardware, host
+from urdfctl.generate.launch_arguments import arguments_of_robot, arguments_of_simulator, passed
 from urdfctl.generate.options import File, Options
 from urdfctl.generate.parameters import Controller
 from urdfctl.generate.templates import Templates
@@ -26,11 +27,12 @@ FORMS = {"python": "launch.py", "xml": "launch.xml", "yaml": "launch.yaml"}
 _ONE_A_SPAWNER = ("foxy", "galactic")
 
 
-def launch_file(made: Sequence[Controller], options: Options, templates: Templates, model: str) -> File:
+def launch_file(made: Sequence[Controller], options: Options, templates: Templates, robot: RobotFacts) -> File:
     """Return the launch file that starts the controllers, in this order. UserError if the options do not fit."""
     if options.form not in FORMS:
         raise UserError(f"--form must be one of {', '.join(FORMS)}, not '{options.form}'")
     name, space = launch_name(options), options.namespace
+    of_robot = arguments_of_robot(options, robot)
     names = [controller.name for controller in made if not controller.waits]
     text = templates.render(
         f"launch/ros{options.ros}.{name.partition('.')[2]}",
@@ -38,13 +40,16 @@ def launch_file(made: Sequence[Controller], options: Options, templates: Templat
         file=name,
         package=options.package or "my_robot_control",
         robot_file=options.description or "urdf/robot.urdf.xacro",
-        arguments=_arguments(options),
+        arguments=[*of_robot, *arguments_of_simulator(options)],
+        of_robot=of_robot,
+        passed_xml=passed(of_robot, "var"),
+        passed_ros1=passed(of_robot, "arg"),
         controllers_file=options.controllers_file,
         simulated=options.simulated,
         simulator=options.simulator,
         namespace=space,
         prefix=f"/{space}/" if space else "",
-        model=model,
+        model=robot.name or "robot",
         controllers=names,
         spawned=[*_spawned(names, options), *_waiting(made, options)],
         waiting=[controller.name for controller in made if controller.waits],
@@ -61,18 +66,6 @@ def launch_file(made: Sequence[Controller], options: Options, templates: Templat
 def launch_name(options: Options) -> str:
     """Return the name of the launch file."""
     return f"control.{FORMS[options.form] if options.ros == 2 else 'launch'}"  # noqa: PLR2004
-
-
-def _arguments(options: Options) -> str:
-    """The arguments of the xacro command, quoted for a shell.
-
-    UserError if this form of launch file cannot hold them.
-    """
-    words = [f"{name}:={value}" for name, value in options.arguments]
-    quoted = [word for word in words if shlex.quote(word) != word]
-    if quoted and options.ros == 2 and options.form != "python":  # noqa: PLR2004
-        raise UserError(f"a launch file in {options.form} cannot pass '{quoted[0]}'; use --form python or gen-all")
-    return "".join(f" {shlex.quote(word)}" for word in words)
 
 
 def spawner(distro: str) -> str:

@@ -19,6 +19,7 @@ from urdfctl.generate.descriptions import (
 )
 from urdfctl.generate.facts import JointFacts, RobotFacts
 from urdfctl.generate.fit import check_fit
+from urdfctl.generate.moveit import moveit_file
 from urdfctl.generate.options import File, Options
 from urdfctl.generate.parameters import Controller
 from urdfctl.generate.parse_again import checked
@@ -108,7 +109,7 @@ def _launch_file(order: Order, made: Sequence[Controller]) -> File:
     options = order.options
     if options.ros == 1 or options.form == "xml":
         options = options._replace(command=_one_dash(options.command))
-    return launch_file(made, options, order.templates, order.robot.name or "robot")
+    return launch_file(made, options, order.templates, order.robot)
 
 
 def _typed(order: Order) -> tuple[Controller, ...]:
@@ -160,11 +161,13 @@ def _all(order: Order) -> list[File]:
     includes = [order.options.robot_file]
     includes += [f"$(find {options.package})/urdf/control.xacro"] if blocks else []
     depends = dependencies(made, options, order.catalog, robot.package)
+    moveit = moveit_file(made, options, order.templates, order.title)
     return [
         controllers_file(made, options, order.templates, order.title),
+        *([moveit] if moveit else []),
         *([_wrapped(order, "urdf/control.xacro", *blocks)] if blocks else []),
         _wrapped(order, "urdf/robot.urdf.xacro", includes=includes, robot=robot.name or "robot"),
-        _launch_file(order._replace(options=options._replace(arguments=())), made),
+        _launch_file(order, made),
         *([File(*options.robot_text)] if options.robot_text else []),
         _settings(order),
         *package_files(depends, options, order.templates, order.title, _one_dash(options.command)),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
+from urdfctl.generate.bringup import launch_name
 from urdfctl.generate.facts import JointFacts
 from urdfctl.generate.options import Options
 from urdfctl.generate.parameters import Controller
@@ -13,16 +14,13 @@ _PART = 0.1
 """An example moves a joint by this part of its range."""
 
 
-def steps_after(
-    command: str, made: Sequence[Controller], options: Options, output: str, launch: str = "control.launch.py"
-) -> Iterator[str]:
+def steps_after(command: str, made: Sequence[Controller], options: Options, output: str) -> Iterator[str]:
     """Yield commands and lines for the user, for files that a generator wrote to an output."""
     package = options.package or "my_robot_control"
     if command in ("gen-transmissions", "gen-ros2-control", "gen-gazebo"):
         yield f'include it in the robot: <xacro:include filename="$(find {package})/urdf/{os.path.basename(output)}"/>'
         return
-    if command == "gen-launch":
-        launch = os.path.basename(output)
+    launch = os.path.basename(output) if command == "gen-launch" else launch_name(options)
     if command != "gen-controllers":
         build = "colcon build --packages-select" if options.ros == 2 else "catkin build"  # noqa: PLR2004
         setup = "install/setup.bash" if options.ros == 2 else "devel/setup.bash"  # noqa: PLR2004

@@ -76,3 +76,8 @@ def one_line(text: str) -> str:
 def xml_comment(text: str) -> str:
     """Return a string for an XML comment. A zero-width space separates dashes, because `--` is not allowed there."""
     return re.sub(r"-(?=-)", "-\u200b", one_line(text))
+
+
+def json_text(text: str) -> str:
+    """Return a string in double quotes, which YAML reads as a string whatever it contains."""
+    return json.dumps(text, ensure_ascii=not text.isprintable())

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 
 from urdfctl.errors import UserError
-from urdfctl.generate.scalars import one_line, python_text, xacro_text, xml_comment, xml_text, yaml_text
+from urdfctl.generate.scalars import json_text, one_line, python_text, xacro_text, xml_comment, xml_text, yaml_text
 from urdfctl.startup.hints import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -64,7 +64,6 @@ def _environment(folder: str | None) -> jinja2.Environment:
         keep_trailing_newline=True,
         autoescape=False,
     )
-    environment.filters.update(
-        yaml=yaml_text, xml=xml_text, xacro=xacro_text, python=python_text, comment=one_line, xml_comment=xml_comment
-    )
+    environment.filters.update(yaml=yaml_text, yaml_string=json_text, xml=xml_text, xacro=xacro_text)
+    environment.filters.update(python=python_text, comment=one_line, xml_comment=xml_comment)
     return environment
