@@ -37,6 +37,7 @@ def fix(
     wishes = Wishes(request.selection, request.config.ignores, fixing.unsafe)
     result = fixed(tuple(targets), settings, wishes, request.jobs or None)
     _print_lines(result.refused)
+    _print_lines(result.remarks)
     if not fixing.as_diff:
         written = _write_all(result.changes)
         return Done(len(result.changes) if written else 0, result.linted, failed=not written)

@@ -40,6 +40,8 @@ class Fixed(NamedTuple):
     """The findings that remain after the changes."""
     refused: tuple[str, ...]
     """A message for each fix that was refused, with the reason."""
+    remarks: tuple[str, ...] = ()
+    """A message for each warning that came in the place of an error."""
 
 
 class Suggestion(NamedTuple):
@@ -105,6 +107,7 @@ class _Mending:
         self.loader = shared_loader(self.targets, settings)
         self.files = EditableFiles(settings)
         self.refused: dict[frozenset[Splice], str] = {}
+        self.remarks: dict[str, None] = {}
         self.trials = 0
         self._read = [{os.path.realpath(file) for file in result.files} for result in self.linted]
 
@@ -191,6 +194,7 @@ class _Mending:
         if any(not asked_for.issuperset(suggestion.splices) for suggestion in group):
             return [_CHANGED]
         for index, verdict in verdicts.items():
+            self.remarks.update(dict.fromkeys(verdict.remarks))
             self.linted[index] = verdict.linted or self.linted[index]
         return []
 
@@ -237,6 +241,7 @@ class _Mending:
             tuple(change for change in sorted(changes) if change.before != change.after),
             tuple(self._selected(linted) for linted in self.linted),
             tuple(sorted(self.refused.values())),
+            tuple(self.remarks),
         )
 
     def _selected(self, linted: TargetResult) -> TargetResult:

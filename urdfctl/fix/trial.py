@@ -6,7 +6,7 @@ import os
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 
-from urdfctl.diagnostic import Diagnostic, Step
+from urdfctl.diagnostic import Diagnostic, Severity, Step
 from urdfctl.fix.comparison import EditedFile, edited_file, same_file, same_tree
 from urdfctl.fix.edits import Splice
 from urdfctl.lint.job import Work
@@ -29,12 +29,15 @@ class TrialResult(NamedTuple):
     """The edits that a finding of this robot suggests."""
     linted: TargetResult | None
     """The findings after the edits, None if the worker died."""
+    remarks: tuple[str, ...] = ()
+    """The less severe findings that come in the place of errors."""
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> TrialResult:
         """Return it from plain data."""
         asked_for = frozenset(Splice(*splice) for splice in data["asked_for"])
-        return cls(tuple(data["objections"]), asked_for, result_from_json(data["linted"]))
+        linted = result_from_json(data["linted"])
+        return cls(tuple(data["objections"]), asked_for, linted, tuple(data["remarks"]))
 
 
 def splices_of(diagnostic: Diagnostic) -> tuple[Splice, ...]:
@@ -54,6 +57,7 @@ def trial_work(work: Work) -> dict[str, Any]:
     return {
         "objections": list(dict.fromkeys(trial.objections())),
         "asked_for": sorted(trial.asked_for()),
+        "remarks": sorted(trial.remarks),
         "linted": result_to_json(after.result),
     }
 
@@ -73,6 +77,7 @@ class _Trial:
             if own:
                 self.edited[path] = edited_file(source, own)
         with_edits = [(diagnostic, splices_of(diagnostic)) for diagnostic in before.result.outcome.diagnostics]
+        self.remarks: set[str] = set()
         self.fixed = [(diagnostic, own) for diagnostic, own in with_edits if own and splices.issuperset(own)]
 
     def asked_for(self) -> set[Splice]:
@@ -92,7 +97,11 @@ class _Trial:
     # -- findings ------------------------------------------------------------------------------------------------------
 
     def _of_findings(self) -> Iterator[str]:
-        """The edits must not cause a new finding, and must remove the findings that they fix."""
+        """The edits must not cause a new finding, and must remove the findings that they fix.
+
+        If all of those are errors, less severe findings may come in their place, which is remarked.
+        """
+        fixes_errors = all(diagnostic.severity is Severity.ERROR for diagnostic, _ in self.fixed)
         before = Counter(self._key(diagnostic) for diagnostic in self.before.result.outcome.diagnostics)
         expected_gone = Counter(self._key(diagnostic) for diagnostic, _ in self.fixed)
         left = before - expected_gone
@@ -101,6 +110,10 @@ class _Trial:
             left[key] -= 1
             if left[key] < 0:
                 stays = key in expected_gone and left[key] >= -expected_gone[key]
+                if not stays and fixes_errors and diagnostic.severity is not Severity.ERROR:
+                    where = f"{diagnostic.at.file}:{diagnostic.at.line}:{diagnostic.at.column}"
+                    self.remarks.add(f"{where}: an error is fixed; left is {diagnostic.code}: {diagnostic.message}")
+                    continue
                 new = f"the fix would cause {diagnostic.code} ({diagnostic.message})"
                 yield "the fix would not remove the finding" if stays else new
 

@@ -59,6 +59,7 @@ LINKS = (
     Link("UC151", ("UC149",), at_its_place),
     Link("UC303", ("UC305",), at_its_place),
     Link("UC324", ("UC450", "UC451"), of_its_name),
+    Link("UC324", ("UC472",), of_its_robot),
     Link("UC345", ("UC355",), at_its_place),
     Link("UC361", ("UC471", "UC513"), of_its_robot),
     Link("UC436", ("UC435",), at_its_place),

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
 from urdfctl.control.hardware import Kind
 from urdfctl.control.session import Configured, Missing, Session
-from urdfctl.rule import Finding, Fix, Note, Project, Severity, StageDependsOn, rule
+from urdfctl.rule import Edit, Finding, Fix, Note, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.claims.common import home, of_each_candidate, place_of
 from urdfctl.rules.claims.ros1 import bare, mended_severity, unregistered
 from urdfctl.rules.common import in_words, replaced
+from urdfctl.source.span import Place
 
 _ROBOT = """
     <transmission name="elbow_trans">
@@ -90,8 +92,20 @@ def _finding(
     )
     interface_at = session.hardware.of(Kind.COMMAND, claim.component)[0].at
     notes = (Note(f"the transmission of '{claim.component}' names its interface here", interface_at.content),)
-    fix = replaced(at, controller.type.type, other) if other else Fix(change)
+    places = [session.hardware.of(Kind.COMMAND, each.claim.component)[0].at.content for each in missing]
+    fix = replaced(at, controller.type.type, other) if other else Fix(change, _renamed(places, claim.interface))
     yield Finding(at, message, notes, fix, severity)
+
+
+def _renamed(places: list[Place], interface: str) -> tuple[Edit, ...]:
+    """The edits that write an interface into transmissions, with the prefix where they have one."""
+    edits = []
+    for place in places:
+        text = place.span.text
+        if re.fullmatch(r"(hardware_interface/)?\w+Interface", text) is None:
+            return ()
+        edits.append(Edit(place.span, interface if "/" in text else bare(interface)))
+    return tuple(dict.fromkeys(edits))
 
 
 def _of_interface(project: Project, controller: Configured, interface: str) -> str | None:

@@ -130,12 +130,17 @@ def replacement(joints: Iterable[tuple[str | None, list[str]]], controlled: Cont
     for name, of_ros1 in joints:
         if not name or name in controlled:
             continue
-        of_ros2 = [INTERFACES_OF_ROS1.get(interface.rsplit("/")[-1]) for interface in of_ros1]
-        commands = [interface for interface in of_ros2 if interface] or ["position"]
-        states = dict.fromkeys(("position", "velocity", *commands))
-        inside = [f'<command_interface name="{interface}"/>' for interface in commands]
-        inside += [f'<state_interface name="{interface}"/>' for interface in states]
-        yield Note(f'in <ros2_control>, write <joint name="{name}">{"".join(inside)}</joint>')
+        yield Note(f"in <ros2_control>, write {joint_element(name, of_ros1)}")
+
+
+def joint_element(name: str, of_ros1: Iterable[str]) -> str:
+    """Return the `<joint>` of a component for a joint with hardware interfaces of ROS 1; position if none is known."""
+    of_ros2 = [INTERFACES_OF_ROS1.get(interface.rsplit("/")[-1]) for interface in of_ros1]
+    commands = [interface for interface in of_ros2 if interface] or ["position"]
+    states = dict.fromkeys(("position", "velocity", *commands))
+    inside = [f'<command_interface name="{interface}"/>' for interface in commands]
+    inside += [f'<state_interface name="{interface}"/>' for interface in states]
+    return f'<joint name="{name}">{"".join(inside)}</joint>'
 
 
 def is_number(text: str) -> bool:

@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.rule import Finding, Fix, Project, Severity, rule
+from urdfctl.model.ros2_control import ControlTransmission
+from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import label
-from urdfctl.rules.ros2_control.common import component, components, hardware_interfaces, replacement
+from urdfctl.rules.ros2_control.common import (
+    component,
+    components,
+    hardware_interfaces,
+    joint_element,
+    replacement,
+    whole_element,
+)
 
 
 @rule(
@@ -60,4 +68,21 @@ def transmission_of_ros1_in_component(project: Project) -> Iterator[Finding]:
                 )
                 joints = [(end.name, hardware_interfaces(end.tag)) for end in transmission.joints]
                 notes = tuple(replacement(joints, controlled))
-                yield Finding(transmission.at, message, notes, Fix("replace the transmission with a <joint>"))
+                yield Finding(transmission.at, message, notes, _as_joints(transmission, controlled))
+
+
+def _as_joints(transmission: ControlTransmission, controlled: Container[str | None]) -> Fix:
+    """The fix that replaces a transmission by the joints that the component lacks, with the names as they are written.
+
+    Unsafe: the interfaces are those that it names, but the driver may offer others.
+    """
+    missing = [end for end in transmission.joints if end.name and end.name not in controlled]
+    names = [end.at["name"].span.text for end in missing]
+    title = (
+        "replace the transmission with a <joint>" if missing or not transmission.joints else "remove the transmission"
+    )
+    span = whole_element(transmission.at)
+    if span is None or not transmission.joints or any(end.at.source is not span.source for end in missing):
+        return Fix(title)
+    joints = [joint_element(name, hardware_interfaces(end.tag)) for name, end in zip(names, missing, strict=True)]
+    return Fix(title, (Edit(span, "".join(joints)),))
