@@ -11,7 +11,7 @@ from collections.abc import Mapping
 import pytest
 from folder import Folder, environment
 
-from urdfctl.diagnostic import Diagnostic, Finding, Location, Remark, Repair, Severity, Step, diagnosed
+from urdfctl.diagnostic import Diagnostic, Finding, Location, Remark, Repair, Replacement, Severity, Step, diagnosed
 from urdfctl.lint.results import Outcome, TargetResult
 from urdfctl.lint.serialising import diagnostic_from_json, diagnostic_to_json
 from urdfctl.report import concise, text
@@ -311,3 +311,18 @@ def test_what_the_baseline_hides_is_counted(folder: Folder) -> None:
         text.render(Report((robot(folder),), (), known=3))
         == "no findings in r.xacro (noetic); 3 hidden by the baseline\n"
     )
+
+
+def test_the_last_line_counts_what_can_be_fixed(folder: Folder) -> None:
+    where = at(folder, "r.xacro", (1, 1))
+    edit = (Replacement(where, "x"),)
+    fixes = [Repair("a", safe=True, edits=edit), Repair("b", safe=False, edits=edit), Repair("c", safe=False)]
+    safe, unsafe, by_hand = (fault(where, message=f"{n}!")._replace(fix=fix) for n, fix in zip("abc", fixes, strict=True))
+
+    def last(*found: Diagnostic) -> str:
+        return text.render(Report((robot(folder),), found)).splitlines()[-1].partition("; ")[2]
+
+    assert last(safe, unsafe, by_hand) == "1 fixable with --fix, 1 more with --unsafe-fixes"
+    assert last(safe) == "1 fixable with --fix"
+    assert last(unsafe, by_hand) == "1 fixable with --unsafe-fixes"
+    assert last(by_hand) == ""

@@ -137,10 +137,9 @@ def _fixable(report: Report) -> str:
     fixes = [finding.fix for finding in report.findings if finding.fix and finding.fix.edits]
     safe = sum(fix.safe for fix in fixes)
     unsafe = len(fixes) - safe
-    options = [
-        f"{number} fixable with {option}" for number, option in ((safe, "--fix"), (unsafe, "--unsafe-fixes")) if number
-    ]
-    return f"; {' and '.join(options)}" if options else ""
+    if safe and unsafe:
+        return f"; {safe} fixable with --fix, {unsafe} more with --unsafe-fixes"
+    return f"; {len(fixes)} fixable with {'--fix' if safe else '--unsafe-fixes'}" if fixes else ""
 
 
 def _open_distro(report: Report) -> Iterator[Piece]:
