@@ -212,6 +212,17 @@ def test_an_inertia_that_no_body_has_is_refused_by_gz(arm: Planted) -> None:
     assert "is impossible: moment -0.1 is negative; gz rejects the robot" in arm.only()
 
 
+@pytest.mark.parametrize(
+    "moments", ['ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"', 'ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="0"']
+)
+def test_an_inertia_of_zero(arm: Planted, moments: str) -> None:
+    arm.remove(ROBOT, '<inertia ixx="${mass*(depth', '/12}"/>')
+    arm.replace(ROBOT, '<mass value="${mass}"/>', f'<mass value="${{mass}}"/><inertia {moments}/>')
+    found = arm.only()
+    assert found.startswith(f'error arm.xacro: <mass value="${{mass}}"/><inertia {moments}/>: <inertia> of link')
+    assert "has a moment of 0, but the link moves and has mass" in found
+
+
 def test_an_inertia_that_no_body_has_is_a_warning_without_gz(arm: Planted, folder: Folder) -> None:
     folder.write({"alone.urdf": ALONE.format('ixx="1" iyy="1" izz="-1"')})
     answer = json.loads(command("lint", "alone.urdf", "--simulator", "none", "--format", "json").stdout)
@@ -341,6 +352,22 @@ def test_a_misspelt_package_is_found_with_the_right_name(arm: Planted) -> None:
     assert found.endswith("did you mean 'arm_control'? [write 'arm_control']")
 
 
+def test_a_joint_missing_in_ros2_control_is_not_taken_for_a_misspelt_one(arm: Planted) -> None:
+    arm.remove(CONTROL, '    <joint name="joint_4">', "</joint>\n")
+    found = arm.only()
+    assert found.startswith(f"error controllers.yaml: joints: {JOINTS}")
+    assert "joint 'joint_4' is in the robot, but not in <ros2_control>" in found
+
+
+def test_a_mimic_joint_missing_in_ros2_control(arm: Planted) -> None:
+    arm.remove(CONTROL, '    <joint name="right_finger_joint">', "</joint>\n")
+    found = arm.only()
+    assert found.startswith(
+        'warning arm.xacro: <joint name="${prefix}${side}_finger_joint" type="prismatic">: mimic joint'
+    )
+    assert 'add <joint name="right_finger_joint"> with state interfaces only' in found
+
+
 # -- the controller file --------------------------------------------------------------------------------------------
 
 
@@ -417,6 +444,21 @@ def test_a_misspelt_spawned_controller(arm: Planted) -> None:
     found = arm.only()
     assert found.startswith('error control.launch.py: "joint_trajectory_controler",: controller')
     assert found.endswith("did you mean 'joint_trajectory_controller'? [write 'joint_trajectory_controller']")
+
+
+def test_a_broadcaster_that_is_not_spawned_is_missed_at_the_spawners(arm: Planted) -> None:
+    arm.replace(LAUNCH, "target_action=robot, on_exit=[spawner_1]", "target_action=robot, on_exit=[spawner_2]")
+    arm.remove(LAUNCH, "            RegisterEventHandler(OnProcessExit(target_action=spawner_1", "\n")
+    found = arm.only()
+    assert found.startswith('warning control.launch.py: "joint_trajectory_controller",: ')
+    assert "'joint_state_broadcaster', which publishes the joint states, is not started; spawn it too" in found
+
+
+def test_a_state_publisher_without_the_time_of_the_simulator(arm: Planted) -> None:
+    line = 'parameters=[robot_description, {"use_sim_time": False}],'
+    arm.replace(LAUNCH, line.replace("False", "True"), line)
+    message = "'robot_state_publisher' has use_sim_time false, but a simulator runs; set it to true"
+    assert arm.only() == f"warning control.launch.py: {line}: {message} []"
 
 
 def test_a_folder_that_is_not_installed(arm: Planted) -> None:

@@ -127,6 +127,7 @@ class Node(NamedTuple):
     namespace: the full namespace.
     words: its command-line arguments.
     parameters: the names of its parameters.
+    values: the texts of its single parameters by name.
     remaps: pairs of the old and the new name of a topic.
     complete: False if some arguments, parameters or remappings are unknown.
     files: the parameter files that it gets.
@@ -143,6 +144,7 @@ class Node(NamedTuple):
     sure: bool = True
     complete: bool = True
     files: tuple[Word, ...] = ()
+    values: tuple[tuple[str, str], ...] = ()
 
     def runs(self, package: str, *executables: str) -> bool:
         """Return whether it runs one of these executables of a package."""

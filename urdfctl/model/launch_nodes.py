@@ -79,6 +79,7 @@ class Nodes:
                 sure=sure,
                 complete=parameters.complete and complete and not self.facts.altered,
                 files=tuple(parameters.files),
+                values=tuple(parameters.values.items()),
             )
         )
         if self._is_spawner(package, executable):
@@ -294,6 +295,7 @@ class _Parameters:
     """The `parameters` of a node: names of single parameters, and files. A controller manager's files are loaded.
 
     names: the names of single parameters.
+    values: the texts of single parameters by name, with UNKNOWN for what is not known.
     files: the files.
     complete: False if some of them are unknown.
     """
@@ -303,6 +305,7 @@ class _Parameters:
         self.executable = executable
         self.sure = sure
         self.names: list[Word] = []
+        self.values: dict[str, str] = {}
         self.files: list[Word] = []
         self.complete = True
         self.namespace = if_known(nodes._namespace(term))
@@ -337,6 +340,8 @@ class _Parameters:
         self.complete = self.complete and table.whole
         for name, value in table.entries.items():
             self.names.append(Word(name, table.keys[name]))
+            if isinstance(value, (Constant, Called)) and name != "robot_description":
+                self.values[name] = self.nodes.texts.of(value)
             if name == "robot_description":
                 self._description(value)
         read = lambda term: content_of(term, self.nodes.texts, lambda _: False)  # noqa: E731 (one use)

@@ -56,15 +56,16 @@ def joint_states_not_published(project: Project) -> Iterator[Finding]:
         return
     session = sessions[-1]
     started = session.started is not None
-    at = _place(session)
+    launch = project.launch
+    spawned = next((at for spawn in launch.spawns for _, at in spawn.names), None) if launch else None
+    at = spawned if started and spawned else _place(session)
     idle = next((controller for controller in session.controllers if _publishes(controller)), None)
     if at is None:
         return
     severity = Severity.WARNING if started and project.launch is not None else Severity.INFO
     if idle is not None:
-        yield Finding(
-            at, f"controller '{idle.name}', which publishes the joint states, is not started", severity=severity
-        )
+        message = f"controller '{idle.name}', which publishes the joint states, is not started; spawn it too"
+        yield Finding(at, message, severity=severity)
     else:
         kinds = (
             project.catalog.controller(name, session.distro) for name in project.catalog.known_types(session.distro)

@@ -51,7 +51,13 @@ def _message(session: Session, controller: Configured, kind: Kind, claims: list[
     claim, hardware = claims[0], session.hardware
     interface = f"'{claim.interface}' {kind.value} interface"
     if not hardware.has(claim.component):
-        right = nearest(claim.component, hardware.offers(kind))
+        if claim.component in hardware.joints:
+            return (
+                f"joint '{claim.component}' is in the robot, but not in <ros2_control>; "
+                f"controller '{controller.name}' claims its {interface}"
+            )
+        others = {other.component for other in controller.claimed(kind)}
+        right = nearest(claim.component, [name for name in hardware.offers(kind) if name not in others])
         hint = f"; did you mean '{right}'?" if right else ""
         return f"no hardware exports '{claim.component}'; controller '{controller.name}' claims its {interface}{hint}"
     components = in_words([each.component for each in claims])

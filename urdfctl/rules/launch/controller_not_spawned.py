@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.model.controllers import Controller
 from urdfctl.names import nearest
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import in_words
@@ -39,9 +40,17 @@ def controller_not_spawned(project: Project) -> Iterator[Finding]:
         nearest(name, declared) or name for name in spawned if name not in declared
     }  # UC601 reports misspellings
     left = [c for c in controllers.controllers if c.declared_at and c.type and c.name not in spawned]
+    if not any(_publishes_states(project, c) for c in controllers.controllers if c.name in spawned):
+        left = [c for c in left if not _publishes_states(project, c)]  # UC465 reports it
     if left and left[0].declared_at:
         names = in_words(dict.fromkeys(controller.name for controller in left))
         several = len({controller.name for controller in left}) > 1
         subject = f"controllers {names} are" if several else f"controller {names} is"
         note = Note("controllers are spawned here", launch.spawns[0].at)
         yield Finding(left[0].declared_at, f"{subject} configured but not spawned by the launch file", (note,))
+
+
+def _publishes_states(project: Project, controller: Controller) -> bool:
+    kind = controller.type.text if controller.type else ""
+    entries = (project.catalog.controller(kind, distro) for distro in project.distros)
+    return any(entry is not None and entry.publishes_joint_states for entry in entries)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from urdfctl.rule import Rule
+from urdfctl.rules.launch.clock_of_other_world import clock_of_other_world
 from urdfctl.rules.launch.controller_not_spawned import controller_not_spawned
 from urdfctl.rules.launch.controller_spawned_twice import controller_spawned_twice
 from urdfctl.rules.launch.described_by_macros_only import described_by_macros_only
@@ -57,4 +58,5 @@ RULES: tuple[Rule, ...] = (
     joint_states_of_nobody,
     mesh_not_on_model_path,
     installed_file_missing,
+    clock_of_other_world,
 )

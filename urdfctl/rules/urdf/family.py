@@ -20,6 +20,7 @@ from urdfctl.rules.urdf.geometry_not_positive import geometry_not_positive
 from urdfctl.rules.urdf.geometry_unknown import geometry_unknown
 from urdfctl.rules.urdf.inertia_impossible import inertia_impossible
 from urdfctl.rules.urdf.inertia_out_of_proportion import inertia_out_of_proportion
+from urdfctl.rules.urdf.inertia_zero import inertia_zero
 from urdfctl.rules.urdf.inertial_incomplete import inertial_incomplete
 from urdfctl.rules.urdf.joint_number_malformed import joint_number_malformed
 from urdfctl.rules.urdf.joint_type_not_moved import joint_type_not_moved
@@ -119,4 +120,5 @@ RULES: tuple[Rule, ...] = (
     attribute_misspelt,
     gazebo_reference_unknown,
     link_named_without_prefix,
+    inertia_zero,
 )

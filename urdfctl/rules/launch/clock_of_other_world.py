@@ -1,0 +1,45 @@
+"""UC641."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import ROS2
+from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rules.launch.common import ROS_2, launch_of, state_publishers
+from urdfctl.rules.launch_samples import ARM, BROADCASTER, MANAGER, PUBLISHER, SOUND, launched
+
+_WITH_CLOCK = PUBLISHER.replace("</node>", '  <param name="%s" value="true"/>\n      </node>')
+
+
+@rule(
+    "UC641",
+    severity=Severity.WARNING,
+    distros=ROS2,
+    authority="rclcpp time_source.cpp: with use_sim_time a node takes its time from /clock, and stays at 0 without it; "
+    "robot_state_publisher.cpp callbackJointState(): 'Moved backwards in time, re-publishing joint transforms!'",
+    bad=launched(_WITH_CLOCK % "«use_sim_time»", MANAGER, BROADCASTER, ARM),
+    good=SOUND,
+)
+def clock_of_other_world(project: Project) -> Iterator[Finding]:
+    """use_sim_time of robot_state_publisher does not fit the simulator.
+
+    In a simulation, joint states have the simulator's time. A robot_state_publisher with `use_sim_time: false` compares
+    them with the computer's clock, and its transforms do not fit those of other nodes. With `use_sim_time: true` but
+    without a simulator, nobody publishes /clock, and the node's time stands still.
+    """
+    launch = launch_of(project, ROS_2)
+    if launch is None:
+        return
+    simulation = next((simulation for simulation in launch.simulations if simulation.sure), None)
+    for node in state_publishers(launch):
+        value = dict(node.values).get("use_sim_time", "").lower()
+        at = next((word.at for word in node.parameters if word.text == "use_sim_time"), node.at)
+        if simulation and value == "false" and node.sure:
+            message = f"'{node.executable.text}' has use_sim_time false, but a simulator runs; set it to true"
+            yield Finding(at, message, (Note("the simulator is started here", simulation.at),))
+        elif value == "true" and node.sure and launch.runs_without_simulator:
+            message = (
+                f"'{node.executable.text}' has use_sim_time true, but no simulator publishes the time; set it to false"
+            )
+            yield Finding(at, message)
