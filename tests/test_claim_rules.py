@@ -52,7 +52,8 @@ def test_a_joint_that_stands_in_no_component_is_told_once(bench: Bench) -> None:
     )
     [said] = bench.says(component(joint("elbow")), jtc)
     assert (
-        said == "error UC450 no hardware exports 'shoulder'; controller 'arm' claims its 'position' command interface"
+        said == "error UC450 joint 'shoulder' is in the robot, but not in <ros2_control>; "
+        "controller 'arm' claims its 'position' command interface"
     )
 
 

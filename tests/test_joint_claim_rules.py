@@ -26,7 +26,7 @@ def test_a_publisher_of_states_that_is_not_started_is_named(bench: Bench) -> Non
     yaml = controllers("arm") + "    states: {type: joint_state_broadcaster/JointStateBroadcaster}\n"
     yaml += forward("arm", "shoulder, elbow")
     assert bench.says(ARM, yaml, started=("arm",)) == [
-        "info UC465 controller 'states', which publishes the joint states, is not started"
+        "info UC465 controller 'states', which publishes the joint states, is not started; spawn it too"
     ]
     assert bench.says(ARM, yaml, started=("states", "arm")) == []
 

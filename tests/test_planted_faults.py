@@ -362,9 +362,7 @@ def test_a_joint_missing_in_ros2_control_is_not_taken_for_a_misspelt_one(arm: Pl
 def test_a_mimic_joint_missing_in_ros2_control(arm: Planted) -> None:
     arm.remove(CONTROL, '    <joint name="right_finger_joint">', "</joint>\n")
     found = arm.only()
-    assert found.startswith(
-        'warning arm.xacro: <joint name="${prefix}${side}_finger_joint" type="prismatic">: mimic joint'
-    )
+    assert found.startswith('warning arm.xacro: <joint name="${prefix}${side}_finger_joint" type="prismatic">: mimic')
     assert 'add <joint name="right_finger_joint"> with state interfaces only' in found
 
 

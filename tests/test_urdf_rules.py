@@ -376,7 +376,7 @@ def test_a_fixed_frame_without_mass_is_harmless(tmp_path: Path) -> None:
     ("moments", "expected"),
     [
         ('ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="2"', []),  # a flat plate, just possible
-        ('ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"', []),  # a point, which sdformat accepts
+        ('ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"', ["UC158 info"]),  # a point, which sdformat accepts
         ('ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="2.1"', ["UC136 warning"]),
         ('ixx="-1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"', ["UC136 warning"]),
         ('ixx="1" ixy="2" ixz="0" iyy="1" iyz="0" izz="1"', ["UC136 warning"]),
