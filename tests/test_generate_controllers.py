@@ -244,6 +244,14 @@ def test_a_list_that_is_none_is_told(text: str, message: str) -> None:
         joints_listed(text, "list.yaml")
 
 
+@pytest.mark.parametrize(
+    "text", ["[" * 2000 + "]" * 2000, "- " * 2000 + "a", "? " * 2000 + "a", "{a: " * 999 + "}" * 999]
+)
+def test_a_list_that_is_nested_too_deep_is_told(text: str) -> None:
+    with pytest.raises(UserError, match=r"list.yaml: not valid YAML: .* nested more than 64 deep"):
+        joints_listed(text, "list.yaml")
+
+
 def test_a_list_goes_over_what_the_robot_says() -> None:
     [arm] = chosen(ROBOT, joints_listed("- {name: arm, effort: 3, interface: effort}", "list.yaml"))
     assert (arm.effort, arm.interface, arm.inertia) == (3.0, "effort", 0.2)
