@@ -6,8 +6,9 @@ import ast
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
-from urdfctl.source.launch.frames import Frame, add, append, bound, extend
-from urdfctl.source.launch.operations import binary, compared, item_of, method, shown, slice_of, text_at, truth
+from urdfctl.source.launch.calls import Calls
+from urdfctl.source.launch.frames import Frame, bound
+from urdfctl.source.launch.operations import binary, compared, item_of, listed, shown, slice_of, text_at, truth
 from urdfctl.source.launch.terms import (
     MOST_ITEMS,
     Called,
@@ -18,27 +19,16 @@ from urdfctl.source.launch.terms import (
     Member,
     Missing,
     Name,
-    OneOf,
     Perhaps,
     Table,
     Term,
-    is_same,
-    known_text,
     one_of,
-    outside,
     perhaps,
 )
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import BOM, Place, SourceText
 from urdfctl.startup.hints import Any
 
-_SHARE = frozenset({"get_package_share_directory", "get_package_share_path"})
-_FINDING = frozenset({"FindPackageShare", "FindPackage", "FindPackagePrefix"})
-_PATHS = frozenset({"Path", "PosixPath", "str", "fspath", "abspath", "realpath", "expanduser", "normpath"})
-_ENVIRONMENT = frozenset({"os.getenv", "os.environ.get"})
-_GROWING = frozenset({"add_action", "add_entity"})
-_LOADING = frozenset({"yaml.safe_load", "yaml.load", "yaml.full_load"})
-_LISTS = frozenset({"list", "tuple", "sorted"})
 _MOST_STEPS = 100_000
 _MOST_DEPTH = 100
 _MOST_CALLS = 20
@@ -56,16 +46,18 @@ class Evaluation:
     """
 
     def __init__(
-        self, source: SourceText, find: Callable[[str, Place], str | None], environ: Mapping[str, str]
+        self,
+        source: SourceText,
+        find: Callable[[str, Place], str | None],
+        environ: Mapping[str, str],
+        yaml: Callable[[str], Term | None] = lambda _: None,
     ) -> None:
         self.source = source
         self.frame: Frame | None = None
         self.context: Context | None = None
         self.outer: Evaluation | None = None
         self.member: Callable[[str], Term | None] = lambda _: None
-        self.yaml: Callable[[str], Term | None] = lambda _: None
-        self._find = find
-        self._environ = environ
+        self._calls = Calls(find, environ, yaml, self._performed)
         self.steps = 0
         self.depth = 0
         self._kinds: dict[type[ast.expr], Callable[[Any, Frame], Term]] = {
@@ -119,22 +111,12 @@ class Evaluation:
         finally:
             self.depth -= 1
 
-    @staticmethod
-    def listed(term: Term) -> list[Term] | None:
-        """Return the items that a loop over a term visits; None if unknown."""
-        if isinstance(term, Items):
-            return list(term.values)
-        if isinstance(term, Table):
-            keys: list[Term] = [Constant(key, term.keys[key]) for key in term.entries]
-            return keys if term.whole else [*keys, Perhaps(Missing(term.at), term.at)]
-        return None
-
     def bind(self, target: ast.expr, value: Term, frame: Frame) -> None:
         """Assign a term to the target of an assignment or a loop."""
         if isinstance(target, ast.Name):
             frame.names[target.id] = value
         elif isinstance(target, (ast.Tuple, ast.List)):
-            items = self.listed(value)
+            items = listed(value)
             known = items is not None and len(items) == len(target.elts)
             for index, element in enumerate(target.elts):
                 self.bind(element, items[index] if items and known else Missing(self.at(target)), frame)
@@ -201,8 +183,8 @@ class Evaluation:
         for node in nodes[:MOST_ITEMS]:
             if isinstance(node, ast.Starred):
                 value = self.value(node.value, frame)
-                listed = self.listed(value)
-                yield from listed if listed is not None else [Perhaps(Missing(value.at), value.at)]
+                items = listed(value)
+                yield from items if items is not None else [Perhaps(Missing(value.at), value.at)]
             else:
                 yield self.value(node, frame)
 
@@ -268,7 +250,7 @@ class Evaluation:
             return Missing(at) if part.step else slice_of(of, bounds[0], bounds[1], at)
         key = self.value(node.slice, frame)
         if isinstance(of, Name) and of.path == "os.environ":
-            return self._environment([key], at)
+            return self._calls.environment([key], at)
         if isinstance(of, Member) and of.name == "launch_configurations":
             return self._performed(Called("LaunchConfiguration", at, [key]), at)
         if isinstance(of, (Called, Member)):
@@ -338,7 +320,7 @@ class Evaluation:
             yield sure
             return
         first, *rest = generators
-        items = self.listed(self.value(first.iter, frame))
+        items = listed(self.value(first.iter, frame))
         if items is None:
             items = [Perhaps(Missing(self.at(first.iter)), self.at(first.iter))]
         for item in items:
@@ -365,121 +347,18 @@ class Evaluation:
         if isinstance(node.func, ast.Attribute):
             of = self.value(node.func.value, frame)
             if not isinstance(of, Name):
-                return self._method(of, node.func.attr, (arguments, keywords), at, frame)
+                return self._calls.method(of, node.func.attr, (arguments, keywords), at, frame)
             path = f"{of.path}.{node.func.attr}"
             own = self.member(path)
             if isinstance(own, Function):
                 return own.call(arguments, keywords, None)
-            return self._named_call(path, arguments, keywords, at)
+            return self._calls.function(path, arguments, keywords, at)
         function = self.value(node.func, frame)
         if isinstance(function, Function):
             return function.call(arguments, keywords, None)
         if isinstance(function, Name):
-            return self._named_call(function.path, arguments, keywords, at)
+            return self._calls.function(function.path, arguments, keywords, at)
         return Missing(at)
-
-    def _named_call(  # noqa: PLR0911 (one return per function)
-        self, name: str, arguments: list[Term], keywords: Mapping[str, Term], at: Place
-    ) -> Term:
-        """The term of a call of an imported or built-in function."""
-        short = name.rpartition(".")[2]
-        first = arguments[0] if arguments else None
-        if short in _SHARE and first is None:
-            first = keywords.get("package_name")
-        if short in _SHARE and first is not None:
-            return self._share(first, at)
-        if name == "os.path.join":
-            return text_at(os.path.join("", *map(shown, arguments)), at)
-        if short == "dirname" and isinstance(first, Constant) and isinstance(first.value, str):
-            return Constant(os.path.dirname(first.value), at)
-        if short in _PATHS and isinstance(first, Constant):
-            return text_at(os.path.join(*map(shown, arguments)), at)
-        if short in _LISTS and len(arguments) <= 1:
-            listed = self.listed(first) if first is not None else []
-            return Missing(at) if listed is None else Items(listed, at)
-        if name in _ENVIRONMENT:
-            return self._environment(arguments, at)
-        if short == "process_doc" and isinstance(first, Called):
-            first.added.extend(mappings for mappings in (keywords.get("mappings"), *arguments[1:]) if mappings)
-        if name in _LOADING and isinstance(first, Called):
-            return self._yaml(first, at)
-        if name == "dict":
-            table = Table(at)
-            for key, value in keywords.items():
-                table.put(Constant(key, value.at), value)
-            return table
-        return Called(name, at, arguments, keywords)
-
-    def _yaml(self, file: Called, at: Place) -> Term:
-        """The content of a YAML file that is opened, or whose text is read."""
-        if file.short in {"read", "read_text"} and isinstance(file.of, Called):
-            file = file.of
-        path = known_text(file.given("file", 0)) if file.short == "open" else None
-        return (self.yaml(path) if path else None) or Missing(at)
-
-    def _share(self, package: Term, at: Place) -> Term:
-        """The share folder of a package."""
-        name = known_text(package)
-        folder = self._find(name, package.at) if name else None
-        return Constant(folder or (outside(name) if name else UNKNOWN), at)
-
-    def _environment(self, arguments: Sequence[Term], at: Place) -> Term:
-        name = known_text(arguments[0]) if arguments else None
-        if name is not None and name in self._environ:
-            return Constant(self._environ[name], at)
-        return arguments[1] if name is not None and len(arguments) > 1 else Constant(UNKNOWN, at)
-
-    def _method(
-        self, of: Term, name: str, given: tuple[list[Term], Mapping[str, Term]], at: Place, frame: Frame
-    ) -> Term:
-        arguments, keywords = given
-        if name == "perform":
-            return self._performed(of, at)
-        if name == "find" and isinstance(of, Called) and of.short in _FINDING and arguments:
-            return self._share(arguments[0], at)
-        if name == "perform_substitution" and arguments:
-            return self._performed(arguments[0], at)
-        if isinstance(of, Items):
-            return self._of_list(of, name, arguments, at, frame)
-        if isinstance(of, Member) and of.name == "launch_configurations" and name == "get" and arguments:
-            return self._performed(Called("LaunchConfiguration", at, arguments), at)
-        if name in _GROWING and isinstance(of, (Called, OneOf)) and arguments:
-            for option in of.options if isinstance(of, OneOf) else (of,):
-                if isinstance(option, Called):
-                    add(option, arguments[0], frame)
-            return Constant(None, at)
-        result = method(of, name, arguments, keywords, at)
-        if result is not None:
-            return result
-        called = Called(name, at, arguments, keywords)
-        called.of = of
-        return called
-
-    def _of_list(self, of: Items, name: str, arguments: Sequence[Term], at: Place, frame: Frame) -> Term:
-        if name in {"append", "extend", "insert"} and arguments:
-            if name == "extend":
-                extend(of, arguments[0], frame)
-            else:
-                append(of, arguments[-1], frame)
-            return Constant(None, at)
-        if name == "copy":
-            return Items(of.values, at)
-        if name == "remove" and arguments:
-            self._removed(of, arguments[0], frame)
-        elif name in {"pop", "clear"}:
-            of.values[:] = [perhaps(value) for value in of.values]
-        return Missing(at)
-
-    @staticmethod
-    def _removed(of: Items, item: Term, frame: Frame) -> None:
-        """Remove an item from a list; if it is unknown which item, all become optional."""
-        index = next((index for index, value in enumerate(of.values) if is_same(value, item)), None)
-        if index is None:
-            of.values[:] = [perhaps(value) for value in of.values]
-        elif frame.sure:
-            del of.values[index]
-        else:
-            of.values[index] = perhaps(of.values[index])
 
     def _performed(self, of: Term, at: Place) -> Term:
         evaluation: Evaluation | None = self

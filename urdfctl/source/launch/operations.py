@@ -37,6 +37,16 @@ def text_at(text: str, at: Place) -> Term:
     return Constant(text, at) if len(text) <= MOST_CHARACTERS else Missing(at)
 
 
+def listed(term: Term) -> list[Term] | None:
+    """Return the items that a loop over a term visits; None if unknown."""
+    if isinstance(term, Items):
+        return list(term.values)
+    if isinstance(term, Table):
+        keys: list[Term] = [Constant(key, term.keys[key]) for key in term.entries]
+        return keys if term.whole else [*keys, Perhaps(Missing(term.at), term.at)]
+    return None
+
+
 def shown(term: Term) -> str:
     """Return `str()` of a term; UNKNOWN if it is unknown."""
     if isinstance(term, Constant):

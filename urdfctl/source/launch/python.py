@@ -13,7 +13,7 @@ from collections.abc import Callable, Mapping, Sequence
 from urdfctl.source.launch.expressions import Evaluation
 from urdfctl.source.launch.frames import Frame, extend, merged
 from urdfctl.source.launch.modules import Modules
-from urdfctl.source.launch.operations import added, shown, truth
+from urdfctl.source.launch.operations import added, listed, shown, truth
 from urdfctl.source.launch.terms import Constant, Function, Items, Missing, Name, Perhaps, Term, one_of
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.problem import Problem, ProblemKind
@@ -102,10 +102,9 @@ class Run:
     def __init__(self, source: SourceText, surroundings: Surroundings, importer: Run | None = None) -> None:
         self.surroundings = surroundings
         self.modules: Modules = importer.modules if importer else Modules(surroundings.module, self._followed)
-        self.evaluation = Evaluation(source, surroundings.find, surroundings.environ)
+        self.evaluation = Evaluation(source, surroundings.find, surroundings.environ, surroundings.yaml)
         self.evaluation.outer = importer.evaluation if importer else None
         self.evaluation.member = lambda path: self.modules.member(path, source.path)
-        self.evaluation.yaml = surroundings.yaml
         self.at = self.evaluation.at
         self.value = self.evaluation.value
         self.bind = self.evaluation.bind
@@ -229,7 +228,7 @@ class Run:
     def _loop(self, node: ast.For | ast.While, frame: Frame) -> str | None:
         was_sure = frame.sure
         items = self.value(node.iter, frame) if isinstance(node, ast.For) else None
-        known = self.evaluation.listed(items) if items is not None else None
+        known = listed(items) if items is not None else None
         if known is None:
             before, frame.sure = dict(frame.names), False
             if isinstance(node, ast.For):

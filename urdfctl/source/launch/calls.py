@@ -1,0 +1,162 @@
+"""The functions and methods that launch files in Python call: those of Python, of launch, and of ROS packages.
+
+A call of another one becomes a term that says what is called with what.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+
+from urdfctl.source.launch.frames import Frame, add, append, extend
+from urdfctl.source.launch.operations import listed, method, shown, text_at
+from urdfctl.source.launch.terms import (
+    Called,
+    Constant,
+    Items,
+    Member,
+    Missing,
+    OneOf,
+    Table,
+    Term,
+    is_same,
+    known_text,
+    outside,
+    perhaps,
+)
+from urdfctl.source.opaque import UNKNOWN
+from urdfctl.source.span import Place
+
+_SHARE = frozenset({"get_package_share_directory", "get_package_share_path"})
+_FINDING = frozenset({"FindPackageShare", "FindPackage", "FindPackagePrefix"})
+_PATHS = frozenset({"Path", "PosixPath", "str", "fspath", "abspath", "realpath", "expanduser", "normpath"})
+_ENVIRONMENT = frozenset({"os.getenv", "os.environ.get"})
+_GROWING = frozenset({"add_action", "add_entity"})
+_LOADING = frozenset({"yaml.safe_load", "yaml.load", "yaml.full_load"})
+_LISTS = frozenset({"list", "tuple", "sorted"})
+
+
+class Calls:
+    """Gives the terms of calls.
+
+    find, environ: see `python.Surroundings`.
+    load: returns the content of a YAML file; None if it cannot be read.
+    perform: returns the text that a substitution becomes.
+    """
+
+    def __init__(
+        self,
+        find: Callable[[str, Place], str | None],
+        environ: Mapping[str, str],
+        load: Callable[[str], Term | None],
+        perform: Callable[[Term, Place], Term],
+    ) -> None:
+        self._find, self._environ, self._load, self._performed = find, environ, load, perform
+
+    def function(  # noqa: PLR0911 (one return per function)
+        self, name: str, arguments: list[Term], keywords: Mapping[str, Term], at: Place
+    ) -> Term:
+        """Return the term of a call of an imported or built-in function, by its full name."""
+        short = name.rpartition(".")[2]
+        first = arguments[0] if arguments else None
+        if short in _SHARE and first is None:
+            first = keywords.get("package_name")
+        if short in _SHARE and first is not None:
+            return self._share(first, at)
+        if name == "os.path.join":
+            return text_at(os.path.join("", *map(shown, arguments)), at)
+        if short == "dirname" and isinstance(first, Constant) and isinstance(first.value, str):
+            return Constant(os.path.dirname(first.value), at)
+        if short in _PATHS and isinstance(first, Constant):
+            return text_at(os.path.join(*map(shown, arguments)), at)
+        if short in _LISTS and len(arguments) <= 1:
+            items = listed(first) if first is not None else []
+            return Missing(at) if items is None else Items(items, at)
+        if name in _ENVIRONMENT:
+            return self.environment(arguments, at)
+        if short == "process_doc" and isinstance(first, Called):
+            first.added.extend(mappings for mappings in (keywords.get("mappings"), *arguments[1:]) if mappings)
+        if name in _LOADING and isinstance(first, Called):
+            return self._yaml(first, at)
+        if name == "dict":
+            table = Table(at)
+            for key, value in keywords.items():
+                table.put(Constant(key, value.at), value)
+            return table
+        return Called(name, at, arguments, keywords)
+
+    def _yaml(self, file: Called, at: Place) -> Term:
+        """The content of a YAML file that is opened, or whose text is read."""
+        if file.short in {"read", "read_text"} and isinstance(file.of, Called):
+            file = file.of
+        path = known_text(file.given("file", 0)) if file.short == "open" else None
+        return (self._load(path) if path else None) or Missing(at)
+
+    def _share(self, package: Term, at: Place) -> Term:
+        """The share folder of a package."""
+        name = known_text(package)
+        folder = self._find(name, package.at) if name else None
+        return Constant(folder or (outside(name) if name else UNKNOWN), at)
+
+    def environment(self, arguments: Sequence[Term], at: Place) -> Term:
+        """Return the term of an environment variable: its name, and its default if it has one."""
+        name = known_text(arguments[0]) if arguments else None
+        if name is not None and name in self._environ:
+            return Constant(self._environ[name], at)
+        return arguments[1] if name is not None and len(arguments) > 1 else Constant(UNKNOWN, at)
+
+    def method(
+        self, of: Term, name: str, given: tuple[list[Term], Mapping[str, Term]], at: Place, frame: Frame
+    ) -> Term:
+        """Return the term of a call of a method of a term.
+
+        given: the arguments, and those that are given by keyword.
+        """
+        arguments, keywords = given
+        if name == "perform":
+            return self._performed(of, at)
+        if name == "find" and isinstance(of, Called) and of.short in _FINDING and arguments:
+            return self._share(arguments[0], at)
+        if name == "perform_substitution" and arguments:
+            return self._performed(arguments[0], at)
+        if isinstance(of, Items):
+            return self._of_list(of, name, arguments, at, frame)
+        if isinstance(of, Member) and of.name == "launch_configurations" and name == "get" and arguments:
+            return self._performed(Called("LaunchConfiguration", at, arguments), at)
+        if name in _GROWING and isinstance(of, (Called, OneOf)) and arguments:
+            for option in of.options if isinstance(of, OneOf) else (of,):
+                if isinstance(option, Called):
+                    add(option, arguments[0], frame)
+            return Constant(None, at)
+        result = method(of, name, arguments, keywords, at)
+        if result is not None:
+            return result
+        called = Called(name, at, arguments, keywords)
+        called.of = of
+        return called
+
+    def _of_list(self, of: Items, name: str, arguments: Sequence[Term], at: Place, frame: Frame) -> Term:
+        if name in {"append", "extend", "insert"} and arguments:
+            if name == "extend":
+                extend(of, arguments[0], frame)
+            else:
+                append(of, arguments[-1], frame)
+            return Constant(None, at)
+        if name == "copy":
+            return Items(of.values, at)
+        if name == "remove" and arguments:
+            self._removed(of, arguments[0], frame)
+        elif name in {"pop", "clear"}:
+            of.values[:] = [perhaps(value) for value in of.values]
+        return Missing(at)
+
+    @staticmethod
+    def _removed(of: Items, item: Term, frame: Frame) -> None:
+        """Remove an item from a list; if it is unknown which item, all become optional."""
+        index = next((index for index, value in enumerate(of.values) if is_same(value, item)), None)
+        if index is None:
+            of.values[:] = [perhaps(value) for value in of.values]
+        elif frame.sure:
+            del of.values[index]
+        else:
+            of.values[index] = perhaps(of.values[index])
