@@ -6,7 +6,8 @@ import os
 from collections.abc import Iterable, Iterator
 from collections.abc import Sequence as Several
 
-from urdfctl.model.build_controllers import Loaded, controllers_of, form_of
+from urdfctl.model.build_controllers import Loaded, controllers_of
+from urdfctl.model.controller_forms import form_of
 from urdfctl.model.controllers import Controllers, FileReference, MoveItList
 from urdfctl.model.launch import Launch, ParameterLoad
 from urdfctl.model.robot import Robot

@@ -144,7 +144,7 @@ def items_of_controllers(controllers: ControllerFiles | None) -> Iterator[Item]:
     if controllers is None:
         return
     from urdfctl.catalog.catalog import CATALOG
-    from urdfctl.model.build_controllers import form_of, types_in
+    from urdfctl.model.controller_forms import form_of, types_in
 
     for yaml in {loaded.yaml.source.path: loaded.yaml for loaded in controllers.files}.values():
         form = form_of(yaml)

@@ -4,35 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from urdfctl.model.build_parameters import PARAMETERS_KEY, Flat, Leaf, parameters_of, read_by_rcl, read_by_rosparam
+from urdfctl.model.build_parameters import Flat, Leaf, parameters_of, read_by_rcl, read_by_rosparam
+from urdfctl.model.controller_forms import MANAGER, OF_OTHER_STACKS, controllers_file, is_class
 from urdfctl.model.controllers import (
     Controller,
     Controllers,
-    ControllersFile,
     FileReference,
-    Key,
     Manager,
     Section,
 )
 from urdfctl.model.parameters import Kind, Parameters, Value
 from urdfctl.source.span import Place
-from urdfctl.source.yaml import Entry, Mapping, Node, Scalar, YamlFile
+from urdfctl.source.yaml import YamlFile
 from urdfctl.startup.records import NamedTuple
 
-MANAGER = "controller_manager"
-_NULL = frozenset({"", "~", "null"})
-_KEYS_OF_MOVEIT = frozenset(
-    "controller_list controller_names moveit_controller_manager moveit_simple_controller_manager "
-    "moveit_manage_controllers moveit_ros_control_interface trajectory_execution".split()
-)
 _READ_OF_A_DECLARATION = frozenset({"type", "params_file", "fallback_controllers"})
 _SETTINGS_OF_A_MANAGER = frozenset(
     "defaults diagnostics hardware_components_initial_state hardware_synchronization overruns qos_overrides".split()
 )
-_OF_OTHER_STACKS = ("package", "module")
-"""Keys beside `type` of plugins that other programs load."""
 _COMBINED = "robot_hardware"
-_DEEPEST = 6
 
 
 class Loaded(NamedTuple):
@@ -62,7 +52,7 @@ def controllers_of(
     """
     controllers_files, flat = [], Flat([], [], [])
     for loaded in files:
-        file = _file(loaded.yaml)
+        file = controllers_file(loaded.yaml)
         generation = ros or file.form
         if file.readable and not (file.is_moveit or loaded.of_other) and generation is not None:
             prefix = _parts_of(loaded.namespace)
@@ -104,71 +94,6 @@ class _Parts(NamedTuple):
             controllers=self.controllers + other.controllers,
             others=self.others + other.others,
         )
-
-
-# -- the form of a file ----------------------------------------------------------------------------------------------
-
-
-def form_of(file: YamlFile) -> int | None:
-    """Return the ROS generation that a file is written for, 1 or 2; None if unknown."""
-    return _form(file)[0]
-
-
-def types_in(file: YamlFile) -> Iterator[str]:
-    """Yield the controller types of the form package/Class that a file names."""
-    for entry in (entry for document in file.documents for entry in _entries(document)):
-        kind = entry.value.get("type") if _is_typed(entry) and isinstance(entry.value, Mapping) else None
-        if isinstance(kind, Scalar):
-            yield kind.text
-
-
-def _form(file: YamlFile) -> tuple[int | None, list[Entry]]:
-    """The ROS generation that a file is written for, and the entries that show it."""
-    entries = [entry for document in file.documents for entry in _entries(document)]
-    evidence = [entry for entry in entries if entry.key.text.startswith(PARAMETERS_KEY)]
-    evidence = evidence or [entry for entry in entries if _is_of_a_manager(entry)]
-    if evidence:
-        return 2, evidence
-    evidence = [entry for entry in entries if _is_typed(entry)]
-    return 1 if evidence else None, evidence
-
-
-def _entries(node: Node, depth: int = 0) -> Iterable[Entry]:
-    if not isinstance(node, Mapping) or depth > _DEEPEST:
-        return
-    for entry in node.entries:
-        yield entry
-        yield from _entries(entry.value, depth + 1)
-
-
-def _is_of_a_manager(entry: Entry) -> bool:
-    return entry.key.text.rpartition("/")[2] == MANAGER and isinstance(entry.value, Mapping)
-
-
-def _is_typed(entry: Entry) -> bool:
-    """Whether an entry is a ROS 1 controller: a map with a type of the form package/Class."""
-    if not isinstance(entry.value, Mapping):
-        return False
-    kind = entry.value.get("type")
-    is_of_another = any(entry.value.get(key) is not None for key in _OF_OTHER_STACKS)
-    return isinstance(kind, Scalar) and _is_class(kind.text) and not is_of_another
-
-
-def _is_class(text: str) -> bool:
-    package, slash, name = text.partition("/")
-    return bool(slash and package and name) and "/" not in name and " " not in text
-
-
-def _file(file: YamlFile) -> ControllersFile:
-    at = Place(file.source, 0, end=0)
-    if not file.readable:
-        return ControllersFile(file.source.path, at, None, readable=False)
-    form, evidence = _form(file)
-    keys = tuple(Key(entry.key.text, entry.key.at) for entry in evidence)
-    top = {entry.key.text for document in file.documents if isinstance(document, Mapping) for entry in document.entries}
-    is_moveit = form is None and bool(top & _KEYS_OF_MOVEIT)
-    empty = all(isinstance(document, Scalar) and document.text in _NULL for document in file.documents)
-    return ControllersFile(file.source.path, at, form, is_moveit=is_moveit, told_by=keys, empty=empty)
 
 
 # -- ROS 2 -----------------------------------------------------------------------------------------------------------
@@ -262,8 +187,8 @@ class _Ros2:
         controllers = []
         for section in self.sections:
             kind = section.parameters.value("type")
-            is_type = kind is not None and kind.kind is Kind.STRING and _is_class(kind.text)
-            is_type = is_type and not any(key in section.parameters for key in _OF_OTHER_STACKS)
+            is_type = kind is not None and kind.kind is Kind.STRING and is_class(kind.text)
+            is_type = is_type and not any(key in section.parameters for key in OF_OTHER_STACKS)
             if is_type and section.path not in used and not section.is_shared:
                 controllers.append(self._controller(section.name, section.namespace, None))
         return controllers
@@ -300,10 +225,10 @@ def _combined(sections: Iterable[Section]) -> Parameters:
 def _declares(parameters: Parameters) -> bool:
     """Whether the top-level parameters contain a map with a type of the form package/Class."""
     own = [
-        each for each in parameters.below() if not any(f"{each.name}.{key}" in parameters for key in _OF_OTHER_STACKS)
+        each for each in parameters.below() if not any(f"{each.name}.{key}" in parameters for key in OF_OTHER_STACKS)
     ]
     kinds = (parameters.value(f"{child.name}.type") for child in own)
-    return any(kind is not None and kind.kind is Kind.STRING and _is_class(kind.text) for kind in kinds)
+    return any(kind is not None and kind.kind is Kind.STRING and is_class(kind.text) for kind in kinds)
 
 
 def _is_manager(section: Section) -> bool:
@@ -357,11 +282,11 @@ class _Ros1:
     def _is_controller(self, path: tuple[str, ...]) -> bool:
         if any(_is_meant(path, name, full=full) for full, name in self.started):
             return True
-        if any((*path, key) in self.leaves for key in _OF_OTHER_STACKS):
+        if any((*path, key) in self.leaves for key in OF_OTHER_STACKS):
             return False
         kind = self._type(path)
         return path not in self.hardware and (
-            kind is not None and kind.kind is Kind.STRING and (_is_class(kind.text) or kind.text.endswith("Controller"))
+            kind is not None and kind.kind is Kind.STRING and (is_class(kind.text) or kind.text.endswith("Controller"))
         )
 
     def _hardware(self, path: tuple[str, ...]) -> Iterator[str]:
