@@ -91,6 +91,32 @@ def test_a_file_that_includes_itself_is_still_a_robot(folder: Folder) -> None:
     assert roots() == ["robot.xacro"]
 
 
+HANGS = '<robot{}><link name="lens"/><joint name="j"><parent link="{}"/><child link="lens"/></joint></robot>'
+
+
+@pytest.mark.parametrize(
+    ("text", "is_robot"),
+    [
+        (HANGS.format("", "chassis"), False),
+        (HANGS.format(' name="camera"', "chassis"), True),  # a robot with a misspelt link
+        (HANGS.format("", "lens"), True),
+        (HANGS.format("", "${parent}"), True),
+        (HANGS.format("", "chassis").replace("</robot>", '<include filename="$(env BASE)"/></robot>'), True),
+    ],
+)
+def test_an_accessory_that_hangs_on_a_link_of_another_file_is_no_robot(
+    folder: Folder, text: str, is_robot: bool
+) -> None:
+    folder.write({"robot.urdf": ROBOT, "camera.xacro": text})
+    assert roots() == (["camera.xacro"] if is_robot else []) + ["robot.urdf"]
+
+
+def test_an_accessory_that_a_launch_file_loads_is_a_robot(folder: Folder) -> None:
+    launch = '<launch><param name="robot_description" textfile="$(find arm)/camera.urdf"/></launch>'
+    folder.write({"camera.urdf": HANGS.format("", "chassis"), "show.launch": launch})
+    assert roots() == ["camera.urdf"]
+
+
 def test_an_include_from_another_package_hides_only_the_file_of_that_package(folder: Folder) -> None:
     folder.write(
         {
@@ -151,7 +177,7 @@ def test_the_files_that_no_robot_has_read_are_known(folder: Folder) -> None:
     assert DiscoveredFiles().unread(read) == []
 
 
-@pytest.mark.parametrize("word", ["<include ", "<!--", '<xacro:include filename="'])
+@pytest.mark.parametrize("word", ["<include ", "<!--", '<xacro:include filename="', "<link ", '<parent link="'])
 def test_a_million_beginnings_without_an_end_are_searched_once(folder: Folder, word: str) -> None:
     folder.write({"robot.urdf": "<robot " + word * (1_000_000 // len(word))})  # one by one it would take hours
     assert roots(".") == ["robot.urdf"]

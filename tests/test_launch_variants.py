@@ -119,3 +119,12 @@ def test_a_file_whose_name_needs_an_argument_is_not_missing(folder: Folder, need
     launch = Loader(Settings()).load(Target(str(folder.path / "l.launch"))).project.launch
     assert launch is not None
     assert [reference.file.exists for reference in launch.references] == [exists]
+
+
+def test_an_empty_default_of_an_included_launch_file_is_not_a_file_name(folder: Folder) -> None:
+    folder.write({"l.launch": '<launch><include file="$(dirname)/inner.launch"/></launch>'})
+    inner = '<launch><arg name="model" default=""/><rosparam file="$(dirname)/$(arg model).yaml"/></launch>'
+    folder.write({"inner.launch": inner})
+    launch = Loader(Settings()).load(Target(str(folder.path / "l.launch"))).project.launch
+    assert launch is not None
+    assert {reference.use: reference.file.exists for reference in launch.references}["parameters"] is None

@@ -5,7 +5,7 @@ from __future__ import annotations
 import errno
 import os
 import re
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from fnmatch import fnmatchcase
 from functools import lru_cache
 
@@ -20,6 +20,10 @@ from urdfctl.source.packages import package_around, package_name
 _INCLUDE = rb"(?s)<(?:xacro:)?include\s[^<>]*?filename\s*=\s*[\"']([^\"']+)[\"']"
 _COMMENT = rb"(?s)<!--.*?(?:-->|\Z)"
 _ROBOT = rb"<robot[\s>/]"
+_ROOT = rb"(?s)<robot(?:\s[^<>]*)?>"
+_NAMED = rb"\sname\s*="
+_LINK = rb"(?s)<link\s[^<>]*?name\s*=\s*[\"']([^\"']*)[\"']"
+_PARENT = rb"(?s)<parent\s[^<>]*?link\s*=\s*[\"']([^\"']*)[\"']"
 
 
 class DiscoveredFiles:
@@ -119,9 +123,10 @@ def _classify(files: Sequence[str], found: DiscoveredFiles, excluded: Callable[[
     found.generated += written_by_xacro({path: text for path, text in robots.items() if not excluded(path)})
     generated = set(found.generated)
     found.others += (path for path in robots if not excluded(path) and path not in generated)
-    found.candidates += (path for path in roots(robots) if not excluded(path) and path not in generated)
     launches = {path: text for path in files if may_launch(path) and is_launch_file(path, text := text_of(path))}
     found.launch_candidates += (path for path in launch_roots(launches) if not excluded(path))
+    whole = (path for path in roots(robots) if not is_fragment(path, robots[path], launches.values()))
+    found.candidates += (path for path in whole if not excluded(path) and path not in generated)
     yamls = (path for path in files if is_yaml(path) and not excluded(path))
     found.controllers_candidates += (path for path in yamls if is_controllers_file(text_of(path)))
     return len(found.paths()) > before
@@ -131,6 +136,21 @@ def roots(texts: Mapping[str, bytes]) -> list[str]:
     """Return the descriptions that no other one includes, in order. Loading shows whether they are robots."""
     included = {(tail, package) for path, text in texts.items() for tail, package in _included(path, text)}
     return [path for path in texts if not any(is_match(path, tail, package) for tail, package in included)]
+
+
+def is_fragment(path: str, text: bytes, launches: Iterable[bytes]) -> bool:
+    """Return whether a description is meant to be included, though nothing here includes it.
+
+    Its <robot> has no name, a joint hangs on a link that is not in the file, it includes nothing that could have the
+    link, and no launch file mentions it: an accessory whose include is commented out, or named by the environment.
+    """
+    text = re.sub(_COMMENT, b"", text)
+    root = re.search(_ROOT, text)
+    if root is None or re.search(_NAMED, root[0]) or re.search(_INCLUDE, text):
+        return False
+    links = set(re.findall(_LINK, text))
+    hanging = any(b"$" not in parent and parent not in links for parent in re.findall(_PARENT, text))
+    return hanging and not any(os.path.basename(path).encode() in launch for launch in launches)
 
 
 def _included(path: str, text: bytes) -> Iterator[tuple[str, str]]:

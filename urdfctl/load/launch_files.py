@@ -52,10 +52,12 @@ def read_launch(
 
 
 def _without_needed(launch: Launch, arguments: Mapping[str, str], reader: _Reader) -> Launch:
-    """The launch file, where it is not known whether a file exists if its path needs an argument that is not given."""
-    needed = {name: UNKNOWN for name, default in launch.arguments if not default and name not in arguments}
+    """The launch file, where it is not known whether a file exists if its path needs an argument that is not given.
+
+    An argument with an empty default is one that is not given, also in an included launch file.
+    """
     missing = {one.file.path for one in launch.references if one.file.exists is False}
-    other = reader.launch({**arguments, **needed}) if needed and missing else None
+    other = reader.launch(arguments, blank=UNKNOWN) if missing else None
     if other is None:
         return launch
     open_paths = missing - {one.file.path for one in other.references}
@@ -87,20 +89,27 @@ class _Reader:
         root = self._root(self.path)
         return root is None or not is_of_ros2(root)
 
-    def launch(self, arguments: Mapping[str, str]) -> Launch | None:
-        """The facts of the launch file."""
-        return self.ros1(arguments) if self.is_roslaunch() else self.ros2(arguments)
+    def launch(self, arguments: Mapping[str, str], blank: str = "") -> Launch | None:
+        """The facts of the launch file, with a value for arguments that have an empty default."""
+        return self.ros1(arguments, blank) if self.is_roslaunch() else self.ros2(arguments, blank)
 
-    def ros1(self, arguments: Mapping[str, str]) -> Launch | None:
+    def ros1(self, arguments: Mapping[str, str], blank: str) -> Launch | None:
         """Return the facts of a ROS 1 launch file."""
-        return launch_of(self.path, arguments, Sources(self.tree, self.locate, self.folder, self.environ))
+        return launch_of(self.path, arguments, Sources(self.tree, self.locate, self.folder, self.environ, blank))
 
-    def ros2(self, arguments: Mapping[str, str]) -> Launch | None:
+    def ros2(self, arguments: Mapping[str, str], blank: str) -> Launch | None:
         """Return the facts of a ROS 2 launch file. Its reader is imported only here."""
         from urdfctl.model.build_launch_ros2 import Sources as SourcesOfRos2
         from urdfctl.model.build_launch_ros2 import launch_of_ros2
 
-        sources = SourcesOfRos2(self.term, self.locate, self.find, self.environ, self.yaml)
+        sources = SourcesOfRos2(
+            read=self.term,
+            locate=self.locate,
+            find=self.find,
+            environ=self.environ,
+            values=self.yaml,
+            blank=blank,
+        )
         return launch_of_ros2(self.path, arguments, sources)
 
     # -- texts -------------------------------------------------------------------------------------------------------

@@ -44,12 +44,14 @@ class Sources(NamedTuple):
     locate: returns the source path of a file, and whether it exists; None if that cannot be checked.
     find: returns the folder of a package; None if unknown.
     environ: the environment variables.
+    blank: the value of arguments with an empty default, in this file and the included ones.
     """
 
     read: Callable[[str], Document | None]
     locate: Callable[[str], tuple[str, bool | None]]
     find: Callable[[str], str | None]
     environ: Mapping[str, str]
+    blank: str = ""
 
 
 class _Scope(NamedTuple):
@@ -203,7 +205,8 @@ class _Builder:
         if given is None and name in scope.arguments:
             return
         text = given if given is not None else element.attrs.get("default")
-        scope.arguments[name] = UNKNOWN if text is None or not scope.sure else texts.resolve(text)
+        value = UNKNOWN if text is None or not scope.sure else texts.resolve(text)
+        scope.arguments[name] = value if value or given is not None else self.sources.blank
 
     def _include(self, element: Element, scope: _Scope, texts: Substitutions) -> None:
         written = element.attrs.get("file", "")
