@@ -254,9 +254,11 @@ def test_evidence_is_a_list_of_items_with_what_was_outweighed(folder: Folder) ->
     ]
 
 
-def test_a_run_ends_with_the_open_distro_once(folder: Folder) -> None:
+def test_a_run_names_the_open_distro_once_before_its_summary(folder: Folder) -> None:
     folder.write({"r.urdf": PLAIN.format(ROS2_CONTROL), "plain.urdf": PLAIN.format("")})
-    line = "ROS distro unknown (foxy to rolling): use --distro\n"
-    assert folder.run("lint", "r.urdf").stdout.endswith(line)
+    line = "ROS distro unknown (foxy to rolling): add --distro NAME"
+    shown = folder.run("lint", "r.urdf").stdout
+    assert shown.splitlines()[-2].startswith(line)
+    assert shown.count(line) == 1
     assert line not in folder.run("lint", "r.urdf", "--distro", "jazzy").stdout
     assert "ROS distro unknown" not in folder.run("lint", "plain.urdf").stdout
