@@ -75,6 +75,12 @@ def _tree(text: str, source: str) -> Any:
     from urdfctl.source.budget import OverBudget
     from urdfctl.source.yaml_size import check_size
 
+    try:
+        check_size(text.encode("utf-8", "surrogateescape"))
+    except OverBudget as error:
+        raise UserError(f"{source}: {error}") from None
+    except yaml.YAMLError:
+        pass  # reported below, in the words of the format
     if source.endswith(".json") or text.lstrip().startswith(("{", "[")):
         try:
             return json.loads(text)
@@ -82,11 +88,10 @@ def _tree(text: str, source: str) -> Any:
             if source.endswith(".json"):
                 raise UserError(f"{source}: not valid JSON: {error}") from None
     try:
-        check_size(text.encode("utf-8", "surrogateescape"))
         return yaml.load(text, getattr(yaml, "CSafeLoader", yaml.SafeLoader))  # noqa: S506 (a safe loader)
     except yaml.YAMLError as error:
         raise UserError(f"{source}: not valid YAML: {' '.join(str(error).split())}") from None
-    except (OverBudget, ValueError) as error:  # such as a date in a thirteenth month
+    except ValueError as error:  # such as a date in a thirteenth month
         raise UserError(f"{source}: not valid YAML: {error}") from None
 
 
