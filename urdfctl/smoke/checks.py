@@ -17,7 +17,7 @@ from urdfctl.rules.smoke.joints_oscillate_together import joints_oscillate_toget
 from urdfctl.smoke.engines import Standing
 from urdfctl.smoke.motions import CRUISE, Goal
 from urdfctl.smoke.results import Trouble, trouble_of
-from urdfctl.smoke.tasks import Drive, Family, Task
+from urdfctl.smoke.tasks import Drive, Family, Task, is_skidding
 from urdfctl.startup.records import NamedTuple
 
 ERROR_OF_STEP, LEAST_ERROR, DROOP = 0.25, 0.01, 1.5
@@ -48,9 +48,9 @@ STRAIGHT_YAW = 0.15
 """A base may turn by this while it drives straight, in rad."""
 LEAST_TURN = 0.05
 """A base must turn by at least this fraction of the commanded angle, in every engine."""
-TURNS = {"two": (0.8, 1.2), "skid": (0.05, 1.5), "steered": (0.3, 1.5)}
-"""The range of the angle turned, as a fraction of the commanded one: for two wheels, for more (they slip), and for
-steered wheels (they slip a little)."""
+TURNS = {"two": (0.8, 1.2), "skid": (0.05, math.inf), "steered": (0.3, 1.5)}
+"""The range of the angle turned, as a fraction of the commanded one: for two wheels, for more (how far they slip is not
+known, so that only the direction counts), and for steered wheels (they slip a little)."""
 
 
 class Track(NamedTuple):
@@ -188,7 +188,7 @@ def _why_not(ratio: float) -> Iterator[str]:
 def turn_troubles(task: Task, drive: Drive, journey: Journey, slipping: float = 0.0) -> Iterator[Trouble]:
     """Yield what is wrong if a base does not turn left as commanded; `slipping` widens the accepted range."""
     angle = journey.angle
-    kind = "steered" if drive.steered else "two" if len(drive.wheels) == 2 else "skid"  # noqa: PLR2004
+    kind = "steered" if drive.steered else "skid" if is_skidding(drive) else "two"
     low, high = TURNS[kind]
     ratio = journey.yaw / angle if angle else 1.0
     if max(low - slipping, LEAST_TURN) < ratio < high + slipping:

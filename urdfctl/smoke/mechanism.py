@@ -35,7 +35,8 @@ class Body(NamedTuple):
     `mass` is in kg. `centre` is the centre of mass in the link's frame, in m. `inertia` is the inertia about it along
     the axes of that frame, in kg m². `radius` is how far its collision geometry reaches from the axis about which the
     link turns, in m, or None; `aside` is the place along that axis where it reaches farthest, and `width` the length of
-    that part, in m. `falls` is False if gravity is turned off for the link.
+    that part, in m. `falls` is False if gravity is turned off for the link. `grip` is the friction
+    coefficient that `<gazebo>` gives, or None.
     """
 
     name: str
@@ -46,6 +47,7 @@ class Body(NamedTuple):
     falls: bool = True
     aside: float = 0.0
     width: float = 0.0
+    grip: float | None = None
 
 
 class Hinge(NamedTuple):
@@ -209,7 +211,12 @@ def mechanism_of(robot: Robot) -> Mechanism | None:
     if len(ordered) != len(names) - 1 or {roots[0], *(hinge.child for hinge in ordered)} != set(names):
         return None
     floating = set(_weightless(robot))
-    bodies = {link.name: _body(link, falls=link.name not in floating) for link in robot.links if link.name}
+    grips = dict(_grips(robot))
+    bodies = {
+        link.name: _body(link, falls=link.name not in floating)._replace(grip=grips.get(link.name))
+        for link in robot.links
+        if link.name
+    }
     return Mechanism(roots[0], bodies, tuple(ordered))
 
 
@@ -320,6 +327,15 @@ def _weightless(robot: Robot) -> Iterator[str]:
             off = ("true", "1") if tag.name == "turnGravityOff" else ("false", "0")
             if gazebo.reference and tag.text.strip().lower() in off:
                 yield gazebo.reference
+
+
+def _grips(robot: Robot) -> Iterator[tuple[str, float]]:
+    """The links with a friction coefficient, as an element's text or as its attribute `value`."""
+    for gazebo in robot.gazebos:
+        for tag in gazebo.tag.named("mu1"):
+            grip = _float(tag.attributes.get("value", tag.text), math.nan)
+            if gazebo.reference and math.isfinite(grip):
+                yield gazebo.reference, grip
 
 
 def origin_of(tag: Tag) -> Pose:

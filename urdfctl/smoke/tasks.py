@@ -128,6 +128,11 @@ class Task(NamedTuple):
         return {**self._asdict(), "family": self.family.name}
 
 
+def is_skidding(drive: Drive) -> bool:
+    """Return whether a base turns by letting wheels slip: it has more than two, and none is steered."""
+    return len(drive.wheels) > 2 and not drive.steered  # noqa: PLR2004
+
+
 def driven_of(task: Task) -> tuple[str, ...]:
     """Return the joints of the driven wheels of a mobile base."""
     return task.base.wheels if task.base else ()

@@ -28,7 +28,7 @@ from urdfctl.smoke.motions import FREELY, Goal, Loop, Wheels, goal_of, hold, mot
 from urdfctl.smoke.plan import Plan, Tried
 from urdfctl.smoke.results import ROBOT, Curve, Trouble, trouble_of
 from urdfctl.smoke.simulation import Exploded, OutOfTime, Simulation
-from urdfctl.smoke.tasks import Drive, Family, Task, is_loop
+from urdfctl.smoke.tasks import Drive, Family, Task, is_loop, is_skidding
 
 SETTLING = 0.5
 """The time in which a robot comes to rest, in s."""
@@ -67,6 +67,8 @@ def tried(plan: Plan) -> Tried:
         gui=plan.gui,
         resist={h.name: (h.friction, h.damping) for h in mechanism.hinges if h.moves and (h.friction or h.damping)},
         stiff=_stiff(plan),
+        skidding={hinge.child: hinge.axis for hinge in mechanism.hinges if hinge.name in _skidding(plan)},
+        grips={body.name: body.grip for body in mechanism.bodies.values() if body.grip is not None},
     )
     try:
         engine = open_engine(plan.engine, setup)
@@ -98,9 +100,14 @@ def _untested(plan: Plan, task: Task) -> dict[str, str]:
     if task.drive is None:
         standing = {} if not plan.fixed or plan.mechanism.is_fixed else {"standing": "the base is held in the air"}
         return {**standing, "contact": "links do not collide"}
-    skids = len(task.drive.wheels) > 2 and not task.drive.steered  # noqa: PLR2004 (with two the wheels roll)
-    slipping = {"turning rate": "wheels slip; only the direction was tested"} if skids else {}
-    return {**slipping, "friction": "wheels grip and all other parts slide, whatever <gazebo> gives"}
+    slipping = {"turning rate": "wheels slip; only the direction was tested"} if is_skidding(task.drive) else {}
+    return {**slipping, "friction": "a wheel grips unless <gazebo> gives less, and all other parts slide"}
+
+
+def _skidding(plan: Plan) -> set[str]:
+    """The joints of the wheels of bases that turn by letting more than two wheels slip."""
+    drives = [task.drive for task in plan.tasks if task.drive and is_skidding(task.drive)]
+    return {name for drive in drives for name in drive.wheels}
 
 
 def _stiff(plan: Plan) -> tuple[str, ...]:

@@ -8,6 +8,7 @@ from importlib import import_module
 from importlib.util import find_spec
 from typing import Protocol
 
+from urdfctl.model.geometry import Vector
 from urdfctl.startup.records import NamedTuple
 
 STEP = 0.001
@@ -29,7 +30,9 @@ class Setup(NamedTuple):
     holds the movable joints with their positions at spawn. `weightless` are the links without gravity, and `wheels` the
     links of wheels.
     `resist` holds the friction of joints, in N m or N, and their damping, in N m s/rad or N s/m; the `stiff`
-    joints are damped more strongly than a step of the engine bears. `gui` shows a window.
+    joints are damped more strongly than a step of the engine bears. `skidding` holds the links of wheels that slip
+    sideways when the base turns, with their axes; `grips` the friction of links for which the description gives a lower
+    one than usual. `gui` shows a window.
     """
 
     urdf: str
@@ -41,6 +44,13 @@ class Setup(NamedTuple):
     gui: bool = False
     resist: Mapping[str, tuple[float, float]] = {}
     stiff: Sequence[str] = ()
+    skidding: Mapping[str, Vector] = {}
+    grips: Mapping[str, float] = {}
+
+    def friction_of(self, link: str) -> float:
+        """Return the friction of a link on the ground."""
+        usual = GRIPS if link in self.wheels else SLIDES
+        return min(usual, self.grips.get(link, usual))
 
 
 class Motor(NamedTuple):

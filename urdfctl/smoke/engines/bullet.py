@@ -7,7 +7,7 @@ import os
 import tempfile
 import time
 
-from urdfctl.smoke.engines import FREE_MOTOR, GRIPS, SLIDES, STEP, Motor, Refused, Setup, Standing
+from urdfctl.smoke.engines import FREE_MOTOR, SLIDES, STEP, Motor, Refused, Setup, Standing
 from urdfctl.startup.hints import Any
 
 MOST_JOINTS = 127
@@ -39,16 +39,21 @@ class Bullet:
         physics, robot, client = self._physics, self._robot, self._client
         self._pause = STEP if setup.gui else 0.0
         for index in (-1, *self._links):
-            friction = GRIPS if self._links.get(index) in setup.wheels else SLIDES
+            link = self._links.get(index, self._root)
             physics.changeDynamics(
                 robot,
                 index,
                 linearDamping=0,
                 angularDamping=0,
                 maxJointVelocity=_FREELY,
-                lateralFriction=friction,
                 physicsClientId=client,
             )
+            # with the other values in one call, pybullet ignores the friction
+            friction = setup.friction_of(link)
+            physics.changeDynamics(robot, index, lateralFriction=friction, physicsClientId=client)
+            if link in setup.skidding:  # it would not let the wheels slip, so that the base does not turn
+                ways = [1 - (1 - SLIDES) * abs(part) for part in setup.skidding[link]]
+                physics.changeDynamics(robot, index, anisotropicFriction=ways, physicsClientId=client)
         for name, index in self._joints.items():
             physics.resetJointState(robot, index, setup.start.get(name, 0.0), physicsClientId=client)
             self._motor(index, 0.0, 0.0)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from urdfctl.smoke.engines import GRIPS, SLIDES, STEP, Motor, Refused, Setup, Standing
+from urdfctl.smoke.engines import STEP, Motor, Refused, Setup, Standing
 from urdfctl.smoke.prepare import quoted
 from urdfctl.startup.hints import Any
 
@@ -157,7 +157,7 @@ def open_engine(setup: Setup) -> Mujoco:
         for shape in spec.geoms:
             shape.contype, shape.conaffinity = (2, 1) if shape.parent == spec.worldbody else (1, 2)
             wheel = shape.parent.name in setup.wheels
-            shape.friction[0] = GRIPS if wheel else SLIDES
+            shape.friction[0] = setup.friction_of(shape.parent.name)
             if wheel and shape.type == mujoco.mjtGeom.mjGEOM_CYLINDER:
                 shape.type = mujoco.mjtGeom.mjGEOM_SPHERE  # the edges of a cylinder shake the robot
         for name in setup.weightless:
