@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from urdfctl.model.geometry import Pose, Vector, minus, plus, scaled, transposed, turned
+from urdfctl.rules.smoke.base_too_slow import base_too_slow
 from urdfctl.rules.smoke.steering_range_too_small import steering_range_too_small
 from urdfctl.rules.smoke.steering_turns_backwards import steering_turns_backwards
 from urdfctl.rules.smoke.wheel_cannot_roll import wheel_cannot_roll
@@ -17,7 +18,7 @@ from urdfctl.rules.smoke.wheels_mirrored import wheels_mirrored
 from urdfctl.rules.smoke.wheels_too_weak import wheels_too_weak
 from urdfctl.smoke.loads import SLOWER, TIME, resisted
 from urdfctl.smoke.mechanism import Hinge, Mechanism
-from urdfctl.smoke.motions import speed_of
+from urdfctl.smoke.motions import fastest, speed_of
 from urdfctl.smoke.results import Trouble, trouble_of
 from urdfctl.smoke.tasks import Drive, Family, Task, driven_of
 from urdfctl.startup.records import NamedTuple
@@ -30,6 +31,8 @@ LEAST_STEERING = 0.05
 """A steering joint should turn at least this far to both sides, in rad."""
 LEAST_ROLL = 4 * math.pi
 """A wheel that turns less than this, in rad, cannot drive."""
+LEAST_SPEED = 0.02
+"""A base should be able to drive this fast, in m/s."""
 LEVEL = 0.005
 """Wheels whose lowest points differ by at most this, in m, stand on the same ground."""
 
@@ -50,6 +53,7 @@ def drive_troubles(mechanism: Mechanism, tasks: Sequence[Task]) -> Iterator[Trou
             everyone = wheels_of(mechanism, driven_of(task), drive.base)
             yield from _sides(mechanism, task, drive)
             yield from _places(mechanism, task, drive)
+            yield from _order(mechanism, task, drive)
             if drive.angles:
                 yield from _around(task, drive, everyone)
             else:
@@ -97,6 +101,16 @@ def _sides(mechanism: Mechanism, task: Task, drive: Drive) -> Iterator[Trouble]:
     for wheel, side in wrong:
         role, actual = ("left", "right") if side > 0 else ("right", "left")
         yield _misplaced(task, wheel, f"a {role} wheel", f"on the {actual} side")
+
+
+def _order(mechanism: Mechanism, task: Task, drive: Drive) -> Iterator[Trouble]:
+    """The steering controllers of ROS 2 take two wheels or pivots as the right and the left one, in this order."""
+    for names in (drive.driven, drive.steered) if drive.steered else ():
+        wheels = wheels_of(mechanism, names, drive.base)
+        if len(wheels) == 2 == len(names) and wheels[0].place[1] - wheels[1].place[1] > LEVEL:  # noqa: PLR2004
+            yield _misplaced(
+                task, wheels[0], "the right wheel", "on the left side: the right one comes first in the list"
+            )
 
 
 def _misplaced(task: Task, wheel: Wheel, role: str, actual: str) -> Trouble:
@@ -252,7 +266,13 @@ def _steering(mechanism: Mechanism, task: Task, drive: Drive) -> Iterator[Troubl
 
 def _rolling(mechanism: Mechanism, task: Task, drive: Drive, wheels: Sequence[Wheel]) -> Iterator[Trouble]:
     """Driven wheels must turn without end, against friction and damping, and accelerate the robot."""
-    speed, thrust, known = speed_of(drive), 0.0, bool(wheels)
+    hinges = [wheel.hinge for wheel in wheels]
+    speed, thrust, known = speed_of(drive, hinges), 0.0, bool(wheels)
+    top = min(drive.speed, fastest(drive, hinges))
+    if wheels and top < LEAST_SPEED:
+        why = "its own velocity limit" if drive.speed <= top else "the velocity limits of its wheels"
+        subject, shown = f"controller:{task.controller}", f"{top:.2g}"
+        yield trouble_of(base_too_slow, subject, task.controller, (), speed=shown, why=why)
     for wheel in wheels:
         hinge = wheel.hinge
         radius = drive.radius_of(hinge.name) or mechanism.bodies[hinge.child].radius

@@ -167,6 +167,7 @@ def _motor(hinge: Hinge, task: Task, weight: float, inertia: float) -> Iterator[
         return
     left -= weight
     if left <= 0 and hinge.effort:
+        yield resisted(hinge, task, speed, weight)
         return
     moved = math.inf if not inertia else 0.5 * left / inertia * TIME**2
     if moved < abs(goal.by):
@@ -174,12 +175,17 @@ def _motor(hinge: Hinge, task: Task, weight: float, inertia: float) -> Iterator[
         yield trouble_of(effort_too_weak_to_move, subject, task.controller, (), **fields, needed=needed)
 
 
-def resisted(hinge: Hinge, task: Task, speed: float) -> Trouble:
-    """Return the finding that friction or damping keeps a joint from a speed, in rad/s or m/s."""
+def resisted(hinge: Hinge, task: Task, speed: float, weight: float = 0.0) -> Trouble:
+    """Return the finding that friction or damping keeps a joint from a speed, in rad/s or m/s.
+
+    `weight` is what the joint carries, in N m or N.
+    """
     effort = hinge.effort or 0.0
-    left = effort - hinge.friction
+    left = effort - hinge.friction - weight
     most = max(0.0, left / hinge.damping) if hinge.damping else 0.0
     what = f"friction of {hinge.friction:g} {hinge.effort_unit}" if left <= 0 else f"damping of {hinge.damping:g}"
+    if weight:
+        what += f" and carries {weight:.3g} {hinge.effort_unit}"
     how = f"at most at {most:.2g} {hinge.unit}/s" if left > 0 else "not at all"
     fields = {"joint": hinge.name, "what": what, "how": how, "limit": effort, "unit": hinge.effort_unit}
     notes = (f"the test motion takes {speed:.2g} {hinge.unit}/s",)

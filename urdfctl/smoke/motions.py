@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Protocol
 
 from urdfctl.smoke.engines import Engine
@@ -23,6 +23,8 @@ CRUISE = 0.2
 """The velocity that a velocity loop should hold, in rad/s or m/s."""
 FORWARD, TURN = 0.3, 0.5
 """The command to a mobile base: 0.3 m/s forward, 0.5 rad/s to the left."""
+PART_OF_SPEED = 0.9
+"""A base is driven at this fraction of what its wheels can do at most."""
 MOST_STEERING = 0.5
 """A base is steered by this angle at most, in rad."""
 PUSH = 1.0
@@ -55,14 +57,21 @@ def goal_of(hinge: Hinge, start: float, weight: float, seconds: float) -> Goal:
     return Goal(hinge, start, far if start + 1.1 * far <= high else -far, weight)
 
 
-def speed_of(drive: Drive) -> float:
-    """Return the speed at which a base is driven, in m/s: its controller limits it."""
-    return min(FORWARD, drive.speed)
+def fastest(drive: Drive, hinges: Iterable[Hinge | None]) -> float:
+    """Return the highest speed of a base that the velocity limits of its wheels allow, in m/s."""
+    limits = (h.velocity * drive.radius_of(h.name) for h in hinges if h and h.velocity)
+    return min((limit for limit in limits if limit), default=math.inf)
 
 
-def turning_of(drive: Drive) -> float:
+def speed_of(drive: Drive, hinges: Iterable[Hinge | None]) -> float:
+    """Return the speed at which a base is driven, in m/s: its controller and its wheels limit it."""
+    return min(FORWARD, drive.speed, PART_OF_SPEED * fastest(drive, hinges))
+
+
+def turning_of(drive: Drive, speed: float) -> float:
     """Return the rate at which a base is turned, in rad/s: its controller limits it."""
-    return min(TURN, drive.turning)
+    of_wheels = 2 * speed / drive.separation if drive.separation else TURN
+    return min(TURN, drive.turning, max(of_wheels, TURN if speed >= FORWARD else 0.0))
 
 
 def effort_of(hinge: Hinge) -> float:

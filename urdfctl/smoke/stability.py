@@ -11,6 +11,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from urdfctl.model.geometry import Square, Vector, cross, dot, minus, product, transposed, turned
+from urdfctl.rules.smoke.loop_too_soft import loop_too_soft
 from urdfctl.rules.smoke.loop_too_stiff_without_rotor import loop_too_stiff_without_rotor
 from urdfctl.rules.smoke.loop_underdamped import loop_underdamped
 from urdfctl.rules.smoke.loop_unstable import loop_unstable
@@ -25,6 +26,8 @@ LEAST_DAMPING = 0.05
 """Below this damping ratio a robot swings for seconds."""
 ROTOR = 0.05
 """The inertia that the rotor of a geared motor adds to a joint, in kg m². Robot descriptions do not contain it."""
+MOST_SAG, SAG_TIME = 0.1, 2.0
+"""A joint may sag by this fraction of its range; the integral part has this time to make up for it, in s."""
 MOST_JOINTS = 12
 """With more joints than this in one loop, each joint is checked alone: together they would take seconds."""
 _STEP = 1e-4
@@ -64,6 +67,26 @@ def _judged(mechanism: Mechanism, hinges: list[Hinge], gains: list[Gains], perio
         return trouble_of(loop_unstable, subject, controller, _advice(gains), rate=1 / period)
     if ratio < LEAST_DAMPING:
         return trouble_of(loop_underdamped, subject, controller, _advice(gains), ratio=ratio, least=LEAST_DAMPING)
+    return _sagging(mechanism, hinges, gains, task)
+
+
+def _sagging(mechanism: Mechanism, hinges: Sequence[Hinge], gains: Sequence[Gains], task: Task) -> Trouble | None:
+    """The joint that sags most under its weight at spawn, if that is much of its range."""
+    load = gravity_load(mechanism, mechanism.start())
+    for hinge, gain in zip(hinges, gains, strict=True):
+        weight = abs(load.get(hinge.name, 0.0))
+        stiffness = gain.p + gain.i * SAG_TIME
+        sag = max(weight / stiffness, (weight - gain.clamp) / gain.p) if gain.p > 0 and stiffness > 0 else 0.0
+        low, high = hinge.span
+        if sag > MOST_SAG * (high - low):
+            fields = {
+                "joint": hinge.name,
+                "sag": sag,
+                "unit": hinge.unit,
+                "weight": weight,
+                "effort": hinge.effort_unit,
+            }
+            return trouble_of(loop_too_soft, f"controller:{task.controller}", task.controller, (), **fields)
     return None
 
 

@@ -9,6 +9,7 @@ from urdfctl.model.robot import Robot
 from urdfctl.rules.smoke.command_range_too_small import command_range_too_small
 from urdfctl.rules.smoke.inertia_too_small import inertia_too_small
 from urdfctl.rules.smoke.inertia_unusable import inertia_unusable
+from urdfctl.rules.smoke.initial_position_beyond_limits import initial_position_beyond_limits
 from urdfctl.rules.smoke.joint_held_still import joint_held_still
 from urdfctl.rules.smoke.mimic_beyond_limits import mimic_beyond_limits
 from urdfctl.rules.urdf.inertia_out_of_proportion import size_of
@@ -38,6 +39,7 @@ def static_troubles(mechanism: Mechanism, tasks: Sequence[Task], robot: Robot, s
     for task in tasks:
         yield from _limits(mechanism, task)
     yield from _mimics(mechanism)
+    yield from _starts(mechanism)
     if not unusable:
         yield from effort_troubles(mechanism, tasks)
         yield from _inertias(mechanism, tasks, robot)
@@ -106,6 +108,17 @@ def _ranges(hinge: Hinge, task: Task) -> Iterator[Trouble]:
 
 def _both(limit: float | None) -> tuple[float, float] | None:
     return (-limit, limit) if limit else None
+
+
+def _starts(mechanism: Mechanism) -> Iterator[Trouble]:
+    for hinge in mechanism.hinges:
+        low, high = hinge.span
+        slack = BEYOND * (high - low)
+        given = hinge.initial
+        if given is None or not hinge.moves or hinge.type == "continuous" or low - slack <= given <= high + slack:
+            continue
+        fields = {"joint": hinge.name, "start": given, "unit": hinge.unit, "lower": low, "upper": high}
+        yield trouble_of(initial_position_beyond_limits, f"joint:{hinge.name}", None, (), **fields)
 
 
 def _mimics(mechanism: Mechanism) -> Iterator[Trouble]:

@@ -305,10 +305,11 @@ class _Trial:
         seconds = self._plan.duration
         slipping = SLIPPING if self._plan.engine == "mujoco" else 0.0
         sides = {w.hinge.name: w.place[1] for w in wheels_of(self._simulation.mechanism, task.joints, drive.base)}
-        straight = Wheels(self._engine, self._hinges, drive, speed_of(drive), 0.0, sides=sides)
+        speed = speed_of(drive, (self._hinges.get(name) for name in drive.wheels))
+        straight = Wheels(self._engine, self._hinges, drive, speed, 0.0, sides=sides)
         troubles = list(forward_troubles(task, self._journey(straight, task, "ahead", seconds), slipping))
-        forward = speed_of(drive) if drive.steered else 0.0
-        turning = Wheels(self._engine, self._hinges, drive, forward, turning_of(drive), sides=sides)
+        forward = speed if drive.steered else 0.0
+        turning = Wheels(self._engine, self._hinges, drive, forward, turning_of(drive, speed), sides=sides)
         if not troubles:
             troubles += turn_troubles(task, drive, self._journey(turning, task, "yaw", seconds), slipping)
         self.troubles += troubles

@@ -7,6 +7,7 @@ fault calls `trouble_of` with the rule and the fields of its message.
 from __future__ import annotations
 
 from urdfctl.rule import Rule
+from urdfctl.rules.smoke.base_too_slow import base_too_slow
 from urdfctl.rules.smoke.base_without_mass import base_without_mass
 from urdfctl.rules.smoke.collision_mesh_left_out import collision_mesh_left_out
 from urdfctl.rules.smoke.command_range_too_small import command_range_too_small
@@ -24,6 +25,7 @@ from urdfctl.rules.smoke.engines_disagree import engines_disagree
 from urdfctl.rules.smoke.hardware_not_started import hardware_not_started
 from urdfctl.rules.smoke.inertia_too_small import inertia_too_small
 from urdfctl.rules.smoke.inertia_unusable import inertia_unusable
+from urdfctl.rules.smoke.initial_position_beyond_limits import initial_position_beyond_limits
 from urdfctl.rules.smoke.joint_does_not_follow import joint_does_not_follow
 from urdfctl.rules.smoke.joint_held_still import joint_held_still
 from urdfctl.rules.smoke.joint_leaves_limits import joint_leaves_limits
@@ -32,6 +34,7 @@ from urdfctl.rules.smoke.joint_oscillates import joint_oscillates
 from urdfctl.rules.smoke.joint_resists_its_motor import joint_resists_its_motor
 from urdfctl.rules.smoke.joint_too_fast import joint_too_fast
 from urdfctl.rules.smoke.joints_oscillate_together import joints_oscillate_together
+from urdfctl.rules.smoke.loop_too_soft import loop_too_soft
 from urdfctl.rules.smoke.loop_too_stiff_without_rotor import loop_too_stiff_without_rotor
 from urdfctl.rules.smoke.loop_underdamped import loop_underdamped
 from urdfctl.rules.smoke.loop_unstable import loop_unstable
@@ -95,4 +98,7 @@ RULES: tuple[Rule, ...] = (
     steering_turns_backwards,
     wheels_too_weak,
     engines_disagree,
+    base_too_slow,
+    initial_position_beyond_limits,
+    loop_too_soft,
 )
