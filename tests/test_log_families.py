@@ -66,7 +66,7 @@ FAMILIES = {
     "[INFO] [b]: [ERROR] [launch]: Required launch argument 'model' was not provided": "launch-argument-not-given",
     # frames and models
     "No transform from [wheel_left] to [base_link]": "no-transform-to-frame",
-    "Unable to find uri[model://my_robot/meshes/a.stl]": "gazebo-model-database",
+    "Unable to find uri[model://my_robot/meshes/a.stl]": "model-uri-not-found",
     "Unable to download model[model://my_robot]": "model-uri-not-found",
 }
 """A line, and the id of its message."""

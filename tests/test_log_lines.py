@@ -117,3 +117,9 @@ def test_a_text_that_nearly_has_the_words_of_a_message_is_taken_for_it_and_other
     (known,) = pasted("Parameter 'update_rate' not set, using the default value").known
     assert known.message.id == "update-rate-default"
     assert pasted("the robot is not where the default value of its update was set").known == ()
+
+
+def test_the_code_in_a_traceback_is_not_listed_as_unknown() -> None:
+    text = 'Traceback (most recent call last):\n  File "/opt/x.py", line 3, in main\n    run_the_flux(capacitor, now)\n'
+    assert log(text + "FluxError: the capacitor is empty\n").unknown[0].text == "FluxError: the capacitor is empty"
+    assert len(log(text).unknown) == 0

@@ -27,6 +27,7 @@ _MOST_CANDIDATES = 3
 """Messages reported for a truncated pasted line; with more candidates, the line is unknown."""
 _SHORT = 40
 """Lines up to which a log is read like pasted lines: those without a level may be errors too."""
+_TRACED = re.compile(r'^\W*File ".+", line \d+, in \S+$')
 _INSTALLED = "/opt/ros/"
 _LEVELS = ("error", "warning", "", "info")
 _URGENT = ("failure", "consequence", "warning")
@@ -133,6 +134,8 @@ class _Reader:
         self._unknown: dict[str, Unknown] = {}
         self._searched: dict[str, tuple[Hit, ...]] = {}
         self._wrapped: _Wrapped | None = None
+        self._code_follows = False
+        """Whether the next line is a line of code in a traceback of Python."""
 
     def read(self, line: str) -> None:
         """Read the next line."""
@@ -154,8 +157,9 @@ class _Reader:
             self._keep(hit, self._number, line)
         if hits:
             self._search_open_end(hits[-1], line)
-        elif self._is_searched(line) and line.text.strip():
+        elif self._is_searched(line) and line.text.strip() and not self._code_follows:
             self._search_partial(line)
+        self._code_follows = _TRACED.search(line.text) is not None
 
     def finished(self) -> Digest:
         """Return the collected messages."""

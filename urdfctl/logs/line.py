@@ -31,10 +31,11 @@ _PREFIX = re.compile(
 )
 PROCESS = re.compile(rf"{_PROCESS}:?\ ?", re.VERBOSE)
 """The name of a process, which a launch file puts before each line of its output."""
-_INNER_PROCESS = re.compile(r"(?<=\s)(?:\d+: )?\[[a-z][\w.+-]*-\d+\](?!:) ?")
+_INNER_PROCESS = re.compile(r"(?:^|(?<=\s))(?:\d+: )?\[[a-z][\w.+-]*-\d+\](?!:) ?")
 _RECORD = re.compile(
     r"(?<=\s)(?=(?:\[[A-Za-z][\w.+$()/ -]*-\d+\] ?)?\[ *(?:ERROR|WARN|INFO|FATAL|DEBUG) *(?:[\d.]+ *)?\]:? ?\[)"
 )
+_RECORD_LEVELS = ("INFO", "WARN", "ERROR", "FATAL", "DEBUG")
 _ERROR = re.compile(r"\b(?:ERROR|Error|FATAL)\b\s*:|what\(\):|\b[A-Z]\w+(?:Error|Exception)\b")
 _WARNING = re.compile(r"\b(?:WARN|WARNING|Warning|warning|error)\b\s*:|\b[Ee]xception\b")
 
@@ -54,8 +55,8 @@ class Line(NamedTuple):
 def records(line: str) -> list[Line]:
     """Return the records in a line: usually one, several if lines were joined."""
     text = cleaned(line)
-    parts = _joined(text) if text.count("[") > 2 else [text]  # noqa: PLR2004 (a level and a time)
-    return [_record(part) for part in parts]
+    levels = sum(map(text.count, _RECORD_LEVELS))
+    return [_record(part) for part in (_joined(text) if levels > 1 else [text])]
 
 
 def cleaned(line: str) -> str:
@@ -86,8 +87,11 @@ def _record(text: str) -> Line:
     if "[" not in text:
         return Line(text, _spoken(text))
     text = text.strip()
-    _, level, process = _behind_prefixes(text)
-    text = _INNER_PROCESS.sub("", PROCESS.sub("", text, count=1) if process else text)
+    end, level, process = _behind_prefixes(text)
+    if "[" in text[end:]:
+        text = text[:end] + _INNER_PROCESS.sub("", text[end:])
+    if process:
+        text = PROCESS.sub("", text, count=1)
     return Line(text, level or _spoken(text), process)
 
 

@@ -117,7 +117,9 @@ def _others(values: Sequence[dict[str, str]]) -> str:
     names = [name for name in values[0] if len({occurrence.get(name) for occurrence in values}) > 1]
     if not names:
         return ""
-    others = list(dict.fromkeys(occurrence.get(names[0], "…") for occurrence in values[1:]))
+    others = list(dict.fromkeys(occurrence[names[0]] for occurrence in values[1:] if names[0] in occurrence))
+    if not others:
+        return ""
     shown = ", ".join(f"'{visible(value[:60])}'" for value in others[:_MOST_OTHERS])
     return f", also with {shown}" + (f" and {len(others) - _MOST_OTHERS} more" if len(others) > _MOST_OTHERS else "")
 
