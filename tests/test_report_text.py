@@ -317,7 +317,9 @@ def test_the_last_line_counts_what_can_be_fixed(folder: Folder) -> None:
     where = at(folder, "r.xacro", (1, 1))
     edit = (Replacement(where, "x"),)
     fixes = [Repair("a", safe=True, edits=edit), Repair("b", safe=False, edits=edit), Repair("c", safe=False)]
-    safe, unsafe, by_hand = (fault(where, message=f"{n}!")._replace(fix=fix) for n, fix in zip("abc", fixes, strict=True))
+    safe, unsafe, by_hand = (
+        fault(where, message=f"{n}!")._replace(fix=fix) for n, fix in zip("abc", fixes, strict=True)
+    )
 
     def last(*found: Diagnostic) -> str:
         return text.render(Report((robot(folder),), found)).splitlines()[-1].partition("; ")[2]

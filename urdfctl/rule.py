@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from enum import Enum
 
 from urdfctl.catalog.distros import ALL
 from urdfctl.diagnostic import Edit, Finding, Fix, Note, Severity
@@ -13,6 +14,37 @@ from urdfctl.startup.records import NamedTuple
 
 Check = Callable[[Project], Iterator[Finding]]
 Example = Mapping[str, str]
+
+
+class Runtime(Enum):
+    """What ROS, Gazebo or another program does with the faulty part."""
+
+    REFUSES = "refuses"
+    """It rejects the part or waits in vain: the robot, a controller or a node does not load, start or move."""
+    CRASHES = "crashes"
+    """It throws, exits or dies."""
+    DROPS = "drops"
+    """It goes on without the part that the robot needs to move."""
+    IGNORES = "ignores"
+    """It goes on without what is written, or with another value, and tells nobody."""
+    MISBEHAVES = "misbehaves"
+    """It does something else than what was meant."""
+    WARNS = "warns"
+    """It says so and goes on."""
+    WORKS = "works"
+    """Nothing is lost in this configuration."""
+
+    @property
+    def severities(self) -> tuple[Severity, ...]:
+        """The severities that go with it; another one needs a reason."""
+        if self in (Runtime.REFUSES, Runtime.CRASHES, Runtime.DROPS):
+            return (Severity.ERROR,)
+        if self is Runtime.WARNS:
+            return Severity.WARNING, Severity.INFO
+        return (Severity.INFO,) if self is Runtime.WORKS else (Severity.WARNING,)
+
+
+_USUAL = {Severity.ERROR: Runtime.REFUSES, Severity.WARNING: Runtime.IGNORES, Severity.INFO: Runtime.WORKS}
 
 
 class Rule(NamedTuple):
@@ -38,6 +70,10 @@ class Rule(NamedTuple):
     """The stage that a robot or controller with an error of this rule does not pass. None: that of its family."""
     message: str = ""
     """The message of a smoke rule, with named fields for `str.format`. Empty for a rule of lint."""
+    stated_runtime: str = ""
+    """What the runtime does with the fault; empty if it does what is usual for the severity."""
+    because: str = ""
+    """Why the severity is not one that goes with what the runtime does."""
     explains: tuple[Rule, ...] = ()
     """The smoke rules whose findings about the same controller this one explains, so that they are left out."""
 
@@ -45,6 +81,11 @@ class Rule(NamedTuple):
     def name(self) -> str:
         """The name of the fault: the function's name, with hyphens."""
         return self.check.__name__.replace("_", "-")
+
+    @property
+    def runtime(self) -> Runtime:
+        """What the runtime does with the fault."""
+        return Runtime(self.stated_runtime) if self.stated_runtime else _USUAL[self.severity]
 
     @property
     def of_smoke(self) -> bool:
@@ -94,9 +135,16 @@ def rule(  # noqa: PLR0913 (a rule has this many attributes)
     options: Iterable[str] = (),
     stage: Stage | StageDependsOn | None = None,
     message: str = "",
+    runtime: str = "",
+    because: str = "",
     explains: tuple[Rule, ...] = (),
 ) -> Callable[[Check], Rule]:
-    """Make a function a rule. Its name is the function's name; its summary and reason come from the docstring."""
+    """Make a function a rule. Its name is the function's name; its summary and reason come from the docstring.
+
+    runtime: what ROS or Gazebo does with the fault, a value of `Runtime`; by default what goes with the severity:
+    it refuses what is an error, ignores what is a warning, and works with what is only info. because: why the
+    severity is another one than that of `runtime`.
+    """
 
     def made(check: Check) -> Rule:
         return Rule(
@@ -112,6 +160,8 @@ def rule(  # noqa: PLR0913 (a rule has this many attributes)
             options=tuple(options),
             stage=stage,
             message=message,
+            stated_runtime=runtime,
+            because=because,
             explains=explains,
         )
 
@@ -136,4 +186,16 @@ def cleandoc(text: str) -> str:
     return inspect.cleandoc(text)
 
 
-__all__ = ["Edit", "Finding", "Fix", "Note", "Project", "Rule", "Severity", "Stage", "StageDependsOn", "rule"]
+__all__ = [
+    "Edit",
+    "Finding",
+    "Fix",
+    "Note",
+    "Project",
+    "Rule",
+    "Runtime",
+    "Severity",
+    "Stage",
+    "StageDependsOn",
+    "rule",
+]

@@ -15,7 +15,7 @@ from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
 from urdfctl.report.common import Report
 from urdfctl.report.text import render
-from urdfctl.rule import Rule
+from urdfctl.rule import Rule, Runtime
 from urdfctl.rules.examples import companions, options_of, unmarked
 
 
@@ -25,6 +25,7 @@ def rule_explanation(rule: Rule) -> str:
         f"{rule.code} {rule.name} ({rule.severity.value}; {in_words(rule.distros)})",
         rule.summary,
         *(textwrap.fill(paragraph, 100) for paragraph in rule.why.split("\n\n")),
+        "" if rule.of_smoke else _runtime(rule),
         textwrap.fill(f"Authority: {rule.authority}", 100),
     ]
     if rule.bad:
@@ -33,6 +34,21 @@ def rule_explanation(rule: Rule) -> str:
         parts += ["Right:", *_files(rule.good)]
     parts.append(f"To ignore it in one place: <!-- urdfctl: ignore[{rule.code}] the reason -->")
     return "\n\n".join(part for part in parts if part) + "\n"
+
+
+def _runtime(rule: Rule) -> str:
+    """Return what ROS or Gazebo does with the fault, and why the severity is not the usual one for that."""
+    does = {
+        Runtime.REFUSES: "rejects the part, or does not start or move it",
+        Runtime.CRASHES: "ends with an error",
+        Runtime.DROPS: "goes on without the part",
+        Runtime.IGNORES: "ignores what is written",
+        Runtime.MISBEHAVES: "does something else than what was meant",
+        Runtime.WARNS: "warns and goes on",
+        Runtime.WORKS: "works",
+    }[rule.runtime]
+    because = f"; {rule.severity.value}, because {rule.because}" if rule.because else ""
+    return textwrap.fill(f"Runtime: {does}{because}.", 100)
 
 
 def _files(files: dict[str, str]) -> list[str]:

@@ -34,6 +34,8 @@ def plain_rule(rule: Rule) -> dict[str, object]:
         "severity": rule.severity.value,
         "summary": rule.summary,
         "why": rule.why,
+        "runtime": rule.runtime.value,
+        "because": rule.because,
         "authority": rule.authority,
         "distros": list(rule.distros),
     }

@@ -18,6 +18,7 @@ _SEVERITIES = {Fate.REFUSED: Severity.ERROR, Fate.CRASH: Severity.ERROR, Fate.ID
 
 @rule(
     "UC464",
+    runtime="crashes",
     stage=StageDependsOn.GAINS,
     severity=Severity.ERROR,
     authority="control_toolbox src/pid.cpp: 'No p gain specified for pid.  Namespace: /arm/pid'; in ROS 2 a missing "

@@ -38,6 +38,7 @@ _DRIVES = """
 
 @rule(
     "UC445",
+    runtime="misbehaves",
     severity=Severity.WARNING,
     authority="diff_drive_controller and similar types publish the transform from odom to base_frame_id without checking "
     "it against the robot description",

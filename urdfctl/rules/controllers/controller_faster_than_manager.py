@@ -15,6 +15,7 @@ _DEFAULT = 100
 
 @rule(
     "UC427",
+    runtime="misbehaves",
     severity=Severity.WARNING,
     distros=since("humble"),
     authority="ros2_control controller_manager/src/controller_manager.cpp: 'The controller : arm update rate : 200 Hz "

@@ -30,6 +30,7 @@ _FILE = """
 
 @rule(
     "UC419",
+    runtime="warns",
     severity=Severity.WARNING,
     distros=since("humble"),
     authority="ros2_control controller_manager/src/controller_manager.cpp: 'Hardware component 'arm_hardwre' is unknown, "

@@ -13,6 +13,7 @@ from urdfctl.rules.controllers.parameters import is_ros1
 
 @rule(
     "UC443",
+    runtime="misbehaves",
     severity=Severity.WARNING,
     distros=ROS1,
     authority="ros_controllers forward_command_controller/forward_joint_group_command_controller.h: one handle for "

@@ -26,6 +26,8 @@ _CONTROLLERS = """
 
 @rule(
     "UC448",
+    runtime="refuses",
+    because="no robot is known: the name only looks misspelt",
     severity=Severity.WARNING,
     authority="ros_controllers: 'Could not find joint 'shouler_lift_joint' in 'hardware_interface::EffortJointInterface'.'; "
     "PR2/pr2_simulator#109",

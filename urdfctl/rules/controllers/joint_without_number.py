@@ -22,6 +22,8 @@ _ARM = """
 
 @rule(
     "UC425",
+    runtime="refuses",
+    because="no robot is known: the name only looks misspelt",
     severity=Severity.WARNING,
     authority="controller_interface: a controller is not activated if a claimed interface is 'not available' (ROS 2), and "
     "not loaded on 'Could not find joint' (ROS 1)",

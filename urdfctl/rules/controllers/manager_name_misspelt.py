@@ -16,6 +16,7 @@ _ALIKE = 0.93
 
 @rule(
     "UC429",
+    runtime="drops",
     severity=Severity.ERROR,
     distros=ROS2,
     authority="rclcpp: a node reads the section with its name; ros2_control's node is controller_manager: 'The "

@@ -14,6 +14,7 @@ _WITH_CLOCK = PUBLISHER.replace("</node>", '  <param name="%s" value="true"/>\n 
 
 @rule(
     "UC641",
+    runtime="misbehaves",
     severity=Severity.WARNING,
     distros=ROS2,
     authority="rclcpp time_source.cpp: with use_sim_time a node takes its time from /clock, and stays at 0 without it; "

@@ -12,6 +12,8 @@ from urdfctl.source.span import Place
 
 @rule(
     "UC602",
+    runtime="refuses",
+    because="the first spawner has done the work",
     severity=Severity.WARNING,
     authority="ros2_control spawner.py: 'Controller already loaded, skipping load_controller', then 'Failed to configure "
     "controller'; ros_control scripts/spawner: 'Failed to load arm_controller'",

@@ -28,6 +28,8 @@ def _files(*nodes: str) -> dict[str, str]:
 
 @rule(
     "UC634",
+    runtime="misbehaves",
+    because="another launch file may start the publisher",
     severity=Severity.INFO,
     whole_robot=True,
     in_library=False,

@@ -15,6 +15,7 @@ def _files(names: str) -> dict[str, str]:
 
 @rule(
     "UC619",
+    runtime="misbehaves",
     severity=Severity.WARNING,
     whole_robot=True,
     in_library=False,

@@ -39,6 +39,8 @@ _CONTROLLERS = ("ros_controllers", "ros2_controllers")
 
 @rule(
     "UC614",
+    runtime="works",
+    because="a computer that lacks the package cannot start the robot",
     severity=Severity.WARNING,
     authority="REP 149: <exec_depend> declares what is needed at run time, and rosdep installs that; "
     "ament_index: 'package 'xacro' not found, searching: ...'",

@@ -14,6 +14,8 @@ _HOW = {"gz": "Add '-r' to gz_args", "gazebo-classic": "Set 'pause' to 'false'"}
 
 @rule(
     "UC612",
+    runtime="refuses",
+    because="it goes on when someone presses play",
     severity=Severity.WARNING,
     distros=ROS2,
     authority="gz sim --help: '-r: Run simulation on start'; ros2_control: 'Switch controller timed out after 5.000000 "

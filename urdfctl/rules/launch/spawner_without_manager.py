@@ -20,6 +20,8 @@ from urdfctl.rules.launch_samples import ARM, BROADCASTER, PUBLISHER, SOUND, lau
 
 @rule(
     "UC605",
+    runtime="refuses",
+    because="another launch file may start the manager",
     severity=Severity.WARNING,
     distros=ROS2,
     whole_robot=True,

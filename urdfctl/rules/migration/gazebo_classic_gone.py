@@ -14,6 +14,8 @@ _WITHOUT = since("jazzy")
 
 @rule(
     "UC701",
+    runtime="refuses",
+    because="the robot may run on hardware alone",
     severity=Severity.WARNING,
     distros=_WITHOUT,
     authority="gazebo_ros2_control README: Gazebo Classic is not released for Ubuntu Noble, and gazebo_ros_pkgs and "

@@ -14,6 +14,8 @@ from urdfctl.rules.migration.common import severity_of_old
 
 @rule(
     "UC703",
+    runtime="works",
+    because="later distros do not load it",
     severity=Severity.WARNING,
     distros=ROS2,
     authority="ros2_control doc/migration.rst: fake_components are mock_components, removed in jazzy; gz_ros2_control "

@@ -16,6 +16,7 @@ _OF_GZ = since("jazzy")
 
 @rule(
     "UC702",
+    runtime="warns",
     severity=Severity.WARNING,
     distros=ROS2,
     authority="gz_ros2_control src/gz_system.cpp: 'The ign_ros2_control plugin got renamed to gz_ros2_control.'; gz-sim "

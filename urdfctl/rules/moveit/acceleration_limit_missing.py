@@ -16,6 +16,8 @@ _WITHOUT = LIMITS.replace("has_acceleration_limits: true", "has_acceleration_lim
 
 @rule(
     "UC668",
+    runtime="refuses",
+    because="another file may give the limit",
     severity=Severity.WARNING,
     distros=since("iron"),
     options=("--distro=jazzy",),

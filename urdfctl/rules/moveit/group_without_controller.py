@@ -17,6 +17,8 @@ def _files(joints: str, mark: str) -> dict[str, str]:
 
 @rule(
     "UC665",
+    runtime="refuses",
+    because="another file may give the controller",
     severity=Severity.WARNING,
     whole_robot=True,
     in_library=False,

@@ -20,6 +20,7 @@ _ALWAYS = ("max_position", "min_position")
 
 @rule(
     "UC667",
+    runtime="crashes",
     severity=Severity.ERROR,
     distros=since("humble"),
     options=("--distro=humble",),

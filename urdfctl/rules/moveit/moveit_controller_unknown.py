@@ -13,6 +13,8 @@ from urdfctl.rules.moveit.samples import configured
 
 @rule(
     "UC652",
+    runtime="refuses",
+    because="another file may declare the controller",
     severity=Severity.WARNING,
     distros=ROS2,
     authority="moveit2 moveit_simple_controller_manager.cpp: 'Action client not connected: arm_controler/"

@@ -16,6 +16,7 @@ def _files(joints: str) -> dict[str, str]:
 
 @rule(
     "UC654",
+    runtime="misbehaves",
     severity=Severity.WARNING,
     distros=ROS1,
     whole_robot=True,

@@ -14,6 +14,7 @@ _ALONE = """
 
 @rule(
     "UC659",
+    runtime="drops",
     severity=Severity.ERROR,
     whole_robot=True,
     in_library=False,

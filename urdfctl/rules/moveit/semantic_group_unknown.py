@@ -13,6 +13,7 @@ from urdfctl.rules.moveit.samples import planned
 
 @rule(
     "UC660",
+    runtime="drops",
     severity=Severity.ERROR,
     authority="srdfdom src/model.cpp: \"Group 'arms' has unsatisfied subgroups\", \"Group state 'home' specified for group 'ar', "
     "but that group is not known\", \"End effector 'hand' specified for group 'grip', but that group is not known\"",

@@ -12,6 +12,7 @@ from urdfctl.source.span import Place, SourceSpan
 
 @rule(
     "UC020",
+    runtime="misbehaves",
     severity=Severity.WARNING,
     authority="xacro/__init__.py LEXER: an expression is '$' followed by '{'",
     bad={

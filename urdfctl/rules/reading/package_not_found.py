@@ -11,6 +11,8 @@ from urdfctl.source.problem import ProblemKind
 
 @rule(
     "UC003",
+    runtime="refuses",
+    because="the package may be installed on the robot",
     severity=Severity.WARNING,
     authority="xacro/substitution_args.py _eval_find(): ament_index_python raises PackageNotFoundError",
     bad={

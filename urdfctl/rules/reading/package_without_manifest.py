@@ -11,6 +11,8 @@ from urdfctl.source.problem import ProblemKind
 
 @rule(
     "UC023",
+    runtime="refuses",
+    because="a built workspace may have the package",
     severity=Severity.WARNING,
     authority="colcon-ros and catkin_pkg: a package is a folder that holds a package.xml (REP 149)",
     bad={

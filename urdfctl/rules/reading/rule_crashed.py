@@ -9,6 +9,7 @@ from urdfctl.rule import Finding, Project, Severity, rule
 
 @rule(
     "UC000",
+    runtime="crashes",
     severity=Severity.ERROR,
     authority="urdfctl itself: a rule must never raise",
     bad={},

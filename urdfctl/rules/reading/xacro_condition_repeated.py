@@ -11,6 +11,7 @@ from urdfctl.source.problem import ProblemKind
 
 @rule(
     "UC022",
+    runtime="misbehaves",
     severity=Severity.WARNING,
     authority="xacro/__init__.py eval_all(): each <xacro:if> is decided by itself",
     bad={

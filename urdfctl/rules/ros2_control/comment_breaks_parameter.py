@@ -13,6 +13,8 @@ _PLUGIN = "gazebo_ros2_control"
 
 @rule(
     "UC359",
+    runtime="refuses",
+    because="only the plugin of Gazebo Classic in humble does",
     severity=Severity.WARNING,
     distros=("humble",),
     authority="gazebo_ros2_control#295, gz_ros2_control#503: \"Couldn't parse parameter override rule: '--param "

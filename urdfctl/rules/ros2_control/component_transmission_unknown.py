@@ -13,6 +13,8 @@ from urdfctl.rules.ros2_control.common import component, components, corrected
 
 @rule(
     "UC347",
+    runtime="refuses",
+    because="only hardware that loads transmissions does",
     severity=Severity.WARNING,
     distros=ROS2,
     authority='ros2_control transmission_interface/ros2_control_plugins.xml has three types; "Failed to construct '

@@ -14,6 +14,7 @@ from urdfctl.rules.ros2_control.common import component, components
 
 @rule(
     "UC306",
+    runtime="crashes",
     severity=Severity.ERROR,
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp: "Missing <plugin> tag of <hardware> '

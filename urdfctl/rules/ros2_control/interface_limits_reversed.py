@@ -12,6 +12,7 @@ from urdfctl.rules.ros2_control.common import called, interfaces, is_number
 
 @rule(
     "UC333",
+    runtime="misbehaves",
     severity=Severity.WARNING,
     distros=ROS2,
     authority="ros2_control hardware_interface/src/component_parser.cpp accepts min and max as they are; the limiter "

@@ -18,6 +18,8 @@ _ROUNDING = 5e-4
 
 @rule(
     "UC334",
+    runtime="ignores",
+    because="the narrower limit applies",
     severity=Severity.INFO,
     distros=ROS2,
     authority="ros2_control hardware_interface/src/component_parser.cpp update_interface_limits(): the larger min "

@@ -16,6 +16,7 @@ _STANDARD = ("position", "velocity", "effort", "acceleration")
 
 @rule(
     "UC345",
+    runtime="misbehaves",
     severity=Severity.WARNING,
     distros=ROS2,
     authority="ros2_control hardware_interface/include/hardware_interface/types/hardware_interface_type_values.hpp "

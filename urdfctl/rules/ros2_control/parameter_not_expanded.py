@@ -13,6 +13,7 @@ from urdfctl.rules.ros2_control.common import parameters
 
 @rule(
     "UC363",
+    runtime="misbehaves",
     severity=Severity.WARNING,
     distros=ROS2,
     authority="ros2_control passes a parameter's text to the hardware unchanged; only xacro expands ${...} and $(...)",

@@ -28,6 +28,8 @@ _MACRO = """
 
 @rule(
     "UC365",
+    runtime="works",
+    because="ros2_control finds no joint with any other prefix",
     severity=Severity.WARNING,
     distros=ROS2,
     authority="ros2_control hardware_interface/src/component_parser.cpp: 'Joint 'elbow' not found in URDF'; "

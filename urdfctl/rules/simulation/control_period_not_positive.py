@@ -13,6 +13,7 @@ from urdfctl.rules.simulation.common import number
 
 @rule(
     "UC528",
+    runtime="misbehaves",
     severity=Severity.WARNING,
     distros=ROS1,
     authority="gazebo_ros_control src/gazebo_ros_control_plugin.cpp: 'Desired controller update period (0 s) is faster than the "

@@ -12,6 +12,8 @@ from urdfctl.rules.common import whole_robot_in
 
 @rule(
     "UC508",
+    runtime="refuses",
+    because="the plugin may be in a file that is not linted",
     severity=Severity.WARNING,
     distros=ROS2,
     whole_robot=True,

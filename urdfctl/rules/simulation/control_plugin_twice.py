@@ -11,6 +11,7 @@ from urdfctl.rules.common import is_known
 
 @rule(
     "UC509",
+    runtime="misbehaves",
     severity=Severity.WARNING,
     in_library=False,
     authority="gazebo_ros_control and gz_ros2_control: each plugin creates its own controller manager; roscpp: 'Tried to "

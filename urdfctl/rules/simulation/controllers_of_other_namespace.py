@@ -12,6 +12,8 @@ from urdfctl.rules.common import is_known
 
 @rule(
     "UC524",
+    runtime="refuses",
+    because="other files may configure the controllers",
     severity=Severity.WARNING,
     distros=ROS1,
     authority="gazebo_ros_control src/gazebo_ros_control_plugin.cpp: the manager's node handle is robotNamespace; "

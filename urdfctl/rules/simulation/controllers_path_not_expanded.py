@@ -12,6 +12,8 @@ from urdfctl.rules.simulation.common import controllers_files
 
 @rule(
     "UC521",
+    runtime="refuses",
+    because="the launch file may run xacro on it",
     severity=Severity.WARNING,
     distros=ROS2,
     authority="ros-controls/gazebo_ros2_control#141 and #155: 'Error opening YAML file' with the literal '$(find ...)': only "

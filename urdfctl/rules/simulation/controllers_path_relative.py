@@ -12,6 +12,8 @@ from urdfctl.rules.simulation.common import controllers_files
 
 @rule(
     "UC522",
+    runtime="refuses",
+    because="the path is right in one folder",
     severity=Severity.WARNING,
     distros=ROS2,
     authority="gz_ros2_control and gazebo_ros2_control pass the text to rcl as --params-file: 'Error opening YAML file'",

@@ -12,6 +12,7 @@ from urdfctl.rules.simulation.common import number, wheel_measures
 
 @rule(
     "UC518",
+    runtime="misbehaves",
     severity=Severity.WARNING,
     authority="gazebo_plugins gazebo_ros_diff_drive.cpp: wheel speeds are divided by wheelDiameter / 2; gz-sim DiffDrive.cc "
     "by wheel_radius",

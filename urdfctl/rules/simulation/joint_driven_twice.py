@@ -13,6 +13,7 @@ from urdfctl.source.span import Place
 
 @rule(
     "UC519",
+    runtime="misbehaves",
     severity=Severity.WARNING,
     in_library=False,
     authority="gazebo_plugins gazebo_ros_diff_drive.cpp sets each wheel's velocity and force in every step, and "

@@ -12,6 +12,8 @@ from urdfctl.rules.simulation.common import is_written_empty
 
 @rule(
     "UC513",
+    runtime="refuses",
+    because="the plugin of Gazebo Classic goes on",
     severity=Severity.WARNING,
     authority="gz_ros2_control src/gz_ros2_control_plugin.cpp: 'Gazebo ros2 control found an empty parameters file. Failed to "
     "initialize.'; gazebo_ros2_control: 'No parameter file provided. Configuration might be wrong'",

@@ -11,6 +11,8 @@ from urdfctl.rules.simulation.common import Unread, unread_settings
 
 @rule(
     "UC512",
+    runtime="ignores",
+    because="the setting may not matter",
     severity=Severity.INFO,
     authority="sdformat Element::HasElement: a plugin asks only for the elements that it knows",
     bad={

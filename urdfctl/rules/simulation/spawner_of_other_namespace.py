@@ -15,6 +15,8 @@ from urdfctl.source.span import Place
 
 @rule(
     "UC525",
+    runtime="refuses",
+    because="another launch file may start a manager there",
     severity=Severity.WARNING,
     distros=ROS1,
     authority="controller_manager scripts/spawner: 'Controller Spawner couldn't find the expected controller_manager ROS "

@@ -13,6 +13,7 @@ from urdfctl.rules.simulation.common import number
 
 @rule(
     "UC529",
+    runtime="drops",
     severity=Severity.ERROR,
     distros=ROS2,
     authority="gazebo_plugins (ROS 2) src/gazebo_ros_diff_drive.cpp: 'Inconsistent number of joints specified. Plugin will not "

@@ -19,6 +19,8 @@ from urdfctl.rules.transmissions.common import (
 
 @rule(
     "UC212",
+    runtime="refuses",
+    because="only the loader of real hardware does",
     severity=Severity.WARNING,
     distros=since("indigo"),
     authority="ros_control transmission_interface/src/transmission_loader.cpp: 'does not specify the required "

@@ -13,6 +13,7 @@ from urdfctl.rules.transmissions.facts import HARDWARE_INTERFACES, PREFIX
 
 @rule(
     "UC202",
+    runtime="warns",
     severity=Severity.WARNING,
     distros=since("kinetic"),
     authority="gazebo_ros_pkgs gazebo_ros_control/src/default_robot_hw_sim.cpp: 'Deprecated syntax, please prepend "

@@ -12,6 +12,7 @@ from urdfctl.rules.transmissions.common import named_joints
 
 @rule(
     "UC217",
+    runtime="warns",
     severity=Severity.WARNING,
     in_library=False,
     distros=since("indigo"),

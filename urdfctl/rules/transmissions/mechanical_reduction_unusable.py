@@ -18,6 +18,8 @@ _PLAIN = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 
 @rule(
     "UC225",
+    runtime="refuses",
+    because="only the loader of real hardware does",
     severity=Severity.WARNING,
     distros=since("indigo"),
     authority="ros_control transmission_interface/src/transmission_loader.cpp: 'specifies the <mechanicalReduction> "

@@ -13,6 +13,8 @@ from urdfctl.rules.transmissions.facts import TYPES
 
 @rule(
     "UC215",
+    runtime="refuses",
+    because="only the loader of real hardware does",
     severity=Severity.WARNING,
     distros=since("indigo"),
     authority="ros_control transmission_interface/src/transmission_loader.cpp: 'Invalid description for "

@@ -13,6 +13,8 @@ from urdfctl.rules.transmissions.common import joints_by_name, known_joints
 
 @rule(
     "UC207",
+    runtime="refuses",
+    because="only Gazebo does, and the robot may not run there",
     severity=Severity.WARNING,
     distros=ROS1,
     authority="gazebo_ros_pkgs gazebo_ros_control/src/default_robot_hw_sim.cpp: 'This robot has a joint named "

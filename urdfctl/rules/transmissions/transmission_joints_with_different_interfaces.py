@@ -13,6 +13,8 @@ from urdfctl.rules.transmissions.common import listed, on_hardware, read_transmi
 
 @rule(
     "UC218",
+    runtime="refuses",
+    because="only the loader of real hardware does",
     severity=Severity.WARNING,
     distros=since("indigo"),
     authority="ros_control transmission_interface/src/transmission_interface_loader.cpp: 'It has joints with "

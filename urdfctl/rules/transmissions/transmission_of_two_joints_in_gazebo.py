@@ -12,6 +12,7 @@ from urdfctl.rules.transmissions.common import read_transmissions
 
 @rule(
     "UC216",
+    runtime="crashes",
     severity=Severity.ERROR,
     distros=ROS1,
     authority="gazebo_ros_pkgs gazebo_ros_control/src/default_robot_hw_sim.cpp: 'has more than one joint. Currently "

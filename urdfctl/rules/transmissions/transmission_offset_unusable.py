@@ -13,6 +13,8 @@ from urdfctl.rules.transmissions.common import on_hardware, read_transmissions
 
 @rule(
     "UC213",
+    runtime="refuses",
+    because="only the loader of real hardware does",
     severity=Severity.WARNING,
     distros=since("indigo"),
     authority="ros_control transmission_interface/src/transmission_loader.cpp: 'specifies the <offset> element, but "

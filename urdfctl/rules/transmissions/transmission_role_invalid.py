@@ -14,6 +14,8 @@ from urdfctl.rules.transmissions.facts import ROLES, TYPES
 
 @rule(
     "UC214",
+    runtime="refuses",
+    because="only the loader of real hardware does",
     severity=Severity.WARNING,
     distros=since("indigo"),
     authority="ros_control transmission_interface/src/differential_transmission_loader.cpp, "

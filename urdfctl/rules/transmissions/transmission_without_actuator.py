@@ -13,6 +13,7 @@ from urdfctl.rules.transmissions.common import misspelt, read_transmissions, tak
 
 @rule(
     "UC211",
+    runtime="drops",
     severity=Severity.ERROR,
     distros=ROS1,
     authority="ros_control transmission_interface/src/transmission_parser.cpp: 'Failed to load actuators for "

@@ -11,6 +11,7 @@ from urdfctl.rules.transmissions.common import read_transmissions, takes_empty_n
 
 @rule(
     "UC220",
+    runtime="drops",
     severity=Severity.ERROR,
     distros=ROS1,
     authority="ros_control transmission_interface/src/transmission_parser.cpp: 'No name attribute specified for "

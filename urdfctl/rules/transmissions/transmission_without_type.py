@@ -14,6 +14,7 @@ from urdfctl.rules.transmissions.common import misspelt
 
 @rule(
     "UC204",
+    runtime="drops",
     severity=Severity.ERROR,
     distros=ROS1,
     authority="ros_control transmission_interface/src/transmission_parser.cpp: 'No type element found in "

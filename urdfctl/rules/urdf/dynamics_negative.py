@@ -11,6 +11,7 @@ from urdfctl.rules.common import label, robot_in
 
 @rule(
     "UC129",
+    runtime="misbehaves",
     severity=Severity.WARNING,
     authority="wiki.ros.org urdf/XML/joint: damping and friction are physical values of the joint; urdfdom joint.cpp does not check them",
     bad={

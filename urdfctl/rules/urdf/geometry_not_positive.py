@@ -47,7 +47,7 @@ MEASURES = {
 def geometry_not_positive(project: Project) -> Iterator[Finding]:
     """Shape dimension is zero or negative.
 
-    urdfdom accepts it. Viewers and simulators reject the shape, or it is invisible and touches nothing. A mesh may have
+    urdfdom accepts it. Viewers and simulators leave out the shape: it is invisible and touches nothing. A mesh may have
     a negative scale, which mirrors it.
     """
     robot = robot_in(project)

@@ -17,6 +17,8 @@ TOLERANCE_ELSEWHERE = 1e-2
 
 @rule(
     "UC136",
+    runtime="refuses",
+    because="only Gazebo does, and the robot may not run there",
     severity=Severity.WARNING,
     authority="gz-math MassMatrix3::IsValid(), sdformat src/Link.cc: 'A link named ... has invalid inertia.'",
     bad={

@@ -21,6 +21,8 @@ LARGER, SMALLER = 10.0, 0.001
 
 @rule(
     "UC137",
+    runtime="misbehaves",
+    because="physics engines accept it, and the sizes are rough",
     severity=Severity.INFO,
     authority="the moment of a body of mass m whose mass lies r from its centre is m r²; Gazebo's tutorial on inertia",
     bad={

@@ -15,6 +15,7 @@ from urdfctl.rules.urdf.tree import parent_of
 
 @rule(
     "UC158",
+    runtime="misbehaves",
     severity=Severity.WARNING,
     authority="sdformat accepts moments of 0; dartsim dynamics/Inertia.cpp verifyMoment(): 'Invalid entry for (0,0): 0. "
     "Value should be positive and greater than zero.'",

@@ -11,6 +11,7 @@ from urdfctl.rules.urdf.common import commanded_joints
 
 @rule(
     "UC132",
+    runtime="misbehaves",
     severity=Severity.WARNING,
     authority="urdfdom urdf_parser/src/joint.cpp parseJointLimits(): lower and upper default to 0",
     bad={

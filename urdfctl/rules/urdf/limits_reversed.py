@@ -10,6 +10,7 @@ from urdfctl.rules.common import label, robot_in
 
 @rule(
     "UC125",
+    runtime="misbehaves",
     severity=Severity.WARNING,
     authority="urdfdom urdf_parser/src/joint.cpp parseJointLimits() does not compare them; sdformat src/parser_urdf.cc: "
     "'revolute joint [...] with limits: lowStop[..] > highStop[..], switching the two.'",

@@ -13,6 +13,8 @@ from urdfctl.source.opaque import UNKNOWN
 
 @rule(
     "UC157",
+    runtime="works",
+    because="urdfdom rejects the robot with any other prefix",
     severity=Severity.WARNING,
     authority="urdfdom_headers urdf_model/model.h initTree(): 'parent link [...] of joint [...] not found.'",
     bad={

@@ -11,6 +11,8 @@ from urdfctl.rules.urdf.materials import Material, materials_of
 
 @rule(
     "UC148",
+    runtime="ignores",
+    because="only a colour differs",
     severity=Severity.INFO,
     authority="urdfdom urdf_parser/src/model.cpp assignMaterial(): a known material of the same name replaces the visual's own",
     whole_robot=True,

@@ -11,6 +11,7 @@ from urdfctl.rules.urdf.materials import materials_of
 
 @rule(
     "UC145",
+    runtime="warns",
     severity=Severity.WARNING,
     authority="urdfdom urdf_parser/src/model.cpp assignMaterial(): \"link '...' material '...' undefined.\"",
     whole_robot=True,

@@ -11,6 +11,7 @@ from urdfctl.rules.urdf.materials import materials_of
 
 @rule(
     "UC146",
+    runtime="warns",
     severity=Severity.WARNING,
     authority="urdfdom urdf_parser/src/model.cpp parseMaterial(): 'Material [...] color has no rgba', "
     "'Material [...] not defined in file'",

@@ -11,6 +11,7 @@ from urdfctl.rules.common import in_words, robot_in
 
 @rule(
     "UC118",
+    runtime="misbehaves",
     severity=Severity.WARNING,
     authority="urdfdom urdf_parser/src/joint.cpp parseJointMimic() accepts any name, even the joint's own",
     whole_robot=True,

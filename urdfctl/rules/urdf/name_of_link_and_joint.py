@@ -13,6 +13,8 @@ from urdfctl.rules.urdf.tree import WORLD, parent_of
 
 @rule(
     "UC113",
+    runtime="refuses",
+    because="only Gazebo does, and the robot may not run there",
     severity=Severity.WARNING,
     distros=ROS2,
     authority="sdformat 12 src/Model.cc: 'Joint with non-unique name [...] detected in model with name [...].'",

@@ -11,6 +11,8 @@ from urdfctl.rules.common import is_known, robot_in
 
 @rule(
     "UC114",
+    runtime="refuses",
+    because="only Gazebo does, and the robot may not run there",
     severity=Severity.WARNING,
     distros=ROS2,
     authority="sdformat 12 src/Link.cc: 'The supplied link name [__x__] is reserved.'",

@@ -11,6 +11,7 @@ from urdfctl.rules.urdf.tree import Tree
 
 @rule(
     "UC138",
+    runtime="warns",
     severity=Severity.INFO,
     authority="kdl_parser kdl_parser.cpp: 'The root link ... has an inertia specified in the URDF, "
     "but KDL does not support a root link with an inertia.'",

@@ -39,7 +39,8 @@ from urdfctl.rules.urdf.common import known_part
 def unknown_mimic_joint(project: Project) -> Iterator[Finding]:
     """Joint mimics an unknown joint.
 
-    urdfdom does not check it. The joint has nothing to follow: it stays where it is, or ros2_control rejects the
+    urdfdom does not check it. The joint has nothing to follow: it stays where it is. If it is in
+    `<ros2_control>`, the controller manager rejects the
     description.
     """
     robot = robot_in(project) if project.library else whole_robot_in(project)

@@ -12,6 +12,7 @@ from urdfctl.rules.urdf.common import commanded_joints
 
 @rule(
     "UC131",
+    runtime="misbehaves",
     severity=Severity.WARNING,
     authority="joint_limits_interface limits every command to the URDF's velocity; "
     "ros2_control_demos#787: carlikebot's steering did not move in Gazebo",

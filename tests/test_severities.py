@@ -1,0 +1,56 @@
+"""Each rule states what the runtime does with its fault, and its severity follows from that."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from sampling import assert_each
+
+from urdfctl.cli.rule_explanation import rule_explanation
+from urdfctl.rule import Rule, Runtime, Severity
+from urdfctl.rules import all_rules, rule_of
+
+OF_LINT = {rule.code: rule for rule in all_rules() if not rule.of_smoke}
+CONDITION = re.compile(
+    r"\b(?:if|unless|since|until|up to|from|without|elsewhere|real hardware|later|earlier|other|with|after|in)\b",
+    re.IGNORECASE,
+)
+
+
+def test_the_severity_of_a_rule_is_one_that_goes_with_what_the_runtime_does_or_says_why_not() -> None:
+    def check(rule: Rule) -> None:
+        goes_with_it = rule.severity in rule.runtime.severities
+        assert goes_with_it != bool(rule.because), "give `because` if, and only if, the severity is another one"
+
+    assert_each(check, OF_LINT)
+
+
+def test_a_rule_that_says_refuses_or_crashes_is_an_error_or_says_when_it_is_not() -> None:
+    def check(rule: Rule) -> None:
+        if re.search(r"\b(?:reject|refuse|crash)", rule.why) and rule.severity is not Severity.ERROR:
+            assert rule.because or CONDITION.search(rule.why), "name the condition, or make it an error"
+
+    assert_each(check, OF_LINT)
+
+
+@pytest.mark.parametrize(
+    ("runtime", "severities"),
+    [
+        (Runtime.REFUSES, {Severity.ERROR}),
+        (Runtime.CRASHES, {Severity.ERROR}),
+        (Runtime.DROPS, {Severity.ERROR}),
+        (Runtime.IGNORES, {Severity.WARNING}),
+        (Runtime.MISBEHAVES, {Severity.WARNING}),
+        (Runtime.WARNS, {Severity.WARNING, Severity.INFO}),
+        (Runtime.WORKS, {Severity.INFO}),
+    ],
+)
+def test_what_breaks_the_robot_is_an_error_and_what_works_is_info(runtime: Runtime, severities: set[Severity]) -> None:
+    assert set(runtime.severities) == severities
+
+
+def test_explain_says_what_the_runtime_does() -> None:
+    assert "Runtime: goes on without the part.\n" in rule_explanation(rule_of("UC204"))
+    told = " ".join(rule_explanation(rule_of("UC114")).split())
+    assert "warning, because only Gazebo does, and the robot may not run" in told
