@@ -42,7 +42,9 @@ def test_the_rules_may_be_chosen_by_the_beginning_of_their_codes() -> None:
 def test_the_rules_as_json_tell_all_of_them() -> None:
     given = json.loads(command("rules", "--format", "json").stdout)
     assert [rule["code"] for rule in given] == [rule.code for rule in RULES]
-    assert set(given[0]) == {"code", "name", "severity", "summary", "why", "authority", "distros"}
+    assert set(given[0]) == {
+        *("code", "name", "severity", "summary", "why", "runtime", "because", "authority", "distros"),
+    }
 
 
 def test_an_unknown_format_of_the_rules_is_refused() -> None:

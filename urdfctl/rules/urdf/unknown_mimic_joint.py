@@ -39,9 +39,8 @@ from urdfctl.rules.urdf.common import known_part
 def unknown_mimic_joint(project: Project) -> Iterator[Finding]:
     """Joint mimics an unknown joint.
 
-    urdfdom does not check it. The joint has nothing to follow: it stays where it is. If it is in
-    `<ros2_control>`, the controller manager rejects the
-    description.
+    urdfdom does not check it. The joint has nothing to follow: it stays where it is. If it is in `<ros2_control>`, the
+    controller manager rejects the description.
     """
     robot = robot_in(project) if project.library else whole_robot_in(project)
     if robot is None or not (project.complete or project.library):
