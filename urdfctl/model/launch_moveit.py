@@ -34,6 +34,7 @@ _PLANNING = "robot_description_planning"
 _CHOICES = ("moveit", "moveit2")
 _ENDING = "_controllers.yaml"
 _MANAGER = "moveit_simple_controller_manager"
+_OF_PIPELINE = ("planning_plugin", "planning_plugins", "request_adapters")
 _FILES = {_KINEMATICS: "config/kinematics.yaml", "joint_limits": "config/joint_limits.yaml"}
 
 
@@ -175,13 +176,24 @@ def files_of_table(
         where = locate(path) if path else (None, None)
         file = FileReference(path or UNKNOWN, semantic.at, *where)
         found = found._replace(semantic=file, arguments=content.arguments if content else None)
-    controllers = _file_of(table.entries.get(_MANAGER))
+    controllers, kinematics = _file_of(table.entries.get(_MANAGER)), _file_of(table.entries.get(_KINEMATICS))
+    bare = next(_with(table, "kinematics_solver"), None) if kinematics is None else None
     found = found._replace(
-        kinematics=_file_of(table.entries.get(_KINEMATICS)),
+        kinematics=kinematics or (bare and bare[1]),
         limits=_file_of(table.entries.get(_PLANNING)),
         controllers=(controllers,) if controllers else (),
+        pipelines=tuple(dict.fromkeys(pair for key in _OF_PIPELINE for pair in _with(table, key))),
+        bare_kinematics=bare is not None,
     )
     return None if found == MoveItFiles(at, as_values=True) else found
+
+
+def _with(table: Table, key: str) -> Iterator[tuple[str, FileReference]]:
+    """Yield the entries of a dict that were read from YAML files and have a key, with their files."""
+    for name, value in table.entries.items():
+        file = _file_of(value)
+        if file is not None and isinstance(value, Table) and key in value.entries:
+            yield name, file
 
 
 def _file_of(term: Term | None) -> FileReference | None:

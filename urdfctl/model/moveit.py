@@ -23,9 +23,9 @@ def moveit_controllers(file: YamlFile) -> tuple[MoveItController, ...]:
     listed = document.get("controller_list") if document else None
     if isinstance(listed, Sequence):
         return tuple(_of_list(item) for item in listed.items if isinstance(item, Mapping))
-    inner = document.get(_MANAGER) if document else None
-    names = inner.get("controller_names") if isinstance(inner, Mapping) else None
-    if not isinstance(inner, Mapping) or not isinstance(names, Sequence):
+    inner = _manager(document)
+    names = inner.get("controller_names") if inner else None
+    if inner is None or not isinstance(names, Sequence):
         return ()
     return tuple(_described(item, inner) for item in names.items if isinstance(item, Scalar))
 
@@ -33,24 +33,12 @@ def moveit_controllers(file: YamlFile) -> tuple[MoveItController, ...]:
 def empty_controller_list(file: YamlFile) -> Place | None:
     """Return the place of an empty list of controllers: ROS 1's controller_list, or ROS 2's controller_names."""
     document = _document(file)
-    inner = document.get(_MANAGER) if document else None
+    inner = _manager(document)
     for mapping, name in ((document, "controller_list"), (inner, "controller_names")):
         entry = _entry(mapping, name)
         if entry is not None and _is_empty(entry.value):
             return entry.key.at
     return None
-
-
-def undescribed(file: YamlFile) -> Iterator[Key]:
-    """Yield the sections of controllers that controller_names does not list."""
-    document = _document(file)
-    inner = document.get(_MANAGER) if document else None
-    names = inner.get("controller_names") if isinstance(inner, Mapping) else None
-    listed = {item.text for item in names.items if isinstance(item, Scalar)} if isinstance(names, Sequence) else None
-    for entry in inner.entries if isinstance(inner, Mapping) and listed is not None else ():
-        is_section = isinstance(entry.value, Mapping) and entry.value.get("joints") is not None
-        if is_section and listed is not None and entry.key.text not in listed:
-            yield Key(entry.key.text, entry.key.at)
 
 
 def moveit_lists(file: YamlFile, namespace: str) -> tuple[MoveItList, ...]:
@@ -134,6 +122,14 @@ def _inside(document: Mapping | None) -> Mapping | None:
             break
         document = inner
     return document
+
+
+def _manager(document: Mapping | None) -> Mapping | None:
+    """The settings of the simple controller manager; a launch file may add the key above them."""
+    inner = document.get(_MANAGER) if document else None
+    if isinstance(inner, Mapping):
+        return inner
+    return document if document and document.get("controller_names") is not None else None
 
 
 def _entry(node: Node | None, name: str) -> Entry | None:

@@ -18,6 +18,7 @@ class MoveItFiles(NamedTuple):
     namespace: the namespace of the node that reads them; None if unknown.
     as_values: ROS 2: whether the launch file reads the YAML files and passes their content as values.
     runs: whether move_group is started with them.
+    bare_kinematics: ROS 2: whether the groups in kinematics.yaml are passed without `robot_description_kinematics`.
     """
 
     at: Place
@@ -31,3 +32,4 @@ class MoveItFiles(NamedTuple):
     sure: bool = True
     as_values: bool = False
     runs: bool = False
+    bare_kinematics: bool = False

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
@@ -26,6 +27,9 @@ _MACRO = """
       </xacro:macro>%s
     </robot>
 """
+
+_NOT_EXPANDED = rb"(?s)<!--.*?-->|<(?:xacro:)?macro\b.*?</(?:xacro:)?macro>"
+_ADDS_PARTS = rb"<(?:xacro:(?!arg\b|property\b)|link\b|joint\b|include\b)"
 
 
 @rule(
@@ -53,7 +57,9 @@ def described_by_macros_only(project: Project) -> Iterator[Finding]:
     it. Launch the file that calls the macro, or call the macro in this one.
     """
     launch = project.launch
-    if launch is None or not project.library:
+    if launch is None or project.robot is None or not project.library:
+        return
+    if re.search(_ADDS_PARTS, re.sub(_NOT_EXPANDED, b"", project.robot.at.source.data)):
         return
     for described in launch.descriptions:
         file = described.file

@@ -7,6 +7,7 @@ from urdfctl.rules.moveit.acceleration_limit_missing import acceleration_limit_m
 from urdfctl.rules.moveit.collision_pair_unknown import collision_pair_unknown
 from urdfctl.rules.moveit.controller_list_empty import controller_list_empty
 from urdfctl.rules.moveit.group_without_controller import group_without_controller
+from urdfctl.rules.moveit.kinematics_without_prefix import kinematics_without_prefix
 from urdfctl.rules.moveit.launched_value_empty import launched_value_empty
 from urdfctl.rules.moveit.limit_looser_than_urdf import limit_looser_than_urdf
 from urdfctl.rules.moveit.limit_not_double import limit_not_double
@@ -51,4 +52,5 @@ RULES: tuple[Rule, ...] = (
     semantic_out_of_reach,
     moveit_action_differs,
     virtual_joint_not_at_root,
+    kinematics_without_prefix,
 )

@@ -27,7 +27,7 @@ def moveit_joints_differ(project: Project) -> Iterator[Finding]:
     """MoveIt and the controller list different joints.
 
     The controller rejects every goal that names a joint it does not control. Unless it allows partial goals, it also
-    rejects every goal that omits one of its joints.
+    rejects every goal that omits one of its joints. MoveIt sends no positions of joints that mimic others.
     """
     controllers = project.controllers
     for moveit in project.moveit.controllers if project.moveit else ():
@@ -36,7 +36,13 @@ def moveit_joints_differ(project: Project) -> Iterator[Finding]:
         joints = controller.own.value("joints") if controller else None
         names = [item.text for item in joints.items] if joints and joints.items else []
         if controller is not None and joints is not None and names and "Trajectory" in (moveit.type or ""):
-            yield from _compared(moveit, controller, names, Note("the controller's joints are here", joints.at))
+            followers = {joint.name for joint in project.robot.joints if joint.mimic} if project.robot else set()
+            sent = [joint for joint in moveit.joints if joint.text in names or joint.text not in followers]
+            moveit = moveit._replace(joints=tuple(sent))  # noqa: PLW2901 (without the joints that it never sends)
+            note = Note("the controller's joints are here", joints.at)
+            severity = None if project.robot else Severity.WARNING  # the joint may mimic another one
+            for finding in _compared(moveit, controller, names, note):
+                yield finding._replace(severity=finding.severity or severity)
 
 
 def _compared(moveit: MoveItController, controller: Controller, names: list[str], note: Note) -> Iterator[Finding]:
