@@ -36,7 +36,9 @@ def group_without_controller(project: Project) -> Iterator[Finding]:
     if groups is None or moveit is None or not moveit.controllers or moveit.guessed or is_of_other_robot(project):
         return
     moved = {joint.text for controller in moveit.controllers for joint in controller.joints}
-    if not all(is_known(joint) and "$" not in joint for joint in moved):
+    if not all(is_known(joint) and "$" not in joint for joint in moved) or any(
+        one.lacking for one in moveit.controllers
+    ):
         return
     moved |= {joint.text for joint in groups.semantic.passive}
     reported: set[str] = set()

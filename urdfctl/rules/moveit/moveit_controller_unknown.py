@@ -25,8 +25,8 @@ from urdfctl.rules.moveit.samples import configured
 def moveit_controller_unknown(project: Project) -> Iterator[Finding]:
     """Unknown controller in MoveIt's configuration.
 
-    ros2_controllers.yaml does not declare the controller. MoveIt waits for an action that no node offers, and executes
-    nothing.
+    No controller file declares the controller. MoveIt waits for an action that no node offers, and executes nothing. The
+    driver of an arm or a gripper may offer the action too.
     """
     controllers = project.controllers
     if controllers is None or not controllers.complete or not controllers.controllers:
@@ -39,4 +39,7 @@ def moveit_controller_unknown(project: Project) -> Iterator[Finding]:
         meant = nearest(name.text, names)
         hint = f"did you mean '{meant}'?" if meant else f"declared: {in_words(names)}"
         fix = replaced(name.at, name.text, meant) if meant else None
-        yield Finding(name.at, f"MoveIt uses controller '{name.text}', which no file declares; {hint}", (), fix)
+        of_driver = meant is None and project.launch is not None  # a driver may offer the action
+        severity = Severity.INFO if of_driver else None
+        message = f"MoveIt uses controller '{name.text}', which no file declares; {hint}"
+        yield Finding(name.at, message, (), fix, severity)

@@ -41,6 +41,8 @@ def moveit_joints_differ(project: Project) -> Iterator[Finding]:
             moveit = moveit._replace(joints=tuple(sent))  # noqa: PLW2901 (without the joints that it never sends)
             note = Note("the controller's joints are here", joints.at)
             severity = None if project.robot else Severity.WARNING  # the joint may mimic another one
+            if project.robot is None and project.launch is not None:
+                continue  # other launch files start the robot
             for finding in _compared(moveit, controller, names, note):
                 yield finding._replace(severity=finding.severity or severity)
 
