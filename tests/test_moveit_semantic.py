@@ -188,11 +188,8 @@ def generate_launch_description():
     return LaunchDescription([Node(package='moveit_ros_move_group', executable='move_group', parameters=parameters)])
 """
     names = "controller_names: [mine]\nmine: {type: FollowJointTrajectory, action_ns: a, joints: [elbow]}"
-    _write(
-        tmp_path, {**_CONFIG, "config/names.yaml": names, "group.launch.py": launch.replace("'config', name", "NAME")}
-    )
-    text = launch.replace("os.path.dirname(__file__)", repr(str(tmp_path)))
-    (tmp_path / "group.launch.py").write_text(text, encoding="utf-8")
+    launch = launch.replace("FOLDER", repr(str(tmp_path / "config")))
+    _write(tmp_path, {**_CONFIG, "config/names.yaml": names, "group.launch.py": launch})
     moveit = _moveit(tmp_path, "group.launch.py")
     assert moveit.semantic is not None
     assert [solver.group.text for solver in moveit.solvers] == ["arm"]
