@@ -28,7 +28,8 @@ def next_commands(known: Iterable[Known], files: CheckedFolder | None = None) ->
     if files is not None:
         return _after_checking(known, files)
     urgent = [entry for entry in known if entry.kind in _URGENT]
-    codes = list(dict.fromkeys(code for entry in urgent or known for code in entry.rules))
+    unsettled = [entry for entry in known if not entry.settled]
+    codes = list(dict.fromkeys(code for entry in urgent or unsettled for code in entry.rules))
     if not codes:
         return (Command("urdfctl lint robot.xacro controllers.yaml", "finds other errors"),) if urgent else ()
     more = f" and {len(codes) - _MOST_CODES} more" if len(codes) > _MOST_CODES else ""
