@@ -53,6 +53,12 @@ def test_a_description_that_arrives_late_is_harmless() -> None:
     assert [known.kind for known in found.known] == ["harmless"]
 
 
+def test_processes_that_die_after_ctrl_c_are_not_reported() -> None:
+    died = "[ERROR] [rviz2-3]: process has died [pid 7, exit code -6, cmd 'rviz2'].\n"
+    assert [known.kind for known in log(died).known] == ["consequence"]
+    assert log("[WARNING] [launch]: user interrupted with ctrl-c (SIGINT)\n" + died).known == ()
+
+
 def test_gazebo_s_wait_for_the_description_is_harmless_if_the_plugin_goes_on() -> None:
     wait = "[ INFO] [1.0]: gazebo_ros_control plugin is waiting for model URDF in parameter [/d] on the ROS param\n"
     assert [known.kind for known in log(wait).known] == ["consequence"]

@@ -11,7 +11,7 @@ FAMILIES = {
     "[ERROR] [1.0]: Action client not connected: arm_controller/follow_joint_trajectory": "moveit-action-not-connected",
     "[ERROR] [1.0] [x]: Action client not connected to action server: hand/gripper_cmd": "moveit-action-not-connected",
     "[ WARN] [1.0]: Waiting for arm_controller/follow_joint_trajectory to come up...": "moveit-waits-for-action",
-    "[WARN] [1.0] [rviz2]: No kinematics plugins defined. Fill and load kinematics.yaml!": "moveit-no-kinematics",
+    "[WARN] [1] [x]: No kinematics plugins defined. Fill and load kinematics.yaml!": "moveit-kinematics-not-loaded",
     "[ERROR] [1.0]: Group 'both_arms' is not a chain": "moveit-group-not-a-chain",
     "[ERROR] [1.0]: Robot semantic description not found. Did you forget to define or remap '/a/robot_description_"
     "semantic'?": "moveit-semantic-description-not-found",

@@ -50,7 +50,7 @@ def test_the_conditions_of_causes_are_well_formed_and_name_known_messages_and_va
     ids = {message.id for message in MESSAGES}
     for message in MESSAGES:
         printed = {gap.name for pattern in message.patterns for gap in parsed(pattern).gaps}
-        assert set(message.settles) <= ids, message.id
+        assert {*message.settles, *message.ends} <= ids, message.id
         for condition in (one for cause in message.causes for one in (cause.first_if, cause.only_if) if one):
             for clause in re.split(r" and | or ", condition):
                 name, relation, *rest = clause.strip().removeprefix("not ").split(" ", 2)

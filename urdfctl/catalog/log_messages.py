@@ -35,7 +35,7 @@ class LogMessage(NamedTuple):
     describes the grammar.
 
     info: whether it has its kind in a line of level INFO too. Others are then only progress.
-    settles: the ids of earlier messages that this one makes harmless.
+    settles: the ids of earlier messages that this one makes harmless. ends: those of later messages that are normal.
     """
 
     id: str
@@ -49,6 +49,7 @@ class LogMessage(NamedTuple):
     authority: str
     info: bool = False
     settles: tuple[str, ...] = ()
+    ends: tuple[str, ...] = ()
 
     @property
     def rules(self) -> tuple[str, ...]:
@@ -76,6 +77,7 @@ def _message(key: str, entry: Mapping[str, Any]) -> LogMessage:
         authority=entry["authority"],
         info=entry.get("info", False),
         settles=tuple(entry.get("settles", ())),
+        ends=tuple(entry.get("ends", ())),
     )
 
 

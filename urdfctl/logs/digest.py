@@ -12,7 +12,7 @@ from urdfctl.logs.evidence import Reading, reading
 from urdfctl.logs.index import Hit, Spelling, found_among, index, loose_index
 from urdfctl.logs.line import PROCESS, Line, plain, records
 from urdfctl.logs.partial import partial
-from urdfctl.logs.pattern import Match, single_blanks
+from urdfctl.logs.pattern import single_blanks
 from urdfctl.startup.records import NamedTuple
 
 _MOST_VALUES = 100
@@ -134,6 +134,8 @@ class _Reader:
         self._unknown: dict[str, Unknown] = {}
         self._searched: dict[str, tuple[Hit, ...]] = {}
         self._wrapped: _Wrapped | None = None
+        self._ended: set[str] = set()
+        """The ids of messages that are normal from here on."""
         self._code_follows = False
         """Whether the next line is a line of code in a traceback of Python."""
 
@@ -203,34 +205,37 @@ class _Reader:
     def _search_partial(self, line: Line) -> None:
         """Search for a message that is written differently or truncated in a line without a complete one."""
         text = plain(line.text)
-        shape = re.sub(r"\d+", "0", text)
-        if shape not in self._searched:
-            if len(self._searched) >= _MOST_SEARCHES:
-                return
-            hits = loose_index().hits(text)
-            if hits:
-                for hit in hits:
-                    self._keep(hit, self._number, line._replace(text=text), loose=True)
-                return
-            self._searched[shape] = tuple(self._partial.cut(text))
-        cut = _Wrapped(self._number, line, text, self._searched[shape])
-        similar = None if cut.hits else self._partial.similar(text)
-        if cut.hits:
+        hits = loose_index().hits(text)
+        if hits:
+            for hit in hits:
+                self._keep(hit, self._number, line._replace(text=text), loose=True)
+            return
+        found = self._cut(text)
+        if found is None:
+            return
+        cut = _Wrapped(self._number, line, text, found)
+        if found:
             self._wrapped = cut
-        elif similar is not None:
-            hit = Hit(similar.message, similar.pattern, Match(0, len(text), {}))
-            self._keep(hit, self._number, line._replace(text=text))
         else:
             self._record(cut)
 
     def _search_open_end(self, hit: Hit, line: Line) -> None:
         """Search for the beginning of a message behind one that names its reason, which goes on in the next line."""
         rest = single_blanks(line.text)[hit.match.end :].strip(" :")
-        if hit.message.kind != "consequence" or " " not in rest or len(self._searched) >= _MOST_SEARCHES:
+        if hit.message.kind != "consequence" or " " not in rest:
             return
-        begun = tuple(one for one in self._partial.cut(rest) if one.message.id != hit.message.id)
+        begun = tuple(one for one in self._cut(rest) or () if one.message.id != hit.message.id)
         if begun:
             self._wrapped = _Wrapped(self._number, line, rest, begun, quiet=True)
+
+    def _cut(self, text: str) -> tuple[Hit, ...] | None:
+        """The messages in which a text begins or ends, or which it surely means; None after too many searches."""
+        shape = re.sub(r"\d+", "0", text)
+        if shape not in self._searched:
+            if len(self._searched) >= _MOST_SEARCHES:
+                return None
+            self._searched[shape] = tuple(self._partial.cut(text)) or tuple(self._partial.similar(text))
+        return self._searched[shape]
 
     def _continues(self, wrapped: _Wrapped, line: Line) -> bool:
         """Whether a line continues the message in which the line before ends."""
@@ -260,8 +265,9 @@ class _Reader:
 
     def _keep(self, hit: Hit, number: int, line: Line, *, loose: bool = False) -> None:
         message = hit.message
-        if line.level == "info" and message.kind in _URGENT and not message.info:
+        if message.id in self._ended or (line.level == "info" and message.kind in _URGENT and not message.info):
             return
+        self._ended.update(message.ends)
         for name in message.settles:
             _add(self._settling.setdefault(name, {}), line.process, number)
         _add(self._last.setdefault(message.id, {}), line.process, number)

@@ -45,9 +45,10 @@ class Partial:
         most = max((letters for letters, _ in best.values()), default=0)
         return [hit for letters, hit in best.values() if letters == most]
 
-    def similar(self, text: str) -> Spelling | None:
-        """Return the pattern that a text surely means although some of its words differ."""
-        return self.nearest(text, _SURE_SIMILARITY, _SURE_WORDS)
+    def similar(self, text: str) -> list[Hit]:
+        """Return the message that a text surely means although some of its words differ, if there is one."""
+        spelling = self.nearest(text, _SURE_SIMILARITY, _SURE_WORDS)
+        return [Hit(spelling.message, spelling.pattern, Match(0, len(text), {}))] if spelling else []
 
     def nearest(self, text: str, least: float = 0.7, words_in_common: int = 3) -> Spelling | None:
         """Return the pattern most similar to a text, None if none is similar enough.
