@@ -267,7 +267,7 @@ def test_the_parameters_that_every_node_has_are_known(tmp_path: Path) -> None:
     [
         ("humble", []),
         ("jazzy", ["UC436 warning 10"]),
-        (None, ["UC436 info 10"]),
+        (None, ["UC436 warning 10"]),
     ],
 )
 def test_a_removed_parameter_is_told_where_it_is_removed(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.catalog.distros import ALL, APPLIES, in_words
+from urdfctl.catalog.distros import ALL, in_words
 from urdfctl.catalog.entries import FormerParameter
 from urdfctl.catalog.map_parameters import matching
 from urdfctl.control.readers import Reader, in_each_distro
@@ -49,11 +49,9 @@ def parameter_of_other_distro(project: Project) -> Iterator[Finding]:
     """Parameter of another ROS distro.
 
     The parameter was removed or renamed in this distro, or added later. The controller ignores it silently and uses the
-    default. If the distro is unknown and some of the possible ones read the parameter, it is only worth knowing.
+    default. If the distro is unknown and most of the maintained ones read the parameter, it is only worth knowing.
     """
-    for finding in in_each_distro(project, _of_others, newest=True):
-        is_partial = any(note.message.startswith(APPLIES) for note in finding.notes)
-        yield finding._replace(severity=Severity.INFO) if is_partial and project.distro is None else finding
+    return in_each_distro(project, _of_others, newest=True)
 
 
 def _of_others(reader: Reader) -> Iterator[Finding]:
