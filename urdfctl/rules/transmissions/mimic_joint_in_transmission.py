@@ -63,7 +63,8 @@ def mimic_joint_in_transmission(project: Project) -> Iterator[Finding]:
     """Transmission drives a mimic joint.
 
     ros_control does not read <mimic>. The joint waits for its own commands and does not follow the other joint. That
-    is intended if a controller commands it too; without known controllers, it is only worth knowing.
+    is intended if a controller commands it too. If neither the controllers nor the simulator are known, it is
+    only worth knowing.
     """
     joints = joints_by_name(project)
     controlled = list(sessions(project)) if project.controllers is not None else []
@@ -73,7 +74,7 @@ def mimic_joint_in_transmission(project: Project) -> Iterator[Finding]:
         for controller in session.candidates
         for claim in controller.claims.command
     }
-    severity = None if controlled else Severity.INFO
+    severity = None if controlled or project.named_simulator else Severity.INFO
     for transmission, joint, name in known_joints(project):
         driven = joints.get(name)
         if driven is not None and driven.mimic is not None and name not in commanded:
