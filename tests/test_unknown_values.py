@@ -12,9 +12,9 @@ LOOSE = '<joint name="{}" type="sideways"><parent link="base"/><child link="tip"
 MANIFEST = '<package format="3"><name>arm_description</name>{}</package>\n'
 
 
-def told(folder: Folder, *words: str) -> list[str]:
-    """Return the errors, warnings and infos about reading files, and UC121, as `file:line severity CODE message`."""
-    ran = folder.run("lint", *words, "--select", "UC0,UC121", "--format", "json")
+def told(folder: Folder, *words: str, select: str = "UC0,UC121") -> list[str]:
+    """Return findings, by default those about reading files and UC121, as `file:line severity CODE message`."""
+    ran = folder.run("lint", *words, "--select", select, "--format", "json")
     return [
         f"{f['file']}:{f['line']} {f['severity']} {f['code']} {f['message']}"
         for f in json.loads(ran.stdout)["findings"]
@@ -146,6 +146,31 @@ def test_a_file_that_is_missing_in_a_package_without_package_xml_is_a_warning(fo
     assert codes(folder, "arm/urdf/r.xacro") == ["warning UC023"]
     folder.write({"arm/package.xml": "<package><name>arm</name></package>"})
     assert codes(folder, "arm/urdf/r.xacro") == ["error UC002"]
+
+
+def test_a_missing_file_that_git_ignores_is_made_later(folder: Folder) -> None:
+    mesh = (
+        '<link name="base"><visual><geometry><mesh filename="package://arm/meshes/a.stl"/></geometry></visual></link>'
+    )
+    launch = '<launch><param name="robot_description" command="xacro $(find arm)/made.xacro"/></launch>'
+    files = {
+        "package.xml": "<package><name>arm</name><depend>xacro</depend></package>",
+        "shape.xacro": XACRO.format(mesh + '<link name="tip"/>'),
+        "whole.xacro": XACRO.format('<xacro:include filename="calibration.xacro"/>'),
+        "l.launch": launch,
+    }
+    folder.write(files)
+    missing = {"shape.xacro": "warning UC149", "whole.xacro": "error UC002", "l.launch": "error UC616"}
+    found = {file: told(folder, file, select="UC002,UC149,UC616") for file in missing}
+    assert {file: " ".join(finding.split()[1:3]) for file, [finding] in found.items()} == missing
+    folder.write({".gitignore": "meshes/\ncalibration.xacro\nmade.xacro\n"})
+    found = {file: told(folder, file, select="UC002,UC149,UC616") for file in missing}
+    message = "file does not exist: 'calibration.xacro'; .gitignore lists it: create it before the robot starts"
+    assert {file: [finding.partition(" ")[2] for finding in each] for file, each in found.items()} == {
+        "shape.xacro": [],
+        "whole.xacro": [f"warning UC002 {message}"],
+        "l.launch": [],
+    }
 
 
 # -- consequences ----------------------------------------------------------------------------------------------------

@@ -12,8 +12,7 @@ from itertools import takewhile
 from urdfctl.cli.writing import print_message
 from urdfctl.discover.robots import check_readable
 from urdfctl.errors import UserError
-from urdfctl.source.files import first_bytes
-from urdfctl.source.packages import folders_upwards
+from urdfctl.source.files import first_bytes, folders_upwards
 from urdfctl.startup.records import NamedTuple
 
 _COMMAND = re.compile(r"made by urdfctl (gen-[a-z0-9-]+)(.*?)(?: -->)?$")

@@ -14,7 +14,8 @@ from functools import lru_cache
 from urdfctl.discover.robots import DiscoveredFiles, is_match
 from urdfctl.discover.walk import text_of
 from urdfctl.errors import UserError
-from urdfctl.source.packages import folders_upwards, package_around, package_name
+from urdfctl.source.files import folders_upwards
+from urdfctl.source.packages import package_around, package_name
 from urdfctl.startup.records import NamedTuple
 
 _MOST = 1000

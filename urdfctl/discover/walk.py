@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 
-from urdfctl.discover.gitignore import GitIgnore
 from urdfctl.source.files import first_bytes
+from urdfctl.source.gitignore import GitIgnore
 
 DESCRIPTIONS = (".urdf", ".xacro")
 LAUNCHES = (".launch", ".launch.xml", "_launch.xml", ".launch.py", "_launch.py", ".launch.yaml", ".launch.yml")

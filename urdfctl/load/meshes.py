@@ -11,7 +11,10 @@ from urdfctl.source.packages import PackageNotFound, Packages
 
 
 def mesh_finder(packages: Packages, robot_file: str) -> Callable[[str], MeshFile | None]:
-    """Return a function that finds the file of a mesh address. It returns None for addresses that are not files."""
+    """Return a function that finds the file of a mesh address.
+
+    It returns None for addresses that are not files, and for missing files that git ignores: they are made later.
+    """
     known: dict[str, MeshFile | None] = {}
 
     def find_mesh(address: str) -> MeshFile | None:
@@ -47,11 +50,11 @@ def _mesh_file(address: str, packages: Packages, robot_file: str) -> MeshFile | 
         return None
     if not os.path.isabs(path):
         path = os.path.join(os.path.dirname(robot_file), path)
-    mesh = _file(packages.source_of(path), None)
-    return mesh._replace(address=packages.address_of(path)) if mesh.exists else mesh
+    mesh = _file(packages.source_of(path), None, packages)
+    return mesh._replace(address=packages.address_of(path)) if mesh and mesh.exists else mesh
 
 
-def _in_package(address: str, packages: Packages) -> MeshFile:
+def _in_package(address: str, packages: Packages) -> MeshFile | None:
     package, _, path = address.partition("/")
     try:
         folder = packages.find(package)
@@ -63,12 +66,14 @@ def _in_package(address: str, packages: Packages) -> MeshFile:
             nearest=nearest(package, error.known),
             package_declared=bool(packages.declares(package)),
         )
-    return _file(packages.source_of(os.path.join(folder, path)), package)
+    return _file(packages.source_of(os.path.join(folder, path)), package, packages)
 
 
-def _file(path: str, package: str | None) -> MeshFile:
+def _file(path: str, package: str | None, packages: Packages) -> MeshFile | None:
     if os.path.isfile(path):
         return MeshFile(True, package)  # noqa: FBT003
+    if packages.is_ignored_by_git(path):
+        return None
     try:
         beside = os.listdir(os.path.dirname(path))
     except OSError:

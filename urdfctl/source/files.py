@@ -5,7 +5,7 @@ from __future__ import annotations
 import errno
 import os
 import stat
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from types import MappingProxyType
 
 from urdfctl.errors import UserError
@@ -148,6 +148,16 @@ def _bytes_of(path: str) -> bytes:
         why = getattr(error, "strerror", None) or str(error)
         raise FileProblem(ProblemKind.FILE_UNREADABLE, path, f"'{path}' cannot be read: {why}") from None
     return data
+
+
+def folders_upwards(folder: str) -> Iterator[str]:
+    """Yield a folder and all folders above it, nearest first."""
+    while True:
+        yield folder
+        above = os.path.dirname(folder)
+        if above == folder:
+            return
+        folder = above
 
 
 def first_bytes(path: str, most: int) -> bytes:

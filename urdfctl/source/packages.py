@@ -11,7 +11,8 @@ import os
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from urdfctl.source.files import first_bytes
+from urdfctl.source.files import first_bytes, folders_upwards
+from urdfctl.source.gitignore import GitIgnore
 from urdfctl.startup.hints import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -36,16 +37,6 @@ class PackageNotFound(Exception):
         super().__init__(f"package '{name}' was not found")
         self.name = name
         self.known = known
-
-
-def folders_upwards(folder: str) -> Iterator[str]:
-    """Yield a folder and all folders above it, nearest first."""
-    while True:
-        yield folder
-        above = os.path.dirname(folder)
-        if above == folder:
-            return
-        folder = above
 
 
 def package_around(folder: str) -> str | None:
@@ -135,6 +126,7 @@ class PackageIndex:
         self._names: dict[str, str | None] = {}
         self._maps: dict[str, InstallMap] = {}
         self._dependencies: dict[str, frozenset[str]] = {}
+        self._git: dict[str, GitIgnore] = {}
 
     def dependencies(self, folder: str) -> frozenset[str]:
         """Return the names of the packages that the package.xml in a folder declares."""
@@ -156,6 +148,11 @@ class PackageIndex:
         if folder not in self._maps:
             self._maps[folder] = read_install_map(folder, name)
         return self._maps[folder]
+
+    def is_ignored_by_git(self, path: str) -> bool:
+        """Return whether a .gitignore of the workspace names a file, or a folder around it: it is made later."""
+        git = self._git.setdefault(self.workspace, GitIgnore(self.workspace, top=self.workspace))
+        return git.expects(path)
 
     def prefixes(self, *variables: str) -> Iterator[str]:
         """Yield the folders that path-like environment variables, such as AMENT_PREFIX_PATH, list."""
@@ -254,16 +251,22 @@ class Packages:
         return self._index.install_map(folder, name)
 
     def may_be_made(self, path: str) -> bool:
-        """Return whether the build of a source package may create a missing file.
+        """Return whether a missing file may be created later, by the build of a source package or by other tools.
 
-        True if the build generates files, or if its install rules are not all known and the file's folder is missing
-        too.
+        True if .gitignore names it, if the build generates files, or if its install rules are not all known and the
+        file's folder is missing too.
         """
+        if self.is_ignored_by_git(path):
+            return True
         for name, folder in self._found.items():
             if path.startswith(folder + os.sep):
                 build = self._index.install_map(folder, name)
                 return build.makes or not (build.whole or os.path.isdir(os.path.dirname(path)))
         return False
+
+    def is_ignored_by_git(self, path: str) -> bool:
+        """Return whether git ignores a missing file: it is created later, and never committed."""
+        return self._index.is_ignored_by_git(path)
 
     def _from_environment(self, name: str) -> str | None:
         for prefix in self._index.prefixes("AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "CMAKE_PREFIX_PATH"):

@@ -5,7 +5,8 @@ from __future__ import annotations
 import os
 from functools import lru_cache
 
-from urdfctl.source.packages import folders_upwards, package_around, package_folders
+from urdfctl.source.files import folders_upwards
+from urdfctl.source.packages import package_around, package_folders
 
 
 def workspace_of(file: str, named: str | None = None) -> str:

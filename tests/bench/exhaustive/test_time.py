@@ -12,8 +12,8 @@ from expansion import expanded, laid_out, robot
 from test_hostile_readers import READERS, REPEATED
 from test_log_digest import HOSTILE, log
 
-from urdfctl.discover.gitignore import patterns_of
 from urdfctl.errors import UserError
+from urdfctl.source.gitignore import patterns_of
 from urdfctl.source.problem import ReadError
 from urdfctl.source.span import SourceText
 from urdfctl.source.suppressions import suppressions

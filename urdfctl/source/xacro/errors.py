@@ -48,10 +48,13 @@ def judged(problem: Problem, packages: Packages) -> Problem:
     """Return a problem with a package or a file as severe as it certainly is.
 
     A package that package.xml declares is just not in the workspace. A file in a folder that was only taken for a
-    package may well exist in the real one.
+    package may well exist in the real one. A file that git ignores is made later.
     """
-    if problem.kind is ProblemKind.FILE_NOT_FOUND and packages.is_guessed(problem.subject):
-        return problem._replace(guessed=True)
+    if problem.kind is ProblemKind.FILE_NOT_FOUND:
+        ignored = packages.is_ignored_by_git(problem.subject)
+        message = f"{problem.message}; .gitignore lists it: create it before the robot starts"
+        problem = problem._replace(message=message) if ignored else problem
+        return problem._replace(guessed=ignored or packages.is_guessed(problem.subject))
     if problem.kind is not ProblemKind.PACKAGE_NOT_FOUND:
         return problem
     declared = packages.declares(problem.subject, problem.at.source.path)

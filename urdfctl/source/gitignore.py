@@ -7,8 +7,7 @@ import re
 from collections.abc import Iterator, Sequence
 from fnmatch import fnmatchcase
 
-from urdfctl.source.files import first_bytes
-from urdfctl.source.packages import folders_upwards
+from urdfctl.source.files import first_bytes, folders_upwards
 from urdfctl.startup.records import NamedTuple
 
 _MOST_BYTES = 1 << 20
@@ -41,8 +40,9 @@ class GitIgnore:
     Each .gitignore is read once. Callers do not ask for files in ignored folders.
     """
 
-    def __init__(self, folder: str) -> None:
-        self._top = _repository(os.path.realpath(folder))
+    def __init__(self, folder: str, top: str | None = None) -> None:
+        """Read the .gitignore files up to the repository's folder; without a repository up to the folder `top`."""
+        self._top = _repository(os.path.realpath(folder)) or (top and os.path.realpath(top))
         self._applying: dict[str, list[_Applying]] = {}
         self._read: dict[str, tuple[Pattern, ...]] = {}
 
@@ -56,6 +56,16 @@ class GitIgnore:
                 if pattern.matches((*below, name), is_folder=is_folder):
                     return pattern.ignores
         return False
+
+    def expects(self, path: str) -> bool:
+        """Return whether git ignores a file or a folder above it: such a file is made later, and is not committed."""
+        if self.ignores(path, is_folder=False):
+            return True
+        return any(
+            self.ignores(folder, is_folder=True)
+            for folder in folders_upwards(os.path.dirname(path))
+            if self._top and folder.startswith(self._top.rstrip(os.sep) + os.sep)
+        )
 
     def _patterns_for(self, folder: str) -> Iterator[_Applying]:
         """Yield the patterns that apply in a folder, those with the highest precedence first."""
