@@ -17,6 +17,7 @@ from urdfctl.cli.generate_options import (
     short_help,
 )
 from urdfctl.cli.help import GroupedCommand
+from urdfctl.cli.init_options import InitOptions
 from urdfctl.cli.options import ExpandOptions, ExplainOptions, LintOptions, RulesOptions, ShowOptions, SmokeOptions
 from urdfctl.cli.slips import command_hint
 from urdfctl.errors import UserError
@@ -59,6 +60,12 @@ def _explain(options: ExplainOptions) -> int:
     return run_explain(options.what or [], options.output_format, options.folder)
 
 
+def _init(options: InitOptions) -> int:
+    from urdfctl.cli.init_command import run_init
+
+    return run_init(options)
+
+
 def _generate(options: GenerateOptions) -> int:
     from urdfctl.cli.generate_command import run_generate
 
@@ -79,6 +86,7 @@ _RUN: dict[type, Callable[[Any], int]] = {
     RulesOptions: _rules,
     ExplainOptions: _explain,
     CheckGeneratedOptions: _check_generated,
+    InitOptions: _init,
     **dict.fromkeys(GENERATORS.values(), _generate),
 }
 
@@ -135,6 +143,7 @@ _command("show", short_help="Show what is started together.")(ShowOptions)
 _command("expand", short_help="Expand xacro without ROS.")(ExpandOptions)
 _command("rules")(RulesOptions)
 _command("explain", short_help="Explain a rule, an error message, or a whole log.")(ExplainOptions)
+_command("init", short_help="Write a configuration with the robots of a project.")(InitOptions)
 for name, generator in GENERATORS.items():
     app.command(name, cls=OneDashCommand, short_help=short_help(generator))(generator)
 _command("gen-check", short_help="Check that generated files are up to date.")(CheckGeneratedOptions)

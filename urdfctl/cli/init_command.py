@@ -1,0 +1,126 @@
+"""`urdfctl init`: find the robots of a project, and write its configuration, a pre-commit hook and a workflow."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Sequence
+
+from urdfctl.catalog.distros import ALL, SIMULATORS
+from urdfctl.cli.init_options import InitOptions
+from urdfctl.cli.targets import discovered
+from urdfctl.cli.words import configured, settings_from
+from urdfctl.cli.writing import print_message, would_overwrite, write_file
+from urdfctl.config.file import NAMES
+from urdfctl.errors import UserError
+from urdfctl.generate.facts import RobotFacts
+from urdfctl.generate.job import measure_robot
+
+_MOST = 50
+"""With more descriptions than this, only the first ones are read."""
+_HOOK = """repos:
+  - repo: https://github.com/OWNER/urdfctl
+    rev: v0.1.0
+    hooks:
+      - id: urdfctl-lint
+"""
+_WORKFLOW = """name: urdfctl
+on: [push, pull_request]
+jobs:
+  lint:
+    runs-on: ubuntu-latest
+    steps:
+      - uses: actions/checkout@v4
+      - uses: OWNER/urdfctl@v0.1.0
+"""
+
+
+def run_init(options: InitOptions) -> int:
+    """Write the files of a project, and return the exit status."""
+    folder = options.folder
+    if not os.path.isdir(folder):
+        raise UserError(f"folder '{folder}' does not exist")
+    target = os.path.normpath(os.path.join(folder, NAMES[0]))
+    if would_overwrite(target) and not options.force:
+        raise UserError(f"'{target}' exists; --force overwrites it")
+    config = configured([folder], options)
+    settings = settings_from(config, options, distro=options.distro, simulator=options.simulator)
+    found = discovered([folder], config._replace(robots=()))
+    paths = list(dict.fromkeys(path for path, _ in found.descriptions()))
+    measured = [(path, measure_robot(path, {}, settings)) for path in paths[:_MOST]]
+    robots = {path: one.facts for path, one in measured if one.facts and one.facts.root}
+    if not robots:
+        raise UserError(f"no robot found in '{folder}'")
+    distro = options.distro or _asked("ROS distro", ALL, _common([facts.distro for facts in robots.values()]))
+    simulator = _common([facts.simulator for facts in robots.values()])
+    simulator = options.simulator or _asked("Simulator", SIMULATORS, simulator)
+    write_file(target, _toml(folder, robots, distro, simulator), force=options.force)
+    print_message(f"'{target}' written: {len(robots)} robot{'s' * (len(robots) > 1)}, {distro or 'distro not set'}")
+    if not distro:
+        print_message(f"ROS distro is unknown; set it in '{target}', or use --distro")
+    _offer(
+        os.path.normpath(os.path.join(folder, ".pre-commit-config.yaml")),
+        _HOOK,
+        "--pre-commit",
+        wanted=options.pre_commit,
+    )
+    _offer(
+        os.path.normpath(os.path.join(folder, ".github/workflows/urdfctl.yaml")),
+        _WORKFLOW,
+        "--workflow",
+        wanted=options.workflow,
+    )
+    print_message(f"next: urdfctl lint {folder}")
+    return 0
+
+
+def _common(names: Sequence[str | None]) -> str | None:
+    """The only name of several robots; None if they differ, or none is known."""
+    known = {name for name in names if name}
+    return known.pop() if len(known) == 1 else None
+
+
+def _asked(what: str, choices: Sequence[str], detected: str | None) -> str | None:
+    """What was detected, or what the user answers if there is one to ask."""
+    if detected or not sys.stdin.isatty():
+        return detected
+    sys.stderr.write(f"{what} ({', '.join(choices)}; empty: leave it open): ")
+    sys.stderr.flush()
+    answer = sys.stdin.readline().strip()
+    if answer and answer not in choices:
+        raise UserError(f"unknown {what.lower()} '{answer}'; choose from {', '.join(choices)}")
+    return answer or None
+
+
+def _toml(folder: str, robots: dict[str, RobotFacts], distro: str | None, simulator: str | None) -> str:
+    lines = [
+        f"distro = {_text(distro)}" if distro else '# distro = "jazzy"',
+        f"simulator = {_text(simulator)}" if simulator else '# simulator = "gz"',
+    ]
+    for path in robots:
+        lines += ["", "[[robot]]", f"path = {_text(os.path.relpath(path, folder).replace(os.sep, '/'))}"]
+    return "\n".join([*lines, ""])
+
+
+def _text(value: str) -> str:
+    return json.dumps(value, ensure_ascii=False)
+
+
+def _offer(path: str, text: str, option: str, *, wanted: bool | None) -> None:
+    """Write a file if it is wanted; else say how to get it. An existing file is left alone."""
+    if wanted is False:
+        return
+    if would_overwrite(path):
+        print_message(f"'{path}' exists; add this to it if it is missing:\n{text}" if wanted else f"'{path}' exists")
+        return
+    if wanted is None and sys.stdin.isatty():
+        sys.stderr.write(f"Write '{path}'? [y/N] ")
+        sys.stderr.flush()
+        wanted = sys.stdin.readline().strip().lower() in ("y", "yes")
+    if not wanted:
+        print_message(f"'{path}' is not written; {option} adds it")
+        return
+    os.makedirs(os.path.dirname(path) or ".", exist_ok=True)
+    write_file(path, text, force=False)
+    print_message(f"'{path}' written")
