@@ -15,7 +15,7 @@ from urdfctl.errors import UserError
 from urdfctl.source.files import first_bytes, folders_upwards
 from urdfctl.startup.records import NamedTuple
 
-_COMMAND = re.compile(r"made by urdfctl (gen-[a-z0-9-]+)(.*?)(?: -->)?$")
+_COMMAND = re.compile(r"made by urdfctl (gen-[a-z0-9-]+|convert)(.*?)(?: -->)?$")
 _PARTS = ("config", "urdf", "launch")
 _FIRST = 1 << 16
 _FORBIDDEN = re.compile(r"-o.*|--?(output|into|force|diff|check|trust|templates|package-path|workspace|config)(=.*)?")

@@ -55,6 +55,8 @@ _NOT_REPEATED = frozenset(
     }
 )
 _OWN_NAMES = ("robot.urdf.xacro", "control.xacro")
+_ANY_DISTRO = "rolling"
+"""For what does not depend on the distro."""
 _PARTS = ("gen-transmissions", "gen-ros2-control", "gen-gazebo")
 _NAMES = {"types": "type", "command_interface": "command"}
 
@@ -76,6 +78,8 @@ def run_generate(options: GenerateOptions) -> int:
     words = given["words"] or []
     config = configured([], options)
     settings = settings_from(config, options, distro=options.distro, simulator=options.simulator)
+    if command == "convert":
+        settings = settings._replace(simulator="mujoco")
     try:
         robot, listed = _sources(words, given, settings, config)
     except Unreadable as error:
@@ -103,7 +107,7 @@ def run_generate(options: GenerateOptions) -> int:
         order = Order(joints, requested, catalog, robot or NO_ROBOT, templates)
         return Made(requested, files(command, order), order.made_if_typed(), proposal)
 
-    distro = known_distro(settings, robot)
+    distro = known_distro(settings, robot) or (_ANY_DISTRO if command == "convert" else None)
     made = make(distro) if distro else made_for_newest(robot, make)
     if made.proposal:
         print_message(made.proposal)
@@ -200,6 +204,8 @@ def _options(command: str, given: Mapping[str, Any], robot: RobotFacts | None, d
         description=robot.package_path if robot else None,
         robot_file=_included(given, robot) if not copied else f"$(find {_package(command, given, robot)})/{copied[0]}",
         robot_text=copied,
+        model_path=given["output"] if command == "convert" else None,
+        to=given.get("to"),
         arguments=tuple(split_arguments(given["words"] or ())[1].items()),
         macro=bool(given.get("macro")),
         form=given.get("form") or defaults.form,
@@ -259,5 +265,7 @@ def _repeatable_command(command: str, given: Mapping[str, Any], distro: str, sim
             ]
     if given.get("broadcaster") is False:
         words.append("--no-broadcaster")
+    if command == "convert":
+        return shlex.join(words)
     words += ["--distro", distro] + (["--simulator", simulator] if simulator != "none" else [])
     return shlex.join(words)

@@ -206,6 +206,19 @@ class GenerateAll(ControllerOptions, InterfaceOption, HardwareOption, PlaceOptio
     command = "gen-all"
 
 
+@dataclass(kw_only=True)
+class ConvertRobot(InterfaceOption):
+    """Convert a robot to MuJoCo's own format: meshes, an actuator for each commanded joint, mimic joints and sensors.
+
+    \b
+    Example: urdfctl convert robot.xacro --to mjcf -o robot.xml
+    """
+
+    command = "convert"
+
+    to: Annotated[_Text, _option("--to", "Format to convert to: mjcf.")] = None
+
+
 GENERATORS: dict[str, type[GenerateOptions]] = {
     generator.command: generator
     for generator in (
@@ -215,6 +228,7 @@ GENERATORS: dict[str, type[GenerateOptions]] = {
         GenerateGazebo,
         GenerateLaunch,
         GenerateAll,
+        ConvertRobot,
     )
 }
 

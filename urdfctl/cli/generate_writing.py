@@ -95,11 +95,13 @@ def _make_folder(path: str) -> None:
 
 def _text_of(path: str) -> str | None:
     try:
-        return first_bytes(path, MAX_BYTES).decode("utf-8")
-    except (OSError, UnicodeDecodeError):
+        return first_bytes(path, MAX_BYTES).decode("utf-8", "surrogateescape")
+    except OSError:
         return None
 
 
 def _diff(path: str, text: str) -> str:
+    if "\0" in text:
+        return f"{path} differs\n"
     before = (_text_of(path) or "").splitlines(keepends=True)
     return "".join(difflib.unified_diff(before, text.splitlines(keepends=True), path, f"{path} (generated)"))

@@ -133,7 +133,8 @@ def package_files(
     depends: Sequence[str], options: Options, templates: Templates, title: str, xml_command: str
 ) -> list[File]:
     """Return package.xml and CMakeLists.txt of the generated package. `xml_command` is the command for a comment."""
-    values = {"ros": options.ros, "package": options.package, "title": title}
+    mujoco = options.simulator == "mujoco" and bool(options.model_path)
+    values = {"mujoco": mujoco, "ros": options.ros, "package": options.package, "title": title}
     return [
         File("package.xml", templates.render("package/package.xml", **values, command=xml_command, depends=depends)),
         File("CMakeLists.txt", templates.render("package/CMakeLists.txt", **values, command=options.command)),

@@ -18,6 +18,7 @@ from urdfctl.generate.scalars import yaml_float
 from urdfctl.generate.templates import Templates
 from urdfctl.startup.records import NamedTuple
 
+_MUJOCO = "mujoco_ros2_control/MujocoSystemInterface"
 _STATES = ("position", "velocity")
 OF_TRANSMISSIONS = tuple(f"{kind}JointInterface" for kind in ("Effort", "Velocity", "Position", "PosVel", "PosVelAcc"))
 
@@ -90,6 +91,7 @@ def component(
         name=_unused("RobotSystem", robot.components),
         type=plugin.component_types[0] if "system" not in plugin.component_types else "system",
         plugin=plugin.type,
+        parameters=[("mujoco_model", options.model_path)] if plugin.type == _MUJOCO and options.model_path else [],
         about="mock hardware, which copies commands to states" if plugin.simulator == "mock" else about,
         parts=parts,
     )

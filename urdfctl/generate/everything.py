@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable, Mapping, Sequence
 
@@ -19,11 +20,13 @@ from urdfctl.generate.descriptions import (
 )
 from urdfctl.generate.facts import JointFacts, RobotFacts
 from urdfctl.generate.fit import check_fit
+from urdfctl.generate.mjcf import MODEL, commanded, mjcf_file
 from urdfctl.generate.moveit import moveit_file
 from urdfctl.generate.options import File, Options
 from urdfctl.generate.parameters import Controller
 from urdfctl.generate.parse_again import checked
 from urdfctl.generate.templates import Templates
+from urdfctl.source.files import named_bytes
 from urdfctl.startup.records import NamedTuple
 
 
@@ -145,6 +148,8 @@ def _all(order: Order) -> list[File]:
     """A package with the robot and everything that controls it."""
     made, robot = _typed(order), order.robot
     options = order.options._replace(description="urdf/robot.urdf.xacro")
+    if options.simulator == "mujoco" and robot.skeleton:
+        options = options._replace(model_path=f"$(find {options.package})/{MODEL}")
     order = order._replace(options=options)
     blocks = []
     wanted = wanted_interfaces(made) if options.ros == 1 else {}
@@ -170,6 +175,7 @@ def _all(order: Order) -> list[File]:
         _launch_file(order, made),
         *([File(*options.robot_text)] if options.robot_text else []),
         _settings(order),
+        *_mujoco(order, made),
         *package_files(depends, options, order.templates, order.title, _one_dash(options.command)),
     ]
 
@@ -188,6 +194,40 @@ def _settings(order: Order) -> File:
     return File("urdfctl.toml", text)
 
 
+def _convert(order: Order) -> list[File]:
+    options = order.options
+    if options.to != "mjcf":
+        raise UserError("--to is missing: use --to mjcf" if options.to is None else "--to must be mjcf")
+    interfaces = commanded((), order.robot)
+    if options.interface or not interfaces:
+        interfaces = {joint.name: joint.interface or options.interface or "position" for joint in order.joints}
+    options = options._replace(command=_one_dash(options.command))
+    return [mjcf_file(order.robot, interfaces, options, order.templates, "robot.xml")]
+
+
+def _ending(path: str) -> str:
+    return os.path.splitext(path)[1].lower()
+
+
+def _mujoco(order: Order, made: Sequence[Controller]) -> list[File]:
+    """The model of the robot for mujoco_ros2_control, with its meshes."""
+    if order.options.simulator != "mujoco" or order.robot.skeleton is None:
+        return []
+    skeleton = order.robot.skeleton
+    copies = tuple((name, f"meshes/{name}{_ending(path)}", scale) for name, path, scale in skeleton.meshes)
+    robot = order.robot._replace(skeleton=skeleton._replace(meshes=copies))
+    options = order.options._replace(command=_one_dash(order.options.command), model_path=None)
+    model = mjcf_file(robot, commanded(made, robot), options, order.templates, MODEL)
+    folder = os.path.dirname(MODEL)
+    return [
+        model,
+        *(
+            File(f"{folder}/{copy}", named_bytes(path).decode("utf-8", "surrogateescape"))
+            for (_, path, _), (_, copy, _) in zip(skeleton.meshes, copies, strict=True)
+        ),
+    ]
+
+
 GENERATORS: Mapping[str, Callable[[Order], list[File]]] = {
     "gen-controllers": _controllers,
     "gen-transmissions": _transmissions,
@@ -195,6 +235,7 @@ GENERATORS: Mapping[str, Callable[[Order], list[File]]] = {
     "gen-gazebo": _gazebo,
     "gen-launch": _launch,
     "gen-all": _all,
+    "convert": _convert,
 }
 
 

@@ -76,6 +76,18 @@ class PartFacts(NamedTuple):
     states: tuple[str, ...] = ()
 
 
+class Skeleton(NamedTuple):
+    """The bodies of a robot in MuJoCo's format: with its root fixed to the world, and with a free root.
+
+    `meshes` are the name, path and scale of each one. `notes` say what MuJoCo cannot have.
+    """
+
+    fixed: str
+    free: str
+    meshes: tuple[tuple[str, str, str], ...]
+    notes: tuple[str, ...]
+
+
 class RobotFacts(NamedTuple):
     """A robot as the generators use it.
 
@@ -84,7 +96,7 @@ class RobotFacts(NamedTuple):
     joints already have from transmissions or `<ros2_control>` tags. `parts` are the joints, sensors and gpios of these
     tags. `hosts` are the file names of its simulator plugins. `sensor_links` are the links of its sensors by name.
     `distro` is that of the robot, None if several `distros` are possible. `arguments` are its xacro arguments with
-    their defaults.
+    their defaults. `skeleton` is there if the simulator is MuJoCo.
     """
 
     name: str | None = None
@@ -104,6 +116,7 @@ class RobotFacts(NamedTuple):
     ros: int | None = None
     simulator: str | None = None
     arguments: Mapping[str, str] = {}
+    skeleton: Skeleton | None = None
 
     def of_kind(self, kind: str) -> tuple[PartFacts, ...]:
         """Return the joints, sensors or gpios of its `<ros2_control>` tags."""
@@ -122,6 +135,10 @@ class RobotFacts(NamedTuple):
             PartFacts(kind, name, tuple(commands), tuple(states)) for kind, name, commands, states in plain["parts"]
         )
         values["interfaces"] = {joint: tuple(names) for joint, names in plain["interfaces"].items()}
+        skeleton = plain.get("skeleton")
+        if skeleton:
+            fixed, free, meshes, notes = skeleton
+            values["skeleton"] = Skeleton(fixed, free, tuple((*mesh,) for mesh in meshes), tuple(notes))
         return cls(**values)
 
 

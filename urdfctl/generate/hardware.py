@@ -8,6 +8,8 @@ from urdfctl.errors import UserError
 from urdfctl.generate.options import Options
 from urdfctl.names import did_you_mean
 
+_PREFERRED = ("mujoco_ros2_control/MujocoSystemInterface",)
+"""Of several hardware plugins for one simulator, the one whose node the launch files start."""
 _SHORT = {"mock": "mock", "topic-based": "topic", "mujoco": "mujoco", "gz": "gz", "gazebo-classic": "gazebo-classic"}
 
 
@@ -46,4 +48,4 @@ def hardware(options: Options, catalog: Catalog) -> HardwareType:
     ]
     if not fit:
         raise UserError(f"{options.distro} has no '{wanted}' hardware")
-    return next((plugin for plugin in fit if not plugin.deprecated), fit[0])
+    return min(fit, key=lambda plugin: (plugin.deprecated, plugin.type not in _PREFERRED))

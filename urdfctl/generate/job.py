@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from functools import partial
 
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.generate.facts import RobotFacts
+from urdfctl.generate.mjcf_bodies import skeleton_of
 from urdfctl.generate.survey import facts_of
 from urdfctl.lint.engine import lint
 from urdfctl.lint.job import Work, run_on_one
@@ -15,6 +17,7 @@ from urdfctl.lint.selection import Selection
 from urdfctl.lint.serialising import outcome_to_json
 from urdfctl.load.description import expansion_of
 from urdfctl.load.distro import Beside, detect_distro
+from urdfctl.load.meshes import mesh_path
 from urdfctl.load.target import Target
 from urdfctl.model.build_robot import robot_of
 from urdfctl.model.project import Project
@@ -68,4 +71,7 @@ def measure_work(work: Work) -> dict[str, Any]:
         ros=evidence.ros,
         simulator=evidence.simulator,
     )
+    if (work.loader.settings.simulator or evidence.simulator) == "mujoco":
+        find = partial(mesh_path, packages=expander.packages, robot_file=path)
+        facts = facts._replace(skeleton=skeleton_of(robot, facts.joints, find))
     return {"facts": facts.to_json(), "outcome": outcome_to_json(outcome)}

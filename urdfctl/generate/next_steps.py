@@ -17,6 +17,9 @@ _PART = 0.1
 def steps_after(command: str, made: Sequence[Controller], options: Options, output: str) -> Iterator[str]:
     """Yield commands and lines for the user, for files that a generator wrote to an output."""
     package = options.package or "my_robot_control"
+    if command == "convert":
+        yield f"python -m mujoco.viewer --mjcf={output}"
+        return
     if command in ("gen-transmissions", "gen-ros2-control", "gen-gazebo"):
         yield f'include it in the robot: <xacro:include filename="$(find {package})/urdf/{os.path.basename(output)}"/>'
         return

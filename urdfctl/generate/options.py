@@ -46,7 +46,8 @@ class Options(NamedTuple):
 
     `controllers_file`, `description` and `package` are the places of the installed files. `robot_file` is the path by
     which a generated xacro file includes the robot, `arguments` are its xacro arguments, and `robot_text` is the
-    path and text of a copy of the robot in the package.
+    path and text of a copy of the robot in the package. `model_path` is where a model
+    for MuJoCo is written, and `to` the format that a robot is converted to.
     """
 
     distro: str
@@ -68,6 +69,8 @@ class Options(NamedTuple):
     description: str | None = None
     robot_file: str = "robot.urdf"
     robot_text: tuple[str, str] | None = None
+    model_path: str | None = None
+    to: str | None = None
     arguments: tuple[tuple[str, str], ...] = ()
     macro: bool = False
     form: str = "python"
