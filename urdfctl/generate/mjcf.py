@@ -78,6 +78,7 @@ def mjcf_file(
         actuators=[_actuator(joints[joint], interface) for joint, interface in interfaces.items()],
         sensors=list(_sensors(robot)),
         notes=skeleton.notes,
+        balance=any("is impossible" in note for note in skeleton.notes),
     )
     return File(name, _with_sites(text, robot))
 

@@ -22,6 +22,7 @@ MeshPath = Callable[[str], str | None]
 _TYPES = {"revolute": "hinge", "continuous": "hinge", "prismatic": "slide"}
 _MESHES = (".stl", ".obj", ".msh")
 _MOST_TRIANGLES = 200_000
+_MOMENTS = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 _TINY = 1e-9
 """The mass, in kg, and inertia, in kg m2, of moving links that have none: MuJoCo requires some."""
 
@@ -68,6 +69,8 @@ class _Writer:
         elif one.joint and one.joint.type not in ("fixed", None):
             self.notes[f"joint '{one.joint.name}' is fixed: MuJoCo has no '{one.joint.type}' joint"] = None
         inertial = _inertial(one.link, moves=moves)
+        if one.link and not _is_possible(one.link):
+            self.notes[f"the inertia of link '{one.name}' is impossible for a solid; MuJoCo balances it"] = None
         if inertial:
             yield inside + inertial
         for geometry, tag in _geometries(one.link):
@@ -187,6 +190,28 @@ def quaternion(turn: Rotation) -> tuple[float, float, float, float]:
     return rows[best]
 
 
+def _is_possible(link: Link) -> bool:
+    """Whether a solid can have a link's inertia: no principal moment is greater than the sum of the other two."""
+    inertial = link.inertials[0] if link.inertials else None
+    if inertial is None or not inertial.inertia:
+        return True
+    values = {name: number.value or 0.0 for name, number in inertial.inertia.items()}
+    xx, yy, zz, xy, xz, yz = (values.get(name, 0.0) for name in _MOMENTS)
+    mean = (xx + yy + zz) / 3
+    a, b, c = xx - mean, yy - mean, zz - mean
+    size = math.sqrt((a * a + b * b + c * c + 2 * (xy * xy + xz * xz + yz * yz)) / 6)
+    if not size:
+        return mean > 0
+    a, b, c, d, e, f = (value / size for value in (a, b, c, xy, xz, yz))
+    half = (a * b * c + 2 * d * e * f - a * f * f - b * e * e - c * d * d) / 2
+    angle = math.acos(max(-1.0, min(1.0, half))) / 3
+    greatest, least = mean + 2 * size * math.cos(angle), mean + 2 * size * math.cos(angle + 2 * math.pi / 3)
+    return least > 0 and 3 * mean - 2 * greatest >= _ROUNDING * mean
+
+
+_ROUNDING = 1e-9
+
+
 def _inertial(link: Link | None, *, moves: bool) -> str | None:
     """The inertia of a link. A moving link without one gets a tiny one."""
     inertial = link.inertials[0] if link and link.inertials else None
@@ -197,9 +222,8 @@ def _inertial(link: Link | None, *, moves: bool) -> str | None:
     element = next(link.tag.named("inertial"), None)
     frame = _origin(element) if element else Pose()
     values = {name: number.value or 0.0 for name, number in (inertial.inertia or {}).items()}
-    names = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
     # MuJoCo takes either a turned frame or a full inertia: the full one is turned here
-    xx, yy, zz, xy, xz, yz = (values.get(name, 0.0) for name in names)
+    xx, yy, zz, xy, xz, yz = (values.get(name, 0.0) for name in _MOMENTS)
     full = product(product(frame.turn, ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))), transposed(frame.turn))
     if max(abs(value) for row in full for value in row) < _TINY:
         full = ((_TINY, 0.0, 0.0), (0.0, _TINY, 0.0), (0.0, 0.0, _TINY))
