@@ -102,7 +102,7 @@ class _Writer:
         if shape is None:
             return None
         group = 'group="3"' if collides else 'group="2" contype="0" conaffinity="0"'
-        return f"<geom {shape} {group}{_pose(frame)}/>"
+        return f'<geom {shape} mass="0" {group}{_pose(frame)}/>'
 
     def _shape(self, link: str, shape: Tag) -> str | None:
         if shape.name == "mesh":
