@@ -127,6 +127,41 @@ def test_the_loaded_library_tells_which_class_a_simulator_plugin_has(library: st
     assert f'name="{name}"' in first(text).reading.best_fix
 
 
+@pytest.mark.parametrize(
+    ("before", "cause"),
+    [
+        ("[ INFO] [1.0]: Loaded gazebo_ros_control.\n", "looks in another namespace"),
+        ("[FATAL] [1.0]: Could not initialize robot simulation interface\n", "simulated hardware failed to start"),
+    ],
+)
+def test_what_gazebo_printed_tells_why_a_spawner_finds_no_manager(before: str, cause: str) -> None:
+    found = log(
+        before + "[WARN] [2.0]: Controller Spawner couldn't find the expected controller_manager ROS interface.\n"
+    )
+    spawner = next(known for known in found.known if known.message.id == "spawner-without-manager")
+    assert cause in spawner.reading.causes[0].text
+
+
+@pytest.mark.parametrize(
+    ("before", "cause"),
+    [
+        (
+            "[n-1] [Err] [x.cc:1] Failed to load system plugin [gz] : couldn't find shared library.\n",
+            "simulator has no",
+        ),
+        ("[n-1] what(): no 'ros2_control' tag found in the URDF\n", "the description was rejected"),
+        (
+            "[n-1] [WARN] [1] [c]: Waiting for data on 'robot_description' topic to finish initialization\n",
+            "no robot desc",
+        ),
+    ],
+)
+def test_what_failed_before_tells_why_a_spawner_waits(before: str, cause: str) -> None:
+    found = log(before + WAITS.format(spawner="spawner-3"))
+    spawner = next(known for known in found.known if known.message.id == "spawner-waits-for-manager")
+    assert cause in spawner.reading.causes[0].text
+
+
 def test_the_distro_is_the_one_in_the_log_s_paths() -> None:
     assert log("[n-1] File '/opt/ros/humble/lib/x', line 3").distro == "humble"
     assert log("[n-1] File '/opt/ros/nowhere/lib/x', line 3").distro == ""
