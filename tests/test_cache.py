@@ -132,3 +132,17 @@ def test_old_results_are_deleted(linted: list[LintRun], monkeypatch: pytest.Monk
     for code in ("UC1", "UC2", "UC3", "UC4"):
         lint("--select", code)
     assert len(list(Path("../home/cache/urdfctl").iterdir())) == 2
+
+
+def test_a_run_is_stored_if_it_took_long_by_the_clock_or_on_all_processors_together(
+    linted: list[LintRun], monkeypatch: pytest.MonkeyPatch, folder: Folder
+) -> None:
+    monkeypatch.setattr(cache, "STORE_FROM", 0.5)
+    for after, is_stored in (((0.4, 0.4), False), ((0.6, 0.1), True), ((0.3, 0.9), True)):
+        clocks = iter([(0.0, 0.0), after])
+        monkeypatch.setattr(cache, "_clocks", lambda clocks=clocks: next(clocks))
+        lint()
+        stored = list((folder.path / "home").rglob("*.json"))
+        assert bool(stored) == is_stored, after
+        for path in stored:
+            path.unlink()

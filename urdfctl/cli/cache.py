@@ -13,6 +13,7 @@ import sys
 import time
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain
+from operator import sub
 
 from urdfctl import __version__
 from urdfctl.config.settings import Settings
@@ -24,7 +25,7 @@ from urdfctl.startup.blake2 import blake2b
 from urdfctl.startup.hints import Any
 
 STORE_FROM = 0.5
-"""Seconds that a run has to take to be worth storing."""
+"""Seconds, of the clock or of all processors together, that a run has to take to be worth storing."""
 _MAX_ENTRIES = 50_000
 """Files and folders that are looked at for a fingerprint."""
 _MAX_STORED = 50
@@ -55,7 +56,7 @@ class RunCache:
         paths: those of the command line. request: what else was asked for; its repr is part of the key.
         extra: files that the run reads besides, such as the configuration.
         """
-        self._began = time.monotonic(), time.time_ns()
+        self._began = _clocks(), time.time_ns()
         self._paths, self._settings, self._extra = paths, settings, tuple(extra)
         self._asked = repr((__version__, sys.version_info[:3], os.getcwd(), tuple(paths), settings.to_json(), request))
 
@@ -107,7 +108,7 @@ class RunCache:
         """Store the results of a run that took long enough and did not crash; silently nothing if that fails."""
         file_name = self._file
         crashed = any(result.outcome.crashed for _, result in results)
-        if file_name is None or crashed or time.monotonic() - self._began[0] < STORE_FROM:
+        if file_name is None or crashed or max(map(sub, _clocks(), self._began[0])) < STORE_FROM:
             return
         fingerprint = self._fingerprint(before=self._began[1])
         if fingerprint is None:
@@ -123,6 +124,11 @@ class RunCache:
             _delete_old(os.path.dirname(file_name))
         except (OSError, ValueError):
             return
+
+
+def _clocks() -> tuple[float, float]:
+    """The seconds that the clock shows, and those that processors have spent on this process and its workers."""
+    return time.monotonic(), sum(os.times()[:4])
 
 
 def _outermost(roots: Iterable[str]) -> list[str]:
