@@ -5,7 +5,7 @@ A family is imported when it can find something in a project: importing a hundre
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from importlib import import_module
 
 from urdfctl.catalog.distros import ROS1, ROS2
@@ -30,11 +30,23 @@ class Family(NamedTuple):
     concerns: Callable[[Project], bool]
     stage: Stage | None = None
     """The stage that an error of the family's rules stops, unless a rule names another one. None: it stops nothing."""
+    only: Callable[[Project], Iterable[str] | None] = lambda _: None
+    """Returns the names of the only rules that can find anything in a project; None if any rule can."""
 
     def load(self) -> Rules:
         """Import the folder and return its rules."""
         rules: Rules = import_module(f"urdfctl.rules.{self.name}.family").RULES
         return rules
+
+    def load_for(self, project: Project) -> Rules:
+        """Import and return the rules that can find anything in a project, in the order of their codes."""
+        if not self.concerns(project):
+            return ()
+        names = self.only(project)
+        if names is None:
+            return self.load()
+        modules = ((name, import_module(f"urdfctl.rules.{self.name}.{name}")) for name in dict.fromkeys(names))
+        return tuple(sorted((getattr(module, name) for name, module in modules), key=lambda rule: rule.code))
 
 
 def _has_mistakes(project: Project) -> bool:
@@ -87,15 +99,33 @@ def _has_moveit(project: Project) -> bool:
     return project.moveit is not None or bool(project.controllers and project.controllers.moveit_lists)
 
 
+def _of_mistakes(project: Project) -> Iterable[str]:
+    from urdfctl.rules.reading.kinds import rules_of
+
+    return rules_of(project)
+
+
+def _has_started_files(project: Project) -> bool:
+    return project.launch is not None or bool(project.listed or project.absent)
+
+
+def _without_launch(project: Project) -> Iterable[str] | None:
+    """The rules of launch files that look at other files of the package, if there is no launch file."""
+    if project.launch is not None:
+        return None
+    named = {"listed_joint_unknown": project.listed, "installed_file_missing": project.absent}
+    return [name for name, found in named.items() if found]
+
+
 FAMILIES = (
-    Family("UC0", "reading", _has_mistakes, Stage.SPAWN),
+    Family("UC0", "reading", _has_mistakes, Stage.SPAWN, _of_mistakes),
     Family("UC1", "urdf", lambda project: project.robot is not None, Stage.SPAWN),
     Family("UC2", "transmissions", _has_transmissions, Stage.HARDWARE),
     Family("UC3", "ros2_control", _is_controlled_by_ros2, Stage.HARDWARE),
     Family("UC4", "controllers", lambda project: project.controllers is not None, Stage.LOAD),
     Family("UC4", "claims", _has_controllers, Stage.LOAD),
     Family("UC5", "simulation", _is_simulated),
-    Family("UC6", "launch", lambda project: project.launch is not None or bool(project.listed or project.absent)),
+    Family("UC6", "launch", _has_started_files, only=_without_launch),
     Family("UC6", "moveit", _has_moveit),
     Family("UC7", "migration", _may_move_on),
     Family("UC9", "smoke", lambda _: False),
@@ -105,8 +135,7 @@ FAMILIES = (
 def rules_for(project: Project) -> Iterator[Rule]:
     """Yield the rules of the families that concern a project, in the order of their codes."""
     for family in FAMILIES:
-        if family.concerns(project):
-            yield from family.load()
+        yield from family.load_for(project)
 
 
 def all_rules() -> Rules:
