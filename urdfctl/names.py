@@ -16,7 +16,9 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
     same = by_folded.get(name.casefold().replace("-", "_"))
     if same is not None and same != name:
         return same
-    similar = [candidate for candidate in candidates if candidate != name and may_be_similar(name, candidate)]
+    similar = [
+        candidate for candidate in candidates if candidate != name and _may_be_alike(name, candidate, _LEAST_SIMILARITY)
+    ]
     if not similar:
         return None
     from difflib import get_close_matches
@@ -25,8 +27,17 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
     return closest[0] if closest else None
 
 
-def may_be_similar(name: str, other: str, ratio: float = _LEAST_SIMILARITY) -> bool:
-    """Return whether two names share enough letters to be similar: cheap, to skip most of the exact comparisons."""
+def is_alike(name: str, other: str, ratio: float) -> bool:
+    """Return whether the ratio of letters that two names share in order, from 0 to 1, is at least `ratio`."""
+    if not _may_be_alike(name, other, ratio):
+        return False
+    from difflib import SequenceMatcher
+
+    return SequenceMatcher(None, name, other).ratio() >= ratio
+
+
+def _may_be_alike(name: str, other: str, ratio: float) -> bool:
+    """Whether two names share enough letters in any order. Cheap, to skip most of the slow exact comparisons."""
     least = ratio * (len(name) + len(other)) / 2
     return min(len(name), len(other)) >= least and sum(map(other.__contains__, name)) >= least
 

@@ -12,7 +12,7 @@ from urdfctl.control.readers import controllers_in, is_of_ros2, type_of
 from urdfctl.model.controllers import Controller
 from urdfctl.model.parameters import Value
 from urdfctl.model.project import Project
-from urdfctl.names import may_be_similar, nearest
+from urdfctl.names import is_alike, nearest
 from urdfctl.startup.per_object import once_for_the_last
 from urdfctl.startup.records import NamedTuple
 
@@ -113,15 +113,9 @@ def _of_alike_package(package: str, name: str, types: list[str]) -> str | None:
     """The type whose package and class both resemble the given ones: `controllers` for `controller`."""
     for known in types:
         known_package, _, known_name = known.partition("/")
-        if _is_alike(package, known_package) and _is_alike(name, known_name):
+        if is_alike(package, known_package, _ALIKE) and is_alike(name, known_name, _ALIKE):
             return known
     return None
-
-
-def _is_alike(name: str, other: str) -> bool:
-    from difflib import SequenceMatcher
-
-    return may_be_similar(name, other, _ALIKE) and SequenceMatcher(None, name, other).ratio() >= _ALIKE
 
 
 def instead_of(project: Project, kind: str, distro: str) -> tuple[Replacement | None, str]:

@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 
 from urdfctl.diagnostic import Diagnostic, Remark
+from urdfctl.startup.patterns import lazy_pattern
 from urdfctl.startup.records import NamedTuple
 
 Explains = Callable[[Diagnostic, Diagnostic], bool]
@@ -67,7 +68,7 @@ LINKS = (
     Link("UC601", ("UC603",), of_its_robot),
 )
 _CONSEQUENCES = {code for link in LINKS for code in link.consequences}
-_NAME = re.compile(r"'([^']+)'")
+_NAME = lazy_pattern(r"'([^']+)'")
 
 
 def without_consequences(findings: Sequence[Diagnostic]) -> Sequence[Diagnostic]:

@@ -5,10 +5,11 @@ from __future__ import annotations
 import re
 
 from urdfctl.catalog.distros import ALL
+from urdfctl.startup.patterns import lazy_pattern
 
-_NAME = re.compile(rf"'[^']*'|<[^<>]*>|-?\b\d[\w.]*(?:[eE][+-]?\d+)?|\b(?:{'|'.join(ALL)})\b")
-_LIST = re.compile(r"''(?:, '')*(?:,? and (?:''|# more))?")
-_ADVICE = re.compile(r"(?:did you mean|\buse|\bwrite|replacement:|\binstead of) .*")
+_NAME = lazy_pattern(rf"'[^']*'|<[^<>]*>|-?\b\d[\w.]*(?:[eE][+-]?\d+)?|\b(?:{'|'.join(ALL)})\b")
+_LIST = lazy_pattern(r"''(?:, '')*(?:,? and (?:''|# more))?")
+_ADVICE = lazy_pattern(r"(?:did you mean|\buse|\bwrite|replacement:|\binstead of) .*")
 
 
 def shape(message: str) -> str:

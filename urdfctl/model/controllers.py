@@ -8,6 +8,7 @@ from enum import Enum, auto
 
 from urdfctl.model.parameters import Parameters, Value
 from urdfctl.source.span import Place
+from urdfctl.startup.patterns import lazy_pattern
 from urdfctl.startup.records import NamedTuple
 
 
@@ -119,7 +120,7 @@ def _pattern(path: str) -> str:
     return "".join(wild.get(part) or (r"[\w/]*" if _PLACEHOLDER.search(part) else re.escape(part)) for part in parts)
 
 
-_PLACEHOLDER = re.compile(r"<[A-Za-z_][\w.-]*>|\{\{[^{}]*\}\}")
+_PLACEHOLDER = lazy_pattern(r"<[A-Za-z_][\w.-]*>|\{\{[^{}]*\}\}")
 """A text that a launch file replaces before the file is read."""
 
 

@@ -7,11 +7,12 @@ from collections.abc import Iterator
 
 from urdfctl.rule import Edit, Fix
 from urdfctl.source.span import Place
+from urdfctl.startup.patterns import lazy_pattern
 from urdfctl.startup.records import NamedTuple
 
 _DEEPEST = 20
-_PARAMETER = re.compile(r"\$\{\s*([A-Za-z_]\w*)\s*\}")
-_SUBSTITUTED = re.compile(r"\$\{[^{}]*\}|\$\([^()]*\)")
+_PARAMETER = lazy_pattern(r"\$\{\s*([A-Za-z_]\w*)\s*\}")
+_SUBSTITUTED = lazy_pattern(r"\$\{[^{}]*\}|\$\([^()]*\)")
 
 
 class Written(NamedTuple):

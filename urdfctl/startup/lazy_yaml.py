@@ -12,20 +12,10 @@ import sys
 from importlib import import_module
 
 from urdfctl.startup.hints import Any
+from urdfctl.startup.patterns import LazyPattern
 
 _STANDARD_MODULES = ("base64", "binascii", "codecs", "datetime", "weakref")
 """Modules that PyYAML imports. They are imported before `re.compile` is replaced, so that their patterns are normal."""
-
-
-class _LazyPattern:
-    """A pattern that is compiled on first use."""
-
-    def __init__(self, *arguments: Any) -> None:
-        self._arguments = arguments
-
-    def __getattr__(self, name: str) -> Any:
-        attribute = self.__dict__[name] = getattr(re.compile(*self._arguments), name)
-        return attribute
 
 
 def load() -> Any:
@@ -36,7 +26,7 @@ def load() -> Any:
     for name in _STANDARD_MODULES:
         import_module(name)
     original = re.compile
-    re.compile = _LazyPattern  # type: ignore[assignment]
+    re.compile = LazyPattern  # type: ignore[assignment]
     try:
         import yaml
     finally:

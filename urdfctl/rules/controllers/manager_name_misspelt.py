@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from difflib import SequenceMatcher
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.control.readers import controllers_in
+from urdfctl.names import is_alike
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import replaced
 
@@ -47,7 +47,6 @@ def manager_name_misspelt(project: Project) -> Iterator[Finding]:
     """
     for manager in controllers_in(project).managers:
         name = manager.name
-        alike = SequenceMatcher(None, name.casefold(), _RIGHT).ratio()
-        if name != _RIGHT and alike >= _ALIKE:
+        if name != _RIGHT and is_alike(name.casefold(), _RIGHT, _ALIKE):
             message = f"section '{name}' matches no node; did you mean '{_RIGHT}'?"
             yield Finding(manager.at, message, fix=replaced(manager.at, name, _RIGHT))

@@ -9,6 +9,7 @@ from urdfctl.catalog.distros import ALL, until
 from urdfctl.model.parts import Tag
 from urdfctl.model.robot import Joint, Link, Robot
 from urdfctl.rules.common import is_known, is_xacro
+from urdfctl.startup.patterns import lazy_pattern
 from urdfctl.startup.records import NamedTuple
 
 LEXICAL_CAST = until("lunar")
@@ -18,11 +19,12 @@ STREAM = tuple(distro for distro in ALL if distro not in LEXICAL_CAST)
 
 VECTOR = 3
 SMALLEST_NORMAL = 2.2250738585072014e-308
-_DECIMAL = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
-_PLAIN = re.compile(r"[+-]?[0-9]{1,40}(?:\.[0-9]{0,40})?(?:[eE][+-]?[0-9]{1,2})?")
-_PLAIN_VECTOR = re.compile(f"{_PLAIN.pattern} {_PLAIN.pattern} {_PLAIN.pattern}")
-_BROKEN_ATTRIBUTE = re.compile(rb"""=\s*(?:"[^"<>]*[\t\n\r]|'[^'<>]*[\t\n\r])""")
-_NOT_FINITE = re.compile(r"[+-]?(?:inf(?:inity)?|nan)", re.IGNORECASE)
+_DECIMAL = lazy_pattern(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
+_PLAIN_TEXT = r"[+-]?[0-9]{1,40}(?:\.[0-9]{0,40})?(?:[eE][+-]?[0-9]{1,2})?"
+_PLAIN = lazy_pattern(_PLAIN_TEXT)
+_PLAIN_VECTOR = lazy_pattern(f"{_PLAIN_TEXT} {_PLAIN_TEXT} {_PLAIN_TEXT}")
+_BROKEN_ATTRIBUTE = lazy_pattern(rb"""=\s*(?:"[^"<>]*[\t\n\r]|'[^'<>]*[\t\n\r])""")
+_NOT_FINITE = lazy_pattern(r"[+-]?(?:inf(?:inity)?|nan)", re.IGNORECASE)
 _BLANKS = " \t\n\v\f\r"
 
 JOINT_NUMBERS = {

@@ -16,6 +16,7 @@ from types import CodeType
 
 from urdfctl.source.xacro.guards import MOST_PLACES, ForbiddenExpression, check_places
 from urdfctl.startup.hints import Any
+from urdfctl.startup.patterns import lazy_pattern
 
 __all__ = ["OPERATORS", "ForbiddenExpression", "compile_checked", "plain_path"]
 
@@ -44,8 +45,9 @@ _SOMEWHERE: dict[str, Any] = {"lineno": 1, "col_offset": 0, "end_lineno": 1, "en
 _LONGEST = 10_000
 _DEEPEST = 500
 _WITH_PARTS = (ast.expr, ast.comprehension, ast.arguments, ast.arg, ast.keyword)
-_STEP = re.compile(r"[A-Za-z]\w*|'[^'\\\n]*'|\"[^\"\\\n]*\"")
-_PATH = re.compile(rf"[A-Za-z]\w*(?:\[(?:{_STEP.pattern.partition('|')[2]})\])*", re.ASCII)
+_QUOTED = r"'[^'\\\n]*'|\"[^\"\\\n]*\""
+_STEP = lazy_pattern(rf"[A-Za-z]\w*|{_QUOTED}")
+_PATH = lazy_pattern(rf"[A-Za-z]\w*(?:\[(?:{_QUOTED})\])*", re.ASCII)
 
 
 @lru_cache(8192)

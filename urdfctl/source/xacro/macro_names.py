@@ -9,8 +9,9 @@ from collections.abc import Iterator
 from urdfctl.source.dom import Element
 from urdfctl.source.files import FileProblem, Files
 from urdfctl.source.problem import Problem, ProblemKind
+from urdfctl.startup.patterns import lazy_pattern
 
-_WORD = re.compile(r"([A-Za-z0-9]+)")
+_WORD = lazy_pattern(r"([A-Za-z0-9]+)")
 _FORMS = frozenset({"xacro", "urdf", "xml"})
 
 
