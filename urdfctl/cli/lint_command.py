@@ -9,11 +9,20 @@ from collections.abc import Sequence
 from urdfctl.cli.lint_request import Fixing, LintRequest
 from urdfctl.cli.lint_run import LintRun, lint_files
 from urdfctl.cli.targets import discovered
-from urdfctl.cli.words import check_jobs, codes, configured, output_of, settings_to_check, split_arguments
+from urdfctl.cli.words import (
+    baseline_of,
+    check_jobs,
+    codes,
+    configured,
+    output_of,
+    settings_to_check,
+    severity_named,
+    split_arguments,
+)
 from urdfctl.cli.writing import print_message, print_text, write_file
 from urdfctl.config.file import Config
 from urdfctl.config.settings import Settings
-from urdfctl.diagnostic import Diagnostic, Severity
+from urdfctl.diagnostic import Diagnostic
 from urdfctl.errors import UserError
 from urdfctl.lint.grouping import grouped
 from urdfctl.lint.merging import worst
@@ -24,7 +33,6 @@ from urdfctl.startup.hints import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfctl.cli.cache import RunCache
-    from urdfctl.cli.known_findings import Baseline
     from urdfctl.cli.options import LintOptions
     from urdfctl.discover.shards import Shard
     from urdfctl.lint.results import TargetResult
@@ -67,11 +75,11 @@ def _request(words: Sequence[str], config: Config, options: LintOptions) -> Lint
         words=tuple(words),
         selection=_selection(config, options),
         outputs=_outputs(options),
-        fail_on=_severity(options.fail_on or config.fail_on or "error"),
+        fail_on=severity_named(options.fail_on or config.fail_on or "error"),
         exit_zero=options.exit_zero,
         jobs=options.jobs,
         config=config,
-        baseline=_baseline(options.baseline, options.write_baseline),
+        baseline=baseline_of(options.baseline, options.write_baseline),
         statistics=options.statistics,
         fixing=Fixing(options.unsafe_fixes, options.diff) if fixes else None,
         shard=_shard(options.shard, options.write_baseline),
@@ -206,14 +214,6 @@ def _selection(config: Config, options: LintOptions) -> Selection:
     )
 
 
-def _baseline(path: str | None, to_write: str | None) -> Baseline | None:
-    if path is None and to_write is None:
-        return None
-    from urdfctl.cli.known_findings import open_baseline
-
-    return open_baseline(path, to_write)
-
-
 def _shard(text: str | None, to_write: str | None) -> Shard | None:
     if text is None:
         return None
@@ -227,13 +227,6 @@ def _shard(text: str | None, to_write: str | None) -> Shard | None:
 def _is_coloured() -> bool:
     """Whether standard output is a terminal, or FORCE_COLOR is set; never if NO_COLOR is."""
     return not os.environ.get("NO_COLOR") and (bool(os.environ.get("FORCE_COLOR")) or sys.stdout.isatty())
-
-
-def _severity(name: str) -> Severity:
-    try:
-        return Severity(name)
-    except ValueError:
-        raise UserError(f"--fail-on must be error, warning or info, not '{name}'") from None
 
 
 def _write(report: Report, name: str, file: str | None) -> None:

@@ -154,12 +154,22 @@ class SmokeOptions(CheckOptions):
     ] = "auto"
     duration: Annotated[float, typer.Option(help="Seconds of simulation for each controller.")] = 2.0
     gui: Annotated[bool, typer.Option("--gui", help="Show pybullet's window.")] = False
-    timeout: Annotated[float, typer.Option(help="Time limit for one robot, in seconds.")] = 30.0
+    timeout: Annotated[float, typer.Option(help="Processor time for one robot, in seconds.")] = 30.0
     formats: Annotated[
         list[str] | None,
         _list("Output format: text, json, junit, sarif or github. FORMAT=FILE writes a file.", "--format"),
     ] = None
     report: Annotated[str | None, typer.Option(help="Write an HTML page to this file.")] = None
+    select: Annotated[list[str] | None, _list("Select findings by code or prefix, e.g. UC91,UC931.")] = None
+    ignore: Annotated[list[str] | None, _list("Ignore findings by code or prefix.")] = None
+    fail_on: Annotated[
+        str | None, typer.Option(help="Exit with status 1 on findings of this severity or worse. Default: error.")
+    ] = None
+    baseline: Annotated[
+        str | None, typer.Option(help="Hide the findings listed in this file, and report those that are fixed.")
+    ] = None
+    write_baseline: Annotated[str | None, typer.Option(help="Write all findings to this file, for --baseline.")] = None
+    exit_zero: Annotated[bool, typer.Option("--exit-zero", help="Exit with status 0 whatever is found.")] = False
     allow_empty: Annotated[
         bool, typer.Option("--allow-empty", help="Exit with status 0, not 5, if there is no controller to test.")
     ] = False

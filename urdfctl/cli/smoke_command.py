@@ -8,13 +8,22 @@ from collections.abc import Iterator, Sequence
 
 from urdfctl.cli.progress import with_progress
 from urdfctl.cli.targets import PlannedTarget, discovered, of_shard, planned
-from urdfctl.cli.words import check_jobs, configured, output_of, settings_to_check, split_arguments
+from urdfctl.cli.words import (
+    baseline_of,
+    check_jobs,
+    codes,
+    configured,
+    output_of,
+    settings_to_check,
+    severity_named,
+    split_arguments,
+)
 from urdfctl.cli.writing import print_text, write_file
 from urdfctl.config.file import Config
 from urdfctl.config.settings import Settings
 from urdfctl.errors import UserError
 from urdfctl.lint.merging import merge, worst
-from urdfctl.lint.selection import Selection
+from urdfctl.lint.selection import Selection, validate_selection
 from urdfctl.load.target import Target
 from urdfctl.names import did_you_mean, enumerated, nearest_path
 from urdfctl.smoke.engines import NAMES, installed
@@ -39,6 +48,9 @@ def run_smoke(options: SmokeOptions) -> int:
     words = options.paths or []
     config = configured(words, options)
     settings = settings_to_check(config, options, [*split_arguments(words)[0], *(options.controllers or ())])
+    selection = validate_selection(Selection(select=codes(options.select), ignore=codes(options.ignore)))
+    fail_on = severity_named(options.fail_on or config.fail_on or "error")
+    baseline = baseline_of(options.baseline, options.write_baseline)
     outputs = tuple(output_of(text, SMOKE_FORMATS) for text in options.formats or ("text",))
     wanted = Wanted(
         only=tuple(name.strip() for text in options.only or () for name in text.split(",") if name.strip()),
@@ -55,10 +67,20 @@ def run_smoke(options: SmokeOptions) -> int:
     smoked = list(with_progress(_results(plan, settings, wanted, options.jobs), len(plan), "testing"))
     _check_only(wanted.only, smoked)
     outcomes = [robot.linted.outcome for robot in smoked]
+    everything = merge(outcomes, Selection())
     findings = [
-        finding for finding in merge(outcomes, Selection()) if not config.ignores(finding.at.file, finding.code)
+        finding
+        for finding in everything
+        if selection.admits(finding.code) and not config.ignores(finding.at.file, finding.code)
     ]
-    report = report_of(smoked, findings)._replace(allow_empty=options.allow_empty or options.shard is not None)
+    if baseline is not None:
+        files = {file for robot in smoked for file in robot.linted.files}
+        findings = baseline.unknown(findings, files, selection)
+    shown = {finding.message for finding in findings}
+    hidden = [finding.message for finding in everything if finding.message not in shown]
+    smoked = [robot.without(hidden) for robot in smoked]
+    report = report_of(smoked, findings, fail_on)
+    report = report._replace(allow_empty=options.allow_empty or options.shard is not None)
     for name, file in outputs:
         _write(report, name, file)
     if options.report:
@@ -67,7 +89,11 @@ def run_smoke(options: SmokeOptions) -> int:
         write_file(options.report, page(report), force=True)
     if any(outcome.crashed for outcome in outcomes):
         return 3
-    severity = worst(findings)
+    return 0 if options.exit_zero else _status(report)
+
+
+def _status(report: SmokeReport) -> int:
+    severity = worst(report.found.findings)
     if severity is not None and severity.weight >= report.found.fail_on.weight:
         return 1
     return NOTHING_TESTED if report.is_empty else 0

@@ -7,11 +7,13 @@ from collections.abc import Collection, Sequence
 
 from urdfctl.config.file import Config, config_for, config_of, with_environ
 from urdfctl.config.settings import Settings, passed_on, validate_settings
+from urdfctl.diagnostic import Severity
 from urdfctl.errors import UserError
 from urdfctl.names import did_you_mean
 from urdfctl.startup.hints import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from urdfctl.cli.known_findings import Baseline
     from urdfctl.cli.options import CheckOptions, ReadingOptions
 
 
@@ -95,3 +97,20 @@ def split_arguments(words: Sequence[str]) -> tuple[list[str], dict[str, str]]:
         elif name.strip() and value.strip():
             arguments[name.strip()] = value.strip()
     return paths, arguments
+
+
+def severity_named(name: str) -> Severity:
+    """Return the severity that --fail-on names. UserError if there is none of that name."""
+    try:
+        return Severity(name)
+    except ValueError:
+        raise UserError(f"--fail-on must be error, warning or info, not '{name}'") from None
+
+
+def baseline_of(path: str | None, to_write: str | None) -> Baseline | None:
+    """Return the baseline that --baseline and --write-baseline name, or None. UserError if it cannot be read."""
+    if path is None and to_write is None:
+        return None
+    from urdfctl.cli.known_findings import open_baseline
+
+    return open_baseline(path, to_write)

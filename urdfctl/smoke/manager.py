@@ -54,6 +54,10 @@ _TYPE_DOES_NOT_EXIST = frozenset(
 """Lint's rules on types that certainly do not exist. Other unknown types may come from packages outside the catalog."""
 
 
+NO_ROBOT, NO_HARDWARE = BLOCKED = ("the robot description is rejected", "the hardware is rejected")
+"""Why no controller becomes active if a fault is not their own."""
+
+
 class Refusal(NamedTuple):
     """The stage at which a controller is stopped, why, and the line that the manager prints.
 
@@ -109,10 +113,10 @@ def life_cycle(project: Project, findings: Sequence[Diagnostic]) -> Cycle:
     troubles: list[Trouble] = []
     blocked: Refusal | None = None
     if of_robot:
-        blocked = Refusal(Stage.LOAD, "the robot description is rejected", "")
+        blocked = Refusal(Stage.LOAD, NO_ROBOT, "")
         troubles.append(_trouble_of_errors(robot_not_spawned, of_robot))
     elif of_hardware:
-        blocked = Refusal(Stage.ACTIVATE, "the hardware is rejected", "")
+        blocked = Refusal(Stage.ACTIVATE, NO_HARDWARE, "")
         troubles.append(_trouble_of_errors(hardware_not_started, of_hardware))
     ways = _cascaded(session, _ended_together(tuple(_ways(session, errors, blocked))))
     troubles += [_trouble(way.configured, way.refusal) for way in ways if way.refusal and way.refusal is not blocked]

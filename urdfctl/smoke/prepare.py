@@ -72,14 +72,23 @@ def prepared(
                 text = round_  # the corners of a mesh shake the robot
             if standing and text:
                 shapes.setdefault(name, []).append(text)
+    broken = {name: why for name, why in left_out.items() if not why.endswith(_ABSENT)}
+    return Prepared(mechanism_urdf(mechanism, shapes, damped), left_out, broken)
+
+
+def mechanism_urdf(
+    mechanism: Mechanism, shapes: Mapping[str, list[str]] | None = None, damped: Collection[str] = ()
+) -> str:
+    """Return the URDF of a mechanism, with collision geometry by link; the `damped` joints keep their resistance."""
     moving = {hinge.child for hinge in mechanism.hinges if hinge.type != "fixed"}
     lines = ['<?xml version="1.0"?>', '<robot name="robot">']
     for body in mechanism.bodies.values():
-        lines += _link(body, shapes.get(body.name, []), moves=body.name in moving or body.name == mechanism.root)
+        lines += _link(
+            body, (shapes or {}).get(body.name, []), moves=body.name in moving or body.name == mechanism.root
+        )
     for hinge in mechanism.hinges:
         lines += _joint(hinge, pushed=hinge.name in damped)
-    broken = {name: why for name, why in left_out.items() if not why.endswith(_ABSENT)}
-    return Prepared("\n".join([*lines, "</robot>", ""]), left_out, broken)
+    return "\n".join([*lines, "</robot>", ""])
 
 
 def quoted(text: str) -> str:

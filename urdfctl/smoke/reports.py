@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 
-from urdfctl.diagnostic import Diagnostic
+from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.model.stage import CONTROLLER_STAGES, Stage
 from urdfctl.report import render
 from urdfctl.report.common import Report, as_json, shown, visible
 from urdfctl.report.json_report import document
 from urdfctl.report.text import Piece, pieces
+from urdfctl.smoke.manager import BLOCKED
 from urdfctl.smoke.results import ControllerResult, Smoked, Verdict
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
@@ -115,23 +116,31 @@ def _json(report: SmokeReport) -> str:
         for robot in report.smoked
         for controller in robot.controllers
     ]
-    data: dict[str, Any] = {**document(report.found), "controllers": controllers}
+    curves = [
+        {"robot": shown(robot.linted.path), **curve._asdict()} for robot in report.smoked for curve in robot.curves
+    ]
+    data: dict[str, Any] = {**document(report.found), "controllers": controllers, "curves": curves}
     return as_json(data, indent=1) + "\n"
 
 
 def _junit(report: SmokeReport) -> str:
-    """A suite for each robot with a test case for each controller, followed by lint's suites of the findings."""
+    """A suite for each robot with a test case for each controller, followed by lint's suites of the other findings.
+
+    A fault that keeps several controllers from being tested is one failure, and they are skipped.
+    """
     from urdfctl.report.junit import suites_document
 
-    lines = [line for robot in report.smoked for line in _suite(robot)]
-    failed, skipped = (report.count(verdict) for verdict in (Verdict.FAILED, Verdict.SKIPPED))
-    rest = sum(len(untested(robot)) for robot in report.smoked)
-    total = sum(len(robot.controllers) for robot in report.smoked) + rest
-    skipped += rest
+    cases = [_cases(robot) for robot in report.smoked]
+    lines = [line for robot, of_robot in zip(report.smoked, cases, strict=True) for line in _suite(robot, of_robot)]
+    everyone = [case for of_robot in cases for case in of_robot]
+    counts = (len(everyone), *(sum(case.kind == kind for case in everyone) for kind in ("failure", "skipped")))
     if report.is_empty:
         lines += _empty_suite()
-        total, failed = total + 1, failed + 1
-    return suites_document(report.found, lines, (total, failed, skipped))
+        counts = (counts[0] + 1, counts[1] + 1, counts[2])
+    told = [case.message for case in everyone if case.kind == "failure"]
+    others = [finding for finding in report.found.findings if not any(finding.message in text for text in told)]
+    found = report.found._replace(findings=tuple(others))
+    return suites_document(found, lines, (counts[0], counts[1], counts[2]))
 
 
 def _empty_suite() -> list[str]:
@@ -147,36 +156,50 @@ def _empty_suite() -> list[str]:
     ]
 
 
-def _suite(robot: Smoked) -> Iterator[str]:
+class _Case(NamedTuple):
+    """A test case: its name, `failure`, `skipped` or nothing, and the text of that."""
+
+    name: str
+    kind: str = ""
+    message: str = ""
+    type: str = ""
+
+
+def _cases(robot: Smoked) -> list[_Case]:
+    made = []
+    for result in robot.controllers:
+        if result.verdict is Verdict.SKIPPED or (result.verdict is Verdict.FAILED and result.reason in BLOCKED):
+            made.append(_Case(result.name, "skipped", result.reason))
+        elif result.verdict is Verdict.FAILED:
+            message = f"{result.stage.value}: {result.reason}"
+            made.append(_Case(result.name, "failure", message, result.type or "no type"))
+        else:
+            made.append(_Case(result.name))
+        made += [_Case(f"{result.name}: {what}", "skipped", why) for what, why in result.untested.items()]
+    return made
+
+
+def _suite(robot: Smoked, cases: Sequence[_Case]) -> Iterator[str]:
     from urdfctl.report.junit import attributes_of
 
     path = shown(robot.linted.path)
-    rest = untested(robot)
     counts = {
-        "tests": len(robot.controllers) + len(rest),
-        "failures": robot.count(Verdict.FAILED),
+        "tests": len(cases),
+        "failures": sum(case.kind == "failure" for case in cases),
         "errors": 0,
-        "skipped": robot.count(Verdict.SKIPPED) + len(rest),
+        "skipped": sum(case.kind == "skipped" for case in cases),
     }
-    yield f"  <testsuite{attributes_of(name=f'{path} controllers', **counts)}>"
-    for controller in robot.controllers:
-        yield f"    <testcase{attributes_of(name=controller.name, classname=path, file=path)}>"
-        if controller.verdict is Verdict.FAILED:
-            message = f"{controller.stage.value}: {controller.reason}"
-            yield f"      <failure{attributes_of(message=message, type=controller.type or 'no type')}/>"
-        elif controller.verdict is Verdict.SKIPPED:
-            yield f"      <skipped{attributes_of(message=controller.reason)}/>"
-        yield "    </testcase>"
-    for name, why in rest:
-        yield f"    <testcase{attributes_of(name=name, classname=path, file=path)}>"
-        yield f"      <skipped{attributes_of(message=why)}/>"
+    yield f"  <testsuite{attributes_of(name=f'{path} controllers', **counts, time=f'{robot.seconds:.3f}')}>"
+    for case in cases:
+        start = f"    <testcase{attributes_of(name=case.name, classname=path, file=path)}"
+        if not case.kind:
+            yield f"{start}/>"
+            continue
+        attributes = {"message": case.message, **({"type": case.type} if case.type else {})}
+        yield f"{start}>"
+        yield f"      <{case.kind}{attributes_of(**attributes)}/>"
         yield "    </testcase>"
     yield "  </testsuite>"
-
-
-def untested(robot: Smoked) -> list[tuple[str, str]]:
-    """Return what was not tested of each controller, as a name and the reason."""
-    return [(f"{result.name}: {what}", why) for result in robot.controllers for what, why in result.untested.items()]
 
 
 def _as_lint(name: str) -> Callable[[SmokeReport], str]:
@@ -192,6 +215,9 @@ SMOKE_FORMATS: dict[str, Callable[[SmokeReport], str]] = {
 }
 
 
-def report_of(smoked: Sequence[Smoked], findings: Sequence[Diagnostic]) -> SmokeReport:
-    """Return a report of some smoke tests and their joined findings."""
-    return SmokeReport(tuple(smoked), Report(tuple(robot.linted for robot in smoked), tuple(findings)))
+def report_of(
+    smoked: Sequence[Smoked], findings: Sequence[Diagnostic], fail_on: Severity = Severity.ERROR
+) -> SmokeReport:
+    """Return a report of some smoke tests and their joined findings, which fail from a severity on."""
+    targets = tuple(robot.linted for robot in smoked)
+    return SmokeReport(tuple(smoked), Report(targets, tuple(findings), fail_on=fail_on))

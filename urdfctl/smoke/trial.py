@@ -74,7 +74,7 @@ def tried(plan: Plan) -> Tried:
         engine = open_engine(plan.engine, setup)
     except Refused as refusal:
         return Tried(refused=str(refusal))
-    trial = _Trial(plan, engine, setup.stiff, began)
+    trial = Trial(plan, engine, setup.stiff, began)
     try:
         trial.run()
     finally:
@@ -123,7 +123,9 @@ def _stiff(plan: Plan) -> tuple[str, ...]:
     )
 
 
-class _Trial:
+class Trial:
+    """The test of a robot's controllers in an engine, one after the other, with what is found on the way."""
+
     def __init__(self, plan: Plan, engine: Engine, stiff: Collection[str], began: float) -> None:
         self._simulation, self._stiff = Simulation(plan, engine, began), stiff
         self._plan, self._engine, self._hinges = plan, engine, self._simulation.hinges
