@@ -1,0 +1,99 @@
+"""`urdfctl smoke` in a pipeline: which findings count, what is known, and what a report of JUnit says."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from xml.etree import ElementTree as ET
+
+import pytest
+from click.testing import Result
+from typer.testing import CliRunner
+
+from urdfctl.cli.app import app
+from urdfctl.errors import UserError
+from urdfctl.rules.examples import unmarked
+from urdfctl.rules.smoke.common import CONTROLLERS, GAINS, HARDWARE, LIFT
+
+
+def smoke(folder: Path, *words: str) -> Result:
+    """Run `urdfctl smoke` without an engine on the robot in a folder."""
+    controllers = ("--controllers", str(folder / "controllers.yaml"), "--distro", "jazzy", "--engine", "none")
+    return CliRunner().invoke(app, ["smoke", str(folder / "robot.urdf"), *controllers, *words])
+
+
+def write(folder: Path, robot: str, controllers: str) -> Path:
+    """Write a robot with its controllers, both in the short form of rule examples."""
+    files, _ = unmarked({"robot.urdf": robot, "controllers.yaml": controllers})
+    for name, text in files.items():
+        (folder / name).write_text(text, encoding="utf-8")
+    return folder
+
+
+@pytest.fixture
+def weak(tmp_path: Path) -> Path:
+    """Return a folder with a lift that cannot carry its weight: one error, UC915."""
+    return write(tmp_path, LIFT.replace('effort="500"', 'effort="20"'), GAINS % "mover")
+
+
+@pytest.fixture
+def scanty(tmp_path: Path) -> Path:
+    """Return a folder with a lift that carries its weight with hardly any margin: one warning, UC950."""
+    return write(tmp_path, LIFT.replace('effort="500"', 'effort="50"'), GAINS % "mover")
+
+
+def test_an_ignored_finding_does_not_fail_its_controller(weak: Path) -> None:
+    assert smoke(weak).exit_code == 1
+    done = smoke(weak, "--ignore", "UC915", "--format", "json")
+    assert done.exit_code == 0
+    report = json.loads(done.stdout)
+    assert report["findings"] == []
+    assert [entry["verdict"] for entry in report["controllers"]] == ["skipped", "warned"]
+
+
+def test_only_selected_findings_count(weak: Path) -> None:
+    assert smoke(weak, "--select", "UC915").exit_code == 1
+    assert smoke(weak, "--select", "UC93").exit_code == 0
+
+
+def test_a_warning_fails_a_run_that_says_so(scanty: Path) -> None:
+    assert smoke(scanty).exit_code == 0
+    assert smoke(scanty, "--fail-on", "warning").exit_code == 1
+    assert smoke(scanty, "--fail-on", "warning", "--exit-zero").exit_code == 0
+
+
+def test_a_known_finding_is_hidden(weak: Path) -> None:
+    known = str(weak / "known.json")
+    assert smoke(weak, "--write-baseline", known).exit_code == 0
+    done = smoke(weak, "--baseline", known)
+    assert (done.exit_code, "UC915" in done.stdout) == (0, False)
+    assert "known: joint 'lift' needs" in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [(("--fail-on", "fatal"), "--fail-on must be error"), (("--select", "XX"), "no rule's code begins with 'XX'")],
+)
+def test_a_meaningless_option_is_an_error(weak: Path, words: tuple[str, ...], message: str) -> None:
+    done = smoke(weak, *words)
+    assert isinstance(done.exception, UserError)
+    assert message in str(done.exception)
+
+
+def test_one_fault_of_the_robot_is_one_failure_of_junit(tmp_path: Path) -> None:
+    robot = HARDWARE.replace("<plugin>mock_components/GenericSystem</plugin>", "")
+    write(tmp_path, robot, CONTROLLERS % ("arm", "joints: [shoulder, elbow]"))
+    root = ET.fromstring(smoke(tmp_path, "--format", "junit").stdout)
+    assert root.get("failures") == "1"
+    assert {case.get("name"): [part.tag for part in case] for case in root.iter("testcase")} == {
+        "states": ["skipped"],
+        "arm": ["skipped"],
+        next(case.get("name") for case in root.iter("testcase") if "UC902" in str(case.get("name"))): ["failure"],
+    }
+
+
+def test_a_failed_controller_is_one_failure_of_junit(weak: Path) -> None:
+    root = ET.fromstring(smoke(weak, "--format", "junit").stdout)
+    assert root.get("failures") == "1"
+    (failed,) = [case for case in root.iter("testcase") if case.find("failure") is not None]
+    assert failed.get("name") == "mover"
