@@ -265,3 +265,27 @@ def test_an_srdf_that_is_not_xml_is_left_alone(tmp_path: Path) -> None:
 def test_a_pipeline_is_written_for_a_distro(distro: str, pipeline: str, expected: list[str], tmp_path: Path) -> None:
     _write(tmp_path, {"arm.urdf": "<!-- part -->", "arm.srdf": _SEMANTIC, "ompl_planning.yaml": pipeline})
     assert _said(tmp_path, distro=distro) == expected
+
+
+@pytest.mark.parametrize(
+    ("entry", "expected"),
+    [
+        ("name: mine, action_ns: a, joints: [shoulder, elbow]", ["error UC651 1:26"]),
+        ("name: mine, ns: a, joints: [shoulder, elbow]", []),
+        ("name: fake_mine, joints: [shoulder, elbow], type: interpolate", []),
+        ("", ["warning UC655 1:1"]),
+    ],
+)
+def test_entries_of_controller_list_need_a_type_and_an_action(entry: str, expected: list[str], tmp_path: Path) -> None:
+    launch = """
+      <launch>
+        <param name="robot_description" textfile="$(find arm)/arm.urdf"/>
+        <param name="robot_description_semantic" textfile="$(find arm)/arm.srdf"/>
+        <rosparam command="load" ns="move_group" file="$(find arm)/list.yaml"/>
+      </launch>
+    """
+    items = f"{{{entry}}}" if entry else ""
+    files = {"arm.urdf": "<!-- part -->", "arm.srdf": _SEMANTIC, "list.yaml": f"controller_list: [{items}]"}
+    _write(tmp_path, {**files, "arm.launch": launch})
+    found = findings(Target(str(tmp_path / "arm.launch")), ("UC65",), workspace=str(tmp_path), distro="noetic")
+    assert [f"{one.severity.value} {one.code} {one.at.line}:{one.at.column}" for one in found] == expected

@@ -133,3 +133,46 @@ def test_controllers_are_checked_although_the_spawner_names_another_one(tmp_path
     controllers = "elbow_controller: {type: effort_controllers/JointEffortController, joint: elbow}"
     _write(tmp_path, arm__urdf=whole("arm.urdf", part), arm__launch=launch, controllers__yaml=controllers)
     assert "UC461" in " ".join(_lint(tmp_path, "arm.launch", "UC461", "UC601", distro="noetic"))
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Command(['xacro ', PATH])", ["error UC632 arm.launch.py"]),
+        ("ParameterValue(Command(['xacro ', PATH]), value_type=str)", []),
+    ],
+)
+def test_an_srdf_without_a_type_is_read_as_yaml(text: str, expected: list[str], tmp_path: Path) -> None:
+    launch = _PYTHON.replace("TEXT", f"open({str(tmp_path / 'arm.urdf')!r}).read()").replace("FILE", "{}")
+    semantic = text.replace("PATH", repr(str(tmp_path / "arm.srdf")))
+    parameters = f"[described, {{'robot_description_semantic': {semantic}}}]"
+    group = f"Node(package='moveit_ros_move_group', executable='move_group', parameters={parameters}),"
+    launch = launch.replace("LaunchDescription([", f"LaunchDescription([\n        {group}")
+    srdf = "<robot name='arm'><!-- GROUPS: the arm --><group name='arm'><joint name='elbow'/></group></robot>"
+    _write(tmp_path, arm__urdf=whole("arm.urdf", ""), arm__srdf=srdf, arm__launch__py=launch)
+    assert _lint(tmp_path, "arm.launch.py", "UC632", distro="humble") == expected
+
+
+def test_a_manager_beside_that_of_the_simulator_has_the_same_name(tmp_path: Path) -> None:
+    part = """
+        <ros2_control name="arm" type="system">
+          <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+          <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+        </ros2_control>
+        <gazebo>
+          <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
+            <parameters>/opt/arm.yaml</parameters>
+          </plugin>
+        </gazebo>
+    """
+    launch = """
+        <launch>
+          <include file="$(find-pkg-share ros_gz_sim)/launch/gz_sim.launch.py"/>
+          <node pkg="robot_state_publisher" exec="robot_state_publisher">
+            <param name="robot_description" value="$(command 'xacro $(find-pkg-share arm)/arm.urdf')" type="str"/>
+          </node>
+          <node pkg="controller_manager" exec="ros2_control_node"/>
+        </launch>
+    """
+    _write(tmp_path, arm__urdf=whole("arm.urdf", part), arm__launch__xml=launch)
+    assert _lint(tmp_path, "arm.launch.xml", "UC607", distro="jazzy") == ["warning UC607 arm.launch.xml"]

@@ -16,6 +16,7 @@ from urdfctl.model.moveit import (
     moveit_controllers,
     pipeline_of,
     solvers_of,
+    unlisted_controllers,
 )
 from urdfctl.model.moveit_files import MoveItFiles
 from urdfctl.model.moveit_parts import MoveIt, Pipeline
@@ -127,6 +128,7 @@ class _Reader:
             pipelines=tuple(self._pipelines(pipelines)),
             empty=tuple(values),
             no_controllers=next((place for place in lists if place), None),
+            unlisted=tuple(key for tree in trees for key in unlisted_controllers(tree)),
         )
 
     @staticmethod

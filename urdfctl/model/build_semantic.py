@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.model.controllers import Key
+from urdfctl.model.parts import Tag
 from urdfctl.model.semantic import Chain, EndEffector, Group, GroupState, Semantic, VirtualJoint
 from urdfctl.source.dom import Element
 
@@ -31,6 +32,7 @@ def semantic_of(root: Element, path: str, *, complete: bool = True) -> Semantic 
         pairs=tuple((one, other) for one, other in pairs if one and other),
         passive=tuple(_keys(root, "passive_joint")),
         complete=complete,
+        tag=Tag(root),
     )
 
 

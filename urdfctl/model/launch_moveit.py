@@ -175,7 +175,8 @@ def files_of_table(
         path = content.path if content else None
         where = locate(path) if path else (None, None)
         file = FileReference(path or UNKNOWN, semantic.at, *where)
-        found = found._replace(semantic=file, arguments=content.arguments if content else None)
+        arguments, as_yaml = (content.arguments, content.as_yaml) if content else (None, False)
+        found = found._replace(semantic=file, arguments=arguments, as_yaml=as_yaml)
     controllers, kinematics = _file_of(table.entries.get(_MANAGER)), _file_of(table.entries.get(_KINEMATICS))
     bare = next(_with(table, "kinematics_solver"), None) if kinematics is None else None
     found = found._replace(

@@ -41,6 +41,17 @@ def empty_controller_list(file: YamlFile) -> Place | None:
     return None
 
 
+def unlisted_controllers(file: YamlFile) -> Iterator[Key]:
+    """Yield the sections of controllers that controller_names does not list."""
+    inner = _manager(_document(file))
+    names = inner.get("controller_names") if inner else None
+    listed = {item.text for item in names.items if isinstance(item, Scalar)} if isinstance(names, Sequence) else set()
+    for entry in inner.entries if inner and listed else ():
+        is_section = isinstance(entry.value, Mapping) and isinstance(entry.value.get("joints"), Sequence)
+        if is_section and entry.key.text not in listed:
+            yield Key(entry.key.text, entry.key.at)
+
+
 def moveit_lists(file: YamlFile, namespace: str) -> tuple[MoveItList, ...]:
     """Return the lists of joints in a file.
 

@@ -18,6 +18,7 @@ class MoveItFiles(NamedTuple):
     namespace: the namespace of the node that reads them; None if unknown.
     as_values: ROS 2: whether the launch file reads the YAML files and passes their content as values.
     runs: whether move_group is started with them.
+    as_yaml: ROS 2: whether launch parses the text of the SRDF as YAML, because nothing says that it is a string.
     bare_kinematics: ROS 2: whether the groups in kinematics.yaml are passed without `robot_description_kinematics`.
     """
 
@@ -32,4 +33,5 @@ class MoveItFiles(NamedTuple):
     sure: bool = True
     as_values: bool = False
     runs: bool = False
+    as_yaml: bool = False
     bare_kinematics: bool = False

@@ -50,6 +50,7 @@ class MoveIt(NamedTuple):
     controllers: the controllers that MoveIt sends trajectories to.
     empty: empty lists and missing values in the YAML files, with their keys.
     no_controllers: an empty list of controllers.
+    unlisted: the sections of controllers that `controller_names` does not list.
     guessed: whether the arguments of the launch file are guessed, so that the files may be for another robot.
     """
 
@@ -61,4 +62,5 @@ class MoveIt(NamedTuple):
     pipelines: tuple[Pipeline, ...] = ()
     empty: tuple[tuple[str, Place], ...] = ()
     no_controllers: Place | None = None
+    unlisted: tuple[Key, ...] = ()
     guessed: bool = False

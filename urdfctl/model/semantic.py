@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from urdfctl.model.controllers import Key
+from urdfctl.model.parts import Tag
 from urdfctl.source.span import Place
 from urdfctl.startup.records import NamedTuple
 
@@ -72,6 +73,7 @@ class Semantic(NamedTuple):
     pairs: the links of each `<disable_collisions>`.
     passive: the joints that no controller moves.
     complete: False if part of it could not be expanded.
+    tag: the root element.
     """
 
     path: str
@@ -84,6 +86,7 @@ class Semantic(NamedTuple):
     pairs: tuple[tuple[Key, Key], ...] = ()
     passive: tuple[Key, ...] = ()
     complete: bool = True
+    tag: Tag | None = None
 
     def group(self, name: str) -> Group | None:
         """Return the first group with a name, if any."""

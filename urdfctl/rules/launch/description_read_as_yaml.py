@@ -6,7 +6,6 @@ import re
 from collections.abc import Iterator
 
 from urdfctl.model.parts import Tag
-from urdfctl.model.robot import Robot
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.common import robot_in
 from urdfctl.rules.launch.common import ROS_2, launch_of
@@ -38,30 +37,42 @@ def description_read_as_yaml(project: Project) -> Iterator[Finding]:
     or an attribute, then stops the launch. Without it, the same launch file works, so the fault appears with an edit of
     the description.
     """
+    yield from _of_semantic(project)
     launch = launch_of(project, ROS_2)
     robot = robot_in(project)
     described = [each for each in launch.descriptions if each.as_yaml and each.sure] if launch else []
     own = [each for each in described if each.file.path == project.path]
-    broken = _broken(robot) if own and robot else None
-    if broken is None:
-        return
-    at, what = broken
-    for place in dict.fromkeys(each.at for each in own):
-        is_python = place.source.path.endswith(".py")
-        remedy = "wrap it in ParameterValue(..., value_type=str)" if is_python else 'add type="str"'
-        message = f"launch parses this robot description as YAML and fails at {what}; {remedy}"
-        yield Finding(place, message, (Note("the description contains it here", at),), Fix(remedy))
+    broken = _broken(robot.tag) if own and robot else None
+    for place in dict.fromkeys(each.at for each in own) if broken else ():
+        yield _finding(place, "robot description", broken)
 
 
-def _broken(robot: Robot) -> tuple[Place, str] | None:
+def _of_semantic(project: Project) -> Iterator[Finding]:
+    """Yield the finding on an SRDF that is passed without a type."""
+    moveit = project.moveit
+    files, semantic = (moveit.files, moveit.semantic) if moveit else (None, None)
+    broken = _broken(semantic.tag) if files and files.sure and files.as_yaml and files.semantic and semantic else None
+    if broken and files and files.semantic:
+        yield _finding(files.semantic.at, "SRDF", broken)
+
+
+def _finding(at: Place, what: str, broken: tuple[Place, str] | None) -> Finding:
+    place, fault = broken or (at, "")
+    is_python = at.source.path.endswith(".py")
+    remedy = "wrap it in ParameterValue(..., value_type=str)" if is_python else 'add type="str"'
+    message = f"launch parses this {what} as YAML and fails at {fault}; {remedy}"
+    return Finding(at, message, (Note("the text is here", place),), Fix(remedy))
+
+
+def _broken(root: Tag | None) -> tuple[Place, str] | None:
     """The first text that YAML does not accept in a description, and its name."""
-    if robot.tag is None:
+    if root is None:
         return None
-    for comment in robot.tag.comments():
+    for comment in root.comments():
         what = _of_text(comment.text)
         if what:
             return comment.at, f"{what} in a comment"
-    pending: list[Tag] = [robot.tag]
+    pending = [root]
     while pending:
         tag = pending.pop()
         for name, value in tag.attributes.items():

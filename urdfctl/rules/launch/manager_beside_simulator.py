@@ -6,8 +6,9 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
 from urdfctl.control.simulator_plugins import IN_GAZEBO, components, simulator_of
+from urdfctl.model.launch import Launch
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.launch.common import ROS_2, launch_of, manager_nodes
+from urdfctl.rules.launch.common import CONTROLLER_MANAGER, ROS_2, launch_of, manager_nodes, simulators_managers
 from urdfctl.rules.launch_samples import ARM, BROADCASTER, PUBLISHER, ROBOT, SOUND, launched
 
 _MANAGER = """
@@ -31,13 +32,15 @@ def manager_beside_simulator(project: Project) -> Iterator[Finding]:
     """ros2_control_node is started for a robot with simulated hardware.
 
     That hardware runs in the simulator's process, and only the controller manager of the simulator's plugin can load
-    it. A second manager does not find the class and exits. Do not start ros2_control_node in a simulation.
+    it. A second manager does not find the class and exits. With other hardware, two managers of one name answer the
+    spawners. Do not start ros2_control_node in a simulation.
     """
     launch = launch_of(project, ROS_2)
     if launch is None or launch.description is None:
         return
     simulated = [control for control in components(project) if simulator_of(project, control) in IN_GAZEBO]
     if not simulated:
+        yield from _second(project, launch)
         return
     hardware = simulated[0]
     where = IN_GAZEBO[simulator_of(project, hardware) or ""]
@@ -47,3 +50,15 @@ def manager_beside_simulator(project: Project) -> Iterator[Finding]:
                 f"ros2_control_node cannot load '{hardware.plugin}'; {where} runs it in its own controller manager"
             )
             yield Finding(node.at, message, (Note("the hardware is defined here", hardware.at),))
+
+
+def _second(project: Project, launch: Launch) -> Iterator[Finding]:
+    """Yield the manager that has the name of the one which a plugin of the robot starts in the simulator."""
+    if not any(simulation.sure for simulation in launch.simulations) or not launch.complete:
+        return
+    hosted = {running.full_name: running for running in simulators_managers(project) if running.namespace is not None}
+    for node in manager_nodes(launch):
+        name = f"{node.namespace or ''}/{node.name or CONTROLLER_MANAGER}"
+        if node.sure and node.namespace is not None and name in hosted:
+            message = f"the simulator's plugin starts '{name}' too; the spawners cannot tell the two apart"
+            yield Finding(node.at, message, (Note("the plugin is here", hosted[name].at),), severity=Severity.WARNING)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.control.groups import Groups
-from urdfctl.model.controllers import Key
+from urdfctl.model.controllers import Key, MoveItController
 from urdfctl.model.semantic import Semantic
 from urdfctl.rule import Project
 from urdfctl.rules.common import is_known, whole_robot_in
@@ -30,6 +30,16 @@ def is_of_other_robot(project: Project) -> bool:
     named = {key.text for _, key in (*links_in(groups.semantic), *joints_in(groups.semantic)) if is_known(key.text)}
     known = groups.links | set(groups.joints) | set(groups.virtual)
     return len(named - known) * 2 > len(named)
+
+
+def real_controllers(project: Project) -> tuple[MoveItController, ...]:
+    """Return the controllers that MoveIt sends trajectories to, without those of ROS 1's fake controller manager."""
+    controllers = project.moveit.controllers if project.moveit else ()
+    return tuple(one for one in controllers if not one.name.text.startswith("fake_") and not _is_in_fake_file(one))
+
+
+def _is_in_fake_file(controller: MoveItController) -> bool:
+    return "fake" in controller.name.at.source.path.replace("\\", "/").rpartition("/")[2]
 
 
 def links_in(semantic: Semantic) -> Iterator[tuple[str, Key]]:

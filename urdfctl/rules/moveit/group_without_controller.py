@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import in_words, is_known
-from urdfctl.rules.moveit.common import is_of_other_robot, planning
+from urdfctl.rules.moveit.common import is_of_other_robot, planning, real_controllers
 from urdfctl.rules.moveit.samples import MOVEIT, planned
 
 
@@ -37,7 +37,7 @@ def group_without_controller(project: Project) -> Iterator[Finding]:
         return
     moved = {joint.text for controller in moveit.controllers for joint in controller.joints}
     if not all(is_known(joint) and "$" not in joint for joint in moved) or any(
-        one.lacking for one in moveit.controllers
+        one.lacking for one in real_controllers(project)
     ):
         return
     moved |= {joint.text for joint in groups.semantic.passive}

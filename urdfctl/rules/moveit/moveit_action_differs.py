@@ -4,16 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.catalog.distros import ROS2, until
+from urdfctl.catalog.distros import ROS1, ROS2, until
 from urdfctl.model.controllers import MoveItController
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import in_words, is_known, replaced
+from urdfctl.rules.moveit.common import real_controllers
 from urdfctl.rules.moveit.samples import configured
 
+_INTERFACES = ("position_controllers", "velocity_controllers", "effort_controllers", "pos_vel_controllers")
 _OFFERED = {
-    "joint_trajectory_controller/JointTrajectoryController": ("FollowJointTrajectory", "follow_joint_trajectory"),
-    "position_controllers/GripperActionController": ("GripperCommand", "gripper_cmd"),
-    "effort_controllers/GripperActionController": ("GripperCommand", "gripper_cmd"),
+    **{
+        f"{package}/JointTrajectoryController": ("FollowJointTrajectory", "follow_joint_trajectory")
+        for package in ("joint_trajectory_controller", *_INTERFACES)
+    },
+    **{f"{package}/GripperActionController": ("GripperCommand", "gripper_cmd") for package in _INTERFACES},
     "parallel_gripper_action_controller/GripperActionController": ("ParallelGripperCommand", "gripper_cmd"),
 }
 """The action that a type of controller offers, as MoveIt names it, and its name."""
@@ -25,7 +29,6 @@ _WITHOUT_PARALLEL = tuple(distro for distro in until("iron") if distro in ROS2)
 @rule(
     "UC672",
     severity=Severity.ERROR,
-    distros=ROS2,
     options=("--distro=jazzy",),
     authority="moveit_simple_controller_manager.cpp: 'Action client not connected to action server: arm_controller/gripper_cmd', "
     "'Unknown controller type: GripperCmd'; ros2_controllers: joint_trajectory_controller offers ~/follow_joint_trajectory, "
@@ -39,7 +42,7 @@ def moveit_action_differs(project: Project) -> Iterator[Finding]:
     MoveIt waits for an action server of the given type and name. The controller offers another one, so MoveIt never
     connects to it, and does not execute plans for its joints.
     """
-    for controller in project.moveit.controllers if project.moveit else ():
+    for controller in real_controllers(project):
         if controller.type is None or controller.type_at is None or not is_known(controller.type):
             continue
         yield from _of_type(project, controller)
@@ -55,7 +58,7 @@ def _of_type(project: Project, controller: MoveItController) -> Iterator[Finding
     if controller.type not in (*_TYPES, _PARALLEL):
         message = f"MoveIt does not know type '{controller.type}' of controller '{controller.name.text}'"
         yield Finding(controller.type_at, f"{message}; it knows {in_words(_TYPES)}")
-    elif controller.type == _PARALLEL and set(project.distros) <= set(_WITHOUT_PARALLEL):
+    elif controller.type == _PARALLEL and set(project.distros) <= {*ROS1, *_WITHOUT_PARALLEL}:
         yield Finding(controller.type_at, f"MoveIt knows type '{_PARALLEL}' only since jazzy; use 'GripperCommand'")
 
 

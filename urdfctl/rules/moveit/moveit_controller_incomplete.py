@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.catalog.distros import ROS2
+from urdfctl.catalog.distros import ALL
 from urdfctl.model.controllers import MoveItController
 from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import in_words
+from urdfctl.rules.moveit.common import real_controllers
 from urdfctl.rules.moveit.samples import configured
 from urdfctl.source.span import SourceSpan
 
@@ -17,9 +18,10 @@ _ACTIONS = {"FollowJointTrajectory": "follow_joint_trajectory", "GripperCommand"
 @rule(
     "UC651",
     severity=Severity.ERROR,
-    distros=ROS2,
+    distros=ALL,
     authority="moveit2 moveit_simple_controller_manager.cpp: 'No action namespace specified for controller `arm_controller` "
-    "through parameter', 'No type specified for controller', 'No joints specified for controller'",
+    "through parameter', 'No type specified for controller', 'No joints specified for controller'; moveit: 'name, joints, "
+    "action_ns, and type must be specifed for each controller'",
     bad=configured(
         "  arm_controller:\n        type: FollowJointTrajectory\n        action_ns: follow_joint_trajectory",
         "  «arm_controller»:\n        type: FollowJointTrajectory",
@@ -33,10 +35,12 @@ def moveit_controller_incomplete(project: Project) -> Iterator[Finding]:
     actuate the specified joints'. It requires the type, the joints and the action namespace. The setup assistant omits
     the last one.
     """
-    for controller in project.moveit.controllers if project.moveit else ():
+    for controller in real_controllers(project):
         if controller.section is None:
             name = controller.name
             yield Finding(name.at, f"controller_names lists '{name.text}', but this file does not describe it")
+        elif project.ros == 1 and {"type", "action_ns"} <= set(controller.lacking):
+            continue  # the list of another controller manager
         elif controller.lacking:
             is_or_are = "is" if len(controller.lacking) == 1 else "are"
             missing = f"{in_words(controller.lacking)} {is_or_are} missing"

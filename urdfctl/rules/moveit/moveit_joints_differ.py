@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.catalog.distros import ROS2
 from urdfctl.model.controllers import Controller, MoveItController
 from urdfctl.names import did_you_mean
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import in_words
+from urdfctl.rules.moveit.common import real_controllers
 from urdfctl.rules.moveit.samples import configured
 
 _PARTIAL = "allow_partial_joints_goal"
@@ -17,7 +17,6 @@ _PARTIAL = "allow_partial_joints_goal"
 @rule(
     "UC653",
     severity=Severity.ERROR,
-    distros=ROS2,
     authority="ros2_controllers joint_trajectory_controller.cpp: 'Incoming joint elbow_joint doesn't match the controller's "
     "joints.', 'Joints on incoming trajectory don't match the controller joints.'",
     bad=configured("joints: [shoulder, elbow]", "joints: [shoulder, «elbow_joint»]"),
@@ -30,7 +29,9 @@ def moveit_joints_differ(project: Project) -> Iterator[Finding]:
     rejects every goal that omits one of its joints. MoveIt sends no positions of joints that mimic others.
     """
     controllers = project.controllers
-    for moveit in project.moveit.controllers if project.moveit else ():
+    if project.moveit is None or project.moveit.guessed:
+        return
+    for moveit in real_controllers(project):
         name = moveit.name.text.rpartition("/")[2]
         controller = controllers.controller(name) if controllers else None
         joints = controller.own.value("joints") if controller else None
