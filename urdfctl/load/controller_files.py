@@ -6,10 +6,11 @@ import os
 from collections.abc import Iterable, Iterator
 from collections.abc import Sequence as Several
 
+from urdfctl.load.inline_parameters import inline_tree
 from urdfctl.model.build_controllers import Loaded, controllers_of
 from urdfctl.model.controller_forms import form_of
 from urdfctl.model.controllers import Controllers, FileReference, MoveItList
-from urdfctl.model.launch import Launch, ParameterLoad
+from urdfctl.model.launch import InlineParameters, Launch, ParameterLoad
 from urdfctl.model.robot import Robot
 from urdfctl.source.dom import Document
 from urdfctl.source.files import FileProblem, Files
@@ -77,6 +78,8 @@ def read_controllers(
             reader.whole = False
         else:
             reader.load(load, of_other=launch is not None and launch.is_of_other_node(load))
+    for inline in launch.inline if launch else ():
+        reader.contained(inline)
     if loads and not any(load.sure for load in loads):
         reader.possible(loads)
     for path in map(os.path.abspath, paths):
@@ -140,7 +143,8 @@ class _Reader:
             whole=self.whole,
             moveit_lists=tuple(self._moveit_lists()),
         )
-        return result if result.files or result.references or result.problems or not self.whole else None
+        has_file = any(not loaded.inline for loaded in result.files)
+        return result if has_file or result.references or result.problems or not self.whole else None
 
     def _moveit_lists(self) -> Iterator[MoveItList]:
         """Yield the lists for ROS 1's MoveIt in the loaded files; each file once, though several nodes may load it."""
@@ -186,6 +190,15 @@ class _Reader:
         self._references.append(load.file._replace(exists=exists))
         if tree is not None and not (load.in_node and form_of(tree) is None):
             self._loaded.append(Loaded(with_replacements(tree, load.replaced), load.namespace or "", of_other))
+
+    def contained(self, inline: InlineParameters) -> None:
+        """Add parameters that a launch file contains; those that depend on a condition may be missing."""
+        if not inline.sure:
+            self.whole = False
+            return
+        tree = inline_tree(inline)
+        if tree.readable:
+            self._loaded.append(Loaded(tree, inline.namespace, inline=True))
 
     def possible(self, loads: Several[ParameterLoad]) -> None:
         """The only file that a launch file may load, if there is no other; it is not known whether it is loaded."""

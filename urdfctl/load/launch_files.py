@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from urdfctl.model.build_launch import Sources, is_of_ros2, launch_of
 from urdfctl.model.build_package import package_around
 from urdfctl.model.controllers import FileReference
-from urdfctl.model.launch import Launch, Word
+from urdfctl.model.launch import Launch, Reference, Word
+from urdfctl.names import is_slip, nearest
 from urdfctl.source.dom import Document, Element
 from urdfctl.source.files import FileProblem, Files
 from urdfctl.source.launch.terms import Term
@@ -47,8 +48,38 @@ def read_launch(
     if launch is not None:
         launch = _without_needed(launch, arguments, reader)
         named = (*launch.packages, *reader.named)
-        launch = launch._replace(packages=named, package=package_around(packages, reader.tree))
+        package = package_around(packages, reader.tree)
+        references = tuple(one._replace(has_siblings=_has_siblings(one)) for one in launch.references)
+        launch = launch._replace(references=references)
+        launch = launch._replace(packages=named, package=package, misspelt=_misspelt(named, packages, path))
     return LaunchFile(launch, files, tuple(reader.problems))
+
+
+def _has_siblings(reference: Reference) -> bool:
+    """Whether the folder of a missing file has another file with its ending."""
+    path = reference.file.path
+    if reference.use != "argument" or reference.file.exists is not False or not path:
+        return False
+    try:
+        names = os.listdir(os.path.dirname(path))
+    except OSError:
+        return False
+    return any(name.endswith(os.path.splitext(path)[1]) for name in names)
+
+
+def _misspelt(named: Iterable[Word], packages: Packages, path: str) -> tuple[tuple[Word, str], ...]:
+    """The packages that no package.xml declares and that the workspace has only with another, similar name."""
+    found: dict[str, tuple[Word, str]] = {}
+    for word in named:
+        if UNKNOWN in word.text or word.text in found:
+            continue
+        try:
+            packages.find(word.text)
+        except PackageNotFound as error:
+            meant = nearest(word.text, [name for name in error.known if is_slip(word.text, name)])
+            if meant and not packages.declares(word.text, path):
+                found[word.text] = (word, meant)
+    return tuple(found.values())
 
 
 def _without_needed(launch: Launch, arguments: Mapping[str, str], reader: _Reader) -> Launch:

@@ -29,11 +29,13 @@ class Loaded(NamedTuple):
     """A YAML file and the namespace that a launch file loads it into.
 
     of_other: it is for a node that manages no controllers.
+    inline: it is a part of a launch file.
     """
 
     yaml: YamlFile
     namespace: str = ""
     of_other: bool = False
+    inline: bool = False
 
 
 def controllers_of(
@@ -61,7 +63,8 @@ def controllers_of(
             flat.sections.extend(content.sections)
             if file.form != 2:  # noqa: PLR2004 (in a file for ROS 2, ROS 1 finds none of its parameters)
                 flat.leaves.extend(content.leaves)
-        controllers_files.append(file)
+        if not loaded.inline:
+            controllers_files.append(file)
     parts = _Parts([], [], [])
     others: list[Controller] = []
     if flat.sections or ros == 2:  # noqa: PLR2004

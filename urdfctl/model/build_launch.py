@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from urdfctl.model.controllers import FileReference
 from urdfctl.model.launch import (
     Description,
+    InlineParameters,
     Launch,
     Node,
     Option,
@@ -35,6 +36,10 @@ _SIMULATOR_ALONE = ("gazebo_ros", "gazebo_worlds")
 _OPTIONS_WITH_VALUE = ("--namespace", "--timeout", "--wait-for", "--shutdown-timeout")
 _SPAWNING = {"spawn": True, "load": False, "start": True}
 """The verbs of the program `controller_manager` that load controllers, and whether they start them."""
+
+
+_ARGUMENT_FILES = (".rviz", ".vcg", ".world", ".sdf")
+"""The endings of files that programs get as arguments."""
 
 
 class Sources(NamedTuple):
@@ -100,6 +105,7 @@ def launch_of(path: str, arguments: Mapping[str, str], sources: Sources) -> Laun
         packages=tuple(builder.packages),
         strays=tuple(builder.strays),
         arguments=tuple(builder.arguments.items()),
+        inline=tuple(builder.inline),
         moveit=tuple(_with_loads(files, builder.loads) for files in builder.moveit),
     )
 
@@ -149,6 +155,7 @@ class _Builder:
         self.strays: list[Word] = []
         self.moveit: list[MoveItFiles] = []
         self.arguments: dict[str, str | None] = {}
+        self.inline: list[InlineParameters] = []
         self.complete = True
         self._includes = 0
         self._remapped = False
@@ -239,7 +246,11 @@ class _Builder:
     def _simulation(self, element: Element, scope: _Scope, texts: Substitutions) -> None:
         if not scope.held or "world" not in element.attrs.get("file", ""):
             return
-        arguments = (child for child in element.elements() if child.tagName == "arg")
+        arguments = [child for child in element.elements() if child.tagName == "arg"]
+        for child in arguments:
+            path = texts.resolve(child.attrs.get("value", ""))
+            if path.endswith(_ARGUMENT_FILES):
+                self._reference(child.attrs["value"], child.at["value"], if_known(path), "argument", sure=scope.sure)
         given = [argument for argument in arguments if argument.attrs.get("name") == "paused"]
         paused = texts.truth(given[-1].attrs.get("value", "")) if given else False
         at = given[-1].at if given else element.at
@@ -252,6 +263,8 @@ class _Builder:
             self._semantic(element, name, scope, texts)
             return
         if last != _DESCRIPTION and not (last.endswith("_description") and _makes_urdf(element)):
+            if "value" in element.attrs:
+                self._contained(name, element.at["value"], scope)
             return
         path: str | None = None
         arguments: tuple[tuple[str, str], ...] | None = ()
@@ -288,15 +301,27 @@ class _Builder:
         self.moveit.append(files)
 
     def _rosparam(self, element: Element, scope: _Scope, texts: Substitutions) -> None:
-        if "file" not in element.attrs or element.attrs.get("command", "load") != "load":
+        if element.attrs.get("command", "load") != "load":
             return
         below = "/".join(texts.resolve(element.attrs[name]) for name in ("ns", "param") if element.attrs.get(name))
         namespace = joined(scope.namespace, below)
+        if "file" not in element.attrs:
+            if element.at.content.start != element.at.start and element.attrs.get("param"):
+                self._contained(namespace, element.at.content, scope)
+            elif element.at.content.start != element.at.start and not scope.in_node and UNKNOWN not in namespace:
+                self.inline.append(InlineParameters(namespace, "", element.at.content, scope.sure))
+            return
         self._load(element.attrs["file"], element.at["file"], namespace, scope, texts)
         if texts.truth(element.attrs.get("subst_value", "")):
             known = (pair for pair in scope.arguments.items() if if_known(pair[1]) is not None)
             replaced = tuple((f"$(arg {name})", value) for name, value in known)
             self.loads[-1] = self.loads[-1]._replace(replaced=replaced)
+
+    def _contained(self, name: str, at: Place, scope: _Scope) -> None:
+        """Add a parameter with its value. Those of a node are private to it."""
+        namespace, _, last = name.rpartition("/")
+        if not scope.in_node and last and UNKNOWN not in name and "$(" not in at.span.text:
+            self.inline.append(InlineParameters(namespace, last, at, scope.sure))
 
     def _load(self, written: str, at: Place, namespace: str, scope: _Scope, texts: Substitutions) -> None:
         reference = self._reference(written, at, if_known(texts.resolve(written)), "parameters", sure=scope.sure)
@@ -333,6 +358,9 @@ class _Builder:
         program = Word(element.attrs.get("type", ""), element.at["type"])
         at = element.at["args"]
         given = tuple(Word(word, at.word(word)) for word in words)
+        for word in words:
+            if word.endswith(_ARGUMENT_FILES):
+                self._reference(word, at, if_known(word), "argument", sure=scope.sure)
         namespace = if_known(scope.namespace)
         children = list(element.elements())
         parameters = tuple(Word(child.attrs["name"], child.at["name"]) for child in children if "name" in child.attrs)

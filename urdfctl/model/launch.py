@@ -81,6 +81,20 @@ class ParameterLoad(NamedTuple):
     replaced: tuple[tuple[str, str], ...] = ()
 
 
+class InlineParameters(NamedTuple):
+    """Parameters that a ROS 1 launch file itself contains, in <param value="..."> or <rosparam>.
+
+    namespace: what they are loaded into, and for <param> the name before the last slash.
+    name: the parameter that has the value; empty if the text is a map of parameters in YAML.
+    at: the text, as YAML.
+    """
+
+    namespace: str
+    name: str
+    at: Place
+    sure: bool = True
+
+
 class Option(NamedTuple):
     """An option of a program, as written, with its value; None if it has no value."""
 
@@ -168,6 +182,7 @@ class Reference(NamedTuple):
     """A file that the launch file uses.
 
     use: `description`, `parameters`, `include` or `argument`.
+    has_siblings: whether its folder has other files of its kind, so that it should be there too.
     package: the package that contains it; None if unknown.
     """
 
@@ -175,6 +190,7 @@ class Reference(NamedTuple):
     use: str
     package: str | None = None
     sure: bool = True
+    has_siblings: bool = False
 
 
 class Launch(NamedTuple):
@@ -188,6 +204,8 @@ class Launch(NamedTuple):
     package: the package that contains it; None if unknown.
     strays: ROS 1: arguments for included files that do not declare them.
     arguments: the launch arguments that the file itself declares, with their defaults; None for a required one.
+    inline: ROS 1: the parameters that it contains.
+    misspelt: the packages that it names and that do not exist, each with the package that was probably meant.
     moveit: the files that it gives to MoveIt.
     """
 
@@ -205,6 +223,8 @@ class Launch(NamedTuple):
     package: Package | None = None
     strays: tuple[Word, ...] = ()
     arguments: tuple[tuple[str, str | None], ...] = ()
+    inline: tuple[InlineParameters, ...] = ()
+    misspelt: tuple[tuple[Word, str], ...] = ()
     moveit: tuple[MoveItFiles, ...] = ()
 
     @property

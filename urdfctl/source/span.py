@@ -250,6 +250,15 @@ class Place:
         start = tag.end + len(inside) - len(inside.lstrip())
         return Place(self.source, start, self.call, end=start + len(inside.strip()))
 
+    def part(self, text: str) -> Place:
+        """Return the place of the first occurrence of a text in this place; the whole place if it is not found."""
+        span = self.span
+        before, found, _ = span.text.partition(text)
+        if not found:
+            return self
+        start = span.start + len(before.encode())
+        return Place(span.source, start, self.call, end=start + len(text.encode()))
+
     def word(self, word: str) -> Place:
         """Return the place of a blank-separated word in this place; the whole place if the word is not found."""
         span = self.span

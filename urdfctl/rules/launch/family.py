@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from urdfctl.rule import Rule
 from urdfctl.rules.launch.clock_of_other_world import clock_of_other_world
+from urdfctl.rules.launch.control_plugin_not_loaded import control_plugin_not_loaded
 from urdfctl.rules.launch.controller_not_spawned import controller_not_spawned
 from urdfctl.rules.launch.controller_spawned_twice import controller_spawned_twice
 from urdfctl.rules.launch.described_by_macros_only import described_by_macros_only
@@ -20,8 +21,10 @@ from urdfctl.rules.launch.listed_joint_unknown import listed_joint_unknown
 from urdfctl.rules.launch.manager_beside_simulator import manager_beside_simulator
 from urdfctl.rules.launch.mesh_not_on_model_path import mesh_not_on_model_path
 from urdfctl.rules.launch.node_name_twice import node_name_twice
+from urdfctl.rules.launch.package_misspelt import package_misspelt
 from urdfctl.rules.launch.package_not_in_manifest import package_not_in_manifest
 from urdfctl.rules.launch.parameters_not_given_to_controller import parameters_not_given_to_controller
+from urdfctl.rules.launch.publisher_of_older_distro import publisher_of_older_distro
 from urdfctl.rules.launch.simulation_paused import simulation_paused
 from urdfctl.rules.launch.spawned_controller_unknown import spawned_controller_unknown
 from urdfctl.rules.launch.spawner_of_other_manager import spawner_of_other_manager
@@ -59,4 +62,7 @@ RULES: tuple[Rule, ...] = (
     mesh_not_on_model_path,
     installed_file_missing,
     clock_of_other_world,
+    package_misspelt,
+    control_plugin_not_loaded,
+    publisher_of_older_distro,
 )

@@ -10,6 +10,8 @@ from urdfctl.rules.launch_samples import BROADCASTER, MANAGER, PUBLISHER, SOUND,
 
 _NEEDED = {"description": "robot description", "parameters": "parameter file", "include": "included launch file"}
 """The uses for which a file must exist, and what messages call such a file."""
+_ARGUMENTS = {".rviz": "RViz configuration", ".vcg": "RViz configuration", ".world": "world file", ".sdf": "SDF file"}
+"""The endings of files that programs get as arguments, and what messages call such a file."""
 
 
 @rule(
@@ -29,13 +31,20 @@ def launched_file_missing(project: Project) -> Iterator[Finding]:
     """Launch file uses a file that does not exist.
 
     The file is the robot description, a parameter file or another launch file. The launch stops there, or the node that
-    reads the file exits.
+    reads the file exits. Without its world the simulator exits or is empty, and without its configuration RViz starts
+    with a default view: a warning if the folder has other such files, and worth knowing if the file may be made later.
     """
     for reference in project.launch.references if project.launch else ():
         if reference.file.exists is False and reference.use in _NEEDED:
             severity = None if reference.sure else Severity.WARNING
             message = f"{_NEEDED[reference.use]} does not exist: '{_shown(reference, project)}'"
             yield Finding(reference.file.at, message, severity=severity)
+        elif reference.file.exists is False and reference.use == "argument":
+            kind = next((kind for end, kind in _ARGUMENTS.items() if (reference.file.path or "").endswith(end)), None)
+            if kind and reference.sure:
+                message = f"{kind} does not exist: '{_shown(reference, project)}'"
+                severity = Severity.WARNING if reference.has_siblings else Severity.INFO
+                yield Finding(reference.file.at, message, severity=severity)
 
 
 def _shown(reference: Reference, project: Project) -> str:

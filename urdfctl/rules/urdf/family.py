@@ -6,6 +6,7 @@ from urdfctl.rule import Rule
 from urdfctl.rules.urdf.attribute_misspelt import attribute_misspelt
 from urdfctl.rules.urdf.axis_zero import axis_zero
 from urdfctl.rules.urdf.colour_malformed import colour_malformed
+from urdfctl.rules.urdf.dollar_in_name import dollar_in_name
 from urdfctl.rules.urdf.duplicate_joint import duplicate_joint
 from urdfctl.rules.urdf.duplicate_link import duplicate_link
 from urdfctl.rules.urdf.duplicate_material import duplicate_material
@@ -121,4 +122,5 @@ RULES: tuple[Rule, ...] = (
     gazebo_reference_unknown,
     link_named_without_prefix,
     inertia_zero,
+    dollar_in_name,
 )
