@@ -53,9 +53,7 @@ def test_a_required_parameter_may_be_in_the_launch_file(tmp_path: Path, inline: 
 
 
 def test_a_controller_may_be_declared_in_the_launch_file(tmp_path: Path) -> None:
-    block = (
-        "<rosparam>\n    arm: {type: position_controllers/JointPositionController, joint: elbow}\n  </rosparam>"
-    )
+    block = "<rosparam>\n    arm: {type: position_controllers/JointPositionController, joint: elbow}\n  </rosparam>"
     assert found(tmp_path, block, "other: {rate: 1}\n") == []
 
 
