@@ -357,6 +357,30 @@ def test_a_choice_of_the_environment_gives_each_of_its_arguments() -> None:
     assert (description.arguments, description.alternatives) == ((("a", "yes"),), ((("a", "no"),),))
 
 
+def test_a_list_inside_the_parameters_is_one_path_in_parts() -> None:
+    made = launch("""
+        folder = '/p/config/'
+        node = Node(package='moveit_ros_move_group', executable='move_group',
+                    parameters=[[folder, LaunchConfiguration('pipeline'), '_planning.yaml'], [folder, 'c.yaml']])
+        return LaunchDescription([DeclareLaunchArgument('pipeline', default_value='ompl'), node])
+        """)
+    assert [one.file.path for one in made.references] == ["/p/config/ompl_planning.yaml", "/p/config/c.yaml"]
+
+
+def test_arguments_that_a_loop_over_unknown_values_adds_are_unknown() -> None:
+    made = launch("""
+        words = ''
+        for name in read_names():
+            words = ''.join([words, ' prefix_', name, ':=', name])
+        text = Command(['xacro /p/r.xacro', words])
+        node = Node(package='robot_state_publisher', executable='robot_state_publisher',
+                    parameters=[{'robot_description': text}])
+        return LaunchDescription([node])
+        """)
+    (description,) = made.robots
+    assert (description.file.path, description.arguments, description.more) == ("/p/r.xacro", (), True)
+
+
 def test_what_an_environment_variable_decides_may_be_or_not() -> None:
     made = launch("""
         value = LaunchConfiguration('f')

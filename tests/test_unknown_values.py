@@ -41,6 +41,35 @@ def test_a_description_alone_needs_arguments_and_the_rest_of_it_is_checked(folde
     assert fault.startswith("r.xacro:7 error UC121 joint 'j' has unknown type 'sideways'")
 
 
+ARMS = """<xacro:arg name="ip" default=""/>
+    <xacro:arg name="prefix_1" default=""/><xacro:arg name="prefix_2" default="{}"/>
+    <xacro:macro name="arm" params="prefix"><link name="${{prefix}}tip"/><joint name="${{prefix}}j" type="fixed">
+    <parent link="base"/><child link="${{prefix}}tip"/></joint></xacro:macro>
+    <link name="base"/><xacro:arm prefix="$(arg prefix_1)"/><xacro:arm prefix="$(arg prefix_2)"/>"""
+
+
+def test_two_arms_whose_prefixes_are_empty_by_default_need_them(folder: Folder) -> None:
+    folder.write({"r.xacro": XACRO.format(ARMS.format(""))})
+    ran = folder.run("lint", "r.xacro", "--select", "UC030,UC11", "--format", "concise")
+    assert ran.stdout.splitlines() == [
+        "r.xacro:3:22: info UC030 needs arguments prefix_1, prefix_2; what depends on them is not checked"
+    ]
+
+
+def test_names_that_are_repeated_whatever_the_arguments_are_stay_an_error(folder: Folder) -> None:
+    folder.write({"r.xacro": XACRO.format(ARMS.format("") + '<link name="base"/>')})
+    ran = folder.run("lint", "r.xacro", "--select", "UC110", "--format", "concise")
+    assert "link 'base' is already defined" in ran.stdout
+
+
+def test_a_launch_file_that_gives_no_prefixes_starts_two_arms_of_one_name(folder: Folder) -> None:
+    folder.write({"r.xacro": XACRO.format(ARMS.format(""))})
+    command = "xacro $(dirname)/r.xacro ip:=10.0.0.1"
+    folder.write({"l.launch": f'<launch><param name="robot_description" command="{command}"/></launch>'})
+    ran = folder.run("lint", "l.launch", "--select", "UC110,UC111", "--format", "concise")
+    assert "error UC110" in ran.stdout
+
+
 def test_an_argument_is_not_needed_only_because_a_call_that_fails_passes_it(folder: Folder) -> None:
     body = """<xacro:arg name="side" default=""/>
         <xacro:include filename="wheel.xacro"/><xacro:wheel side="$(arg side)"/><link name="base"/>"""

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from urdfctl.model.build_robot import TOP_LEVEL
 from urdfctl.source.dom import Document
 from urdfctl.source.files import FileProblem
+from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.xacro.expansion import HARMLESS, Expander, Expansion
@@ -71,3 +72,16 @@ def is_library(expansion: Expansion) -> bool:
     if root is None or any(child.tagName in TOP_LEVEL for child in root.elements()):
         return False
     return all(problem.kind in HARMLESS | _OF_INCLUDES for problem in expansion.problems)
+
+
+def names_twice(expansion: Expansion) -> bool:
+    """Return whether two links, or two joints, have the same known name."""
+    root = expansion.document.documentElement if expansion.document else None
+    named: set[tuple[str, str]] = set()
+    for element in root.elements() if root is not None else ():
+        key = element.tagName, element.attrs.get("name", "")
+        if element.tagName in {"link", "joint"} and UNKNOWN not in key[1]:
+            if key in named:
+                return True
+            named.add(key)
+    return False

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from urdfctl.load.description import Expanded, MakeExpander, expanded_by, is_library
+from urdfctl.load.description import Expanded, MakeExpander, expanded_by, is_library, names_twice
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.problem import ProblemKind
 from urdfctl.source.xacro.expansion import HARMLESS, Expander
@@ -27,7 +27,7 @@ def expanded(
         return expanded_with_prefixes(make, path, arguments, alone=alone, first=first)
     is_plain = not first.expander.macros and all(p.kind in HARMLESS for p in first.expansion.problems)
     if is_plain or (first.expansion.complete and not is_library(first.expansion)):
-        return first
+        return _with_distinct_names(make, path, arguments, first) if alone and names_twice(first.expansion) else first
     from urdfctl.load.incomplete import completed
 
     return completed(make, path, arguments, alone=alone, first=first)
@@ -43,3 +43,9 @@ def _kind(fragment: bool, arguments: Mapping[str, str]) -> type[Expander]:  # no
 
         return UnknownExpander
     return Expander
+
+
+def _with_distinct_names(make: MakeExpander, path: str, arguments: Mapping[str, str], first: Expanded) -> Expanded:
+    from urdfctl.load.incomplete import expanded_with_distinct_names
+
+    return expanded_with_distinct_names(make, path, arguments, first=first)

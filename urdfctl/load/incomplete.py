@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from urdfctl.load.description import Expanded, MakeExpander, expanded_by, is_library
+from urdfctl.load.description import Expanded, MakeExpander, expanded_by, is_library, names_twice
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.xacro.expansion import HARMLESS, Expander, Expansion
+from urdfctl.source.xacro.leftovers import empty_arguments
 from urdfctl.source.xacro.unknown import UnknownExpander
 
 _MOST_ROUNDS = 4
@@ -50,6 +51,27 @@ def expanded_with_unknown(
         if names or variables:
             read.expansion.problems.append(_needs(names, variables, *read))
     return read
+
+
+def expanded_with_distinct_names(
+    make: MakeExpander, path: str, arguments: Mapping[str, str], *, first: Expanded
+) -> Expanded:
+    """Return the expansion with unknown values for the arguments that would make repeated names different.
+
+    A description of two arms takes a prefix for each. Both are empty by default, and every start sets them. The first
+    expansion is returned if the names are repeated whatever the arguments are.
+    """
+    empty = list(empty_arguments(first.expander.declared, arguments))
+    for names in ([name for name in empty if "prefix" in name], empty):
+        if not names:
+            continue
+        expander = make(UnknownExpander)
+        expander.any_argument = True
+        read = expanded_by(expander, path, {**arguments, **dict.fromkeys(names, UNKNOWN)})
+        if read.expansion.document is not None and not names_twice(read.expansion):
+            read.expansion.problems.append(_needs(names, [], *read))
+            return read
+    return first
 
 
 def expanded_with_prefixes(

@@ -108,7 +108,7 @@ class Loader:
         if launch_file and launch_file.launch and description and description.file.path:
             given_arguments = {} if is_launch(path) else arguments
             path, arguments = description.file.path, {**dict(description.arguments or ()), **given_arguments}
-            alone = description.arguments is None
+            alone = description.arguments is None or description.more
             launch_file = launch_file._replace(launch=launch_file.launch.among(description))
         if is_yaml(path) or is_launch(path):
             return self._without_robot(path, target, launch_file)

@@ -73,10 +73,21 @@ def _of_substitution(term: Called, texts: Texts) -> Content:
     choices = [texts.of(_chosen(given, index)) for index in range(_MOST_CHOICES if _is_open(given) else 1)]
     command = choices[0]
     path, arguments = of_command(command)
-    others = dict.fromkeys(other for choice in choices[1:] if (other := of_command(choice)[1]) not in {None, arguments})
+    every = [of_command(choice)[1] for choice in choices]
+    others = dict.fromkeys(other for other in every[1:] if other not in {None, arguments})
     names = tuple(_named(given, texts))
     alternatives = tuple(other for other in others if other)
-    return Content(path, arguments, term.at, names=names, command=command, alternatives=alternatives, as_yaml=True)
+    more = None in every and arguments is not None  # a loop over values that are not known adds arguments
+    return Content(
+        path,
+        arguments,
+        term.at,
+        names=names,
+        command=command,
+        alternatives=alternatives,
+        as_yaml=True,
+        more=more,
+    )
 
 
 def _is_open(term: Term | None) -> bool:

@@ -40,6 +40,7 @@ class Description(NamedTuple):
     node: executable of the node that gets it; None for the parameter server.
     in_node: ROS 1: the namespace is a node's own name.
     alternatives: other arguments that it may have, where an unknown condition decides.
+    more: whether other arguments may be given too, which are not known.
     as_yaml: ROS 2: whether launch parses the text as YAML, because nothing says that it is a string.
     """
 
@@ -54,6 +55,7 @@ class Description(NamedTuple):
     in_node: bool = False
     alternatives: tuple[tuple[tuple[str, str], ...], ...] = ()
     as_yaml: bool = False
+    more: bool = False
 
     @property
     def usable(self) -> bool:

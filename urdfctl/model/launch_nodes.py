@@ -273,6 +273,7 @@ class Nodes:
                 node=node,
                 alternatives=content.alternatives,
                 as_yaml=content.as_yaml,
+                more=content.more,
             )
         )
 
@@ -328,7 +329,7 @@ class _Parameters:
             self._table(term)
         elif isinstance(term, (Member, Called)) and builder_of(term, self.nodes.texts) is not None:
             self._of_builder(term)
-        elif isinstance(term, (Constant, Called)):
+        elif isinstance(term, (Constant, Called)) or (isinstance(term, Items) and _is_path(term)):
             self._file(term)
         elif isinstance(term, Items):
             for value in term.values:
@@ -376,7 +377,7 @@ class _Parameters:
         content = content or Content(None, None, value.at)
         nodes.described(content, self.executable, self.namespace, sure=self.sure)
 
-    def _file(self, term: Constant | Called) -> None:
+    def _file(self, term: Constant | Called | Items) -> None:
         text = self.nodes.texts.of(term)
         if isinstance(term, Called) and UNKNOWN in text and term.of is not None:
             self.complete = False  # a method's result: some dict
@@ -386,6 +387,14 @@ class _Parameters:
             self.nodes.load(Word(text, term.at), self.executable, sure=self.sure, of=self.namespace, term=term)
         elif text:
             self.nodes.reference(text, term.at, "parameters", sure=self.sure)
+
+
+def _is_path(items: Items) -> bool:
+    """Whether a list inside `parameters` is one path in parts: launch_ros joins texts and substitutions."""
+    parts = items.values
+    return bool(parts) and all(
+        isinstance(part, Constant) or (isinstance(part, Called) and part.short != "ParameterFile") for part in parts
+    )
 
 
 def _given(term: Called, keyword: str) -> Term | None:

@@ -25,6 +25,7 @@ class Content(NamedTuple):
     command: the command that prints it; None if there is none.
     alternatives: other arguments, where an unknown condition decides.
     as_yaml: whether launch parses the text as YAML: the output of a substitution without a type.
+    more: whether other arguments may be given too, which are not known.
     """
 
     path: str | None
@@ -34,6 +35,7 @@ class Content(NamedTuple):
     command: str | None = None
     alternatives: tuple[tuple[tuple[str, str], ...], ...] = ()
     as_yaml: bool = False
+    more: bool = False
 
 
 class Scope:
