@@ -558,10 +558,9 @@ fingers: {type: effort_controllers/JointGroupEffortController, joints: [%s]}
     [
         (None, ["info UC224"]),
         (CONTROLLER % "elbow", ["warning UC224"]),
-        (CONTROLLER % "elbow, tip", []),
     ],
 )
-def test_a_mimic_joint_needs_a_controller_of_its_own(
+def test_a_mimic_joint_in_a_transmission_is_a_warning_if_it_is_known_who_controls_the_robot(
     folder: Folder, controllers: str | None, expected: list[str]
 ) -> None:
     tip = SOUND.replace("elbow", "tip")

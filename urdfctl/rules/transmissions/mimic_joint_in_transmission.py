@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS1
-from urdfctl.control.session import sessions
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.transmissions.common import joints_by_name, known_joints
 
@@ -62,22 +61,15 @@ from urdfctl.rules.transmissions.common import joints_by_name, known_joints
 def mimic_joint_in_transmission(project: Project) -> Iterator[Finding]:
     """Transmission drives a mimic joint.
 
-    ros_control does not read <mimic>. The joint waits for its own commands and does not follow the other joint. That
-    is intended if a controller commands it too. If neither the controllers nor the simulator are known, it is
-    only worth knowing.
+    ros_control does not read <mimic>. The joint waits for its own commands and does not follow the other joint. If
+    neither the controllers nor the simulator are known, it is only worth knowing.
     """
     joints = joints_by_name(project)
-    controlled = list(sessions(project)) if project.controllers is not None else []
-    commanded = {
-        claim.component
-        for session in controlled
-        for controller in session.candidates
-        for claim in controller.claims.command
-    }
-    severity = None if controlled or project.named_simulator else Severity.INFO
+    is_open = project.controllers is None and project.named_simulator is None
+    severity = Severity.INFO if is_open else None
     for transmission, joint, name in known_joints(project):
         driven = joints.get(name)
-        if driven is not None and driven.mimic is not None and name not in commanded:
+        if driven is not None and driven.mimic is not None:
             message = (
                 f"{transmission.label} drives joint '{name}', which mimics '{driven.mimic.joint}'; "
                 f"ros_control ignores <mimic>"
