@@ -45,6 +45,12 @@ def test_a_wait_that_does_not_end_is_a_consequence(text: str) -> None:
     ]
 
 
+def test_a_spawner_that_reached_the_manager_no_longer_waits_even_if_it_then_fails() -> None:
+    failed = "[spawner-3] [FATAL] [2.0] [s]: Failed loading controller arm_controller\n"
+    kinds = {known.message.id: known.kind for known in log(WAITS.format(spawner="spawner-3") + failed).known}
+    assert kinds == {"spawner-waits-for-manager": "harmless", "spawner-failed": "consequence"}
+
+
 def test_a_description_that_arrives_late_is_harmless() -> None:
     found = log(
         "[n-1] [WARN] [1.0] [cm]: Waiting for data on 'robot_description' topic to finish initialization\n"
