@@ -123,3 +123,7 @@ def test_the_code_in_a_traceback_is_not_listed_as_unknown() -> None:
     text = 'Traceback (most recent call last):\n  File "/opt/x.py", line 3, in main\n    run_the_flux(capacitor, now)\n'
     assert log(text + "FluxError: the capacitor is empty\n").unknown[0].text == "FluxError: the capacitor is empty"
     assert len(log(text).unknown) == 0
+
+
+def test_a_text_that_only_ends_in_the_first_words_of_a_message_is_not_taken_for_it() -> None:
+    assert pasted("Could not contact controller manager").known == ()

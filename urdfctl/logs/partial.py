@@ -19,6 +19,8 @@ _MOST_CANDIDATES = 40
 """Patterns compared with a text."""
 _LEAST_LETTERS = 16
 """Letters that a truncated text must share with a pattern."""
+_LEAST_OVERLAP = 0.6
+"""Share of a text that must be the beginning of a message if no more of the message is in it."""
 _LONGEST_VALUE = 300
 _SURE_SIMILARITY = 0.8
 """Share of words that a text must have in common with a pattern to be taken for its message."""
@@ -123,7 +125,7 @@ def _ends_within(literals: tuple[str, ...], text: str) -> tuple[int, list[str]]:
             overlap = next((n for n in range(min(len(literal), len(text)), 0, -1) if text.endswith(literal[:n])), 0)
             value = text[at : len(text) - overlap]
             if number == 0:
-                return overlap, []
+                return (overlap, []) if overlap >= _LEAST_OVERLAP * len(text) else (0, [])
             if len(value) > _LONGEST_VALUE or (not overlap and " " in value):
                 return 0, []
             return letters + overlap, [*values, value] if overlap else values
