@@ -189,3 +189,20 @@ def test_an_ignored_folder_is_linted_if_there_is_nothing_else(folder: Folder, na
     ran = folder.run("lint", ".", "--format", "json", "--exit-zero")
     assert [target["robot"] for target in json.loads(ran.stdout)["targets"]] == ["arm/urdf/arm.urdf"]
     assert ran.stderr == "urdfctl: checked although COLCON_IGNORE or CATKIN_IGNORE leaves nothing else: ./arm\n"
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "is_candidate"),
+    [
+        ("bad.launch.py", "def generate_launch_description(:\n    pass\n", True),
+        ("bad.launch", '<launch><node pkg="a" type="b" name="c"></launch>', True),
+        ("sound.launch.py", "def generate_launch_description():\n    '\\d'\n", False),
+        ("sound.launch", '<launch><node pkg="a" type="b" name="c"/></launch>', False),
+        ("template.launch", "<launch>{% if sim %}<node>{% endif %}</launch>", False),
+    ],
+)
+def test_a_launch_file_that_cannot_be_parsed_is_always_read(
+    folder: Folder, name: str, text: str, *, is_candidate: bool
+) -> None:
+    folder.write({"robot.urdf": ROBOT, f"launch/{name}": text})
+    assert discover_files(["."]).launch_candidates == ([f"./launch/{name}"] if is_candidate else [])

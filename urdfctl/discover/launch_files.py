@@ -18,6 +18,8 @@ _PARAMETERS = rb"(?m)^[ \t]*[\"']?ros__parameters[\"']?[ \t]*:"
 _MANAGER = rb"(?m)^[ \t]*[\"']?[\w/*]*\bcontroller_manager[\"']?[ \t]*:"
 _TYPE = rb"(?m)(?:^[ \t]*|[{,][ \t]*)[\"']?type[\"']?[ \t]*:[ \t]*[\"']?\w*(?:controller|broadcaster)\w*/\w"
 _TEMPLATE = rb"\{\{|\{%|<%"
+_MOST_BYTES = 1 << 18
+_ONLY_PARSE = 0x400  # ast.PyCF_ONLY_AST, without the import of ast
 
 
 def is_controllers_file(text: bytes) -> bool:
@@ -41,6 +43,38 @@ def is_launch_file(path: str, text: bytes) -> bool:
     if path.endswith(".py"):
         return b"def generate_launch_description" in text
     return bool(re.search(rb"(?m)^launch[ \t]*:", text)) if path.endswith(_ROS2) else b"<launch" in text
+
+
+def is_broken(path: str, text: bytes) -> bool:
+    """Return whether a launch file in Python or XML has a syntax error. Templates, and large files, count as sound."""
+    if len(text) > _MOST_BYTES or path.endswith((".yaml", ".yml")) or re.search(_TEMPLATE, text):
+        return False
+    return _is_broken_python(text) if path.endswith(".py") else _is_broken_xml(text)
+
+
+def _is_broken_python(text: bytes) -> bool:
+    import warnings
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        try:
+            compile(text, "launch", "exec", _ONLY_PARSE)
+        except SyntaxError:
+            return True
+        except (ValueError, RecursionError, MemoryError):
+            return False
+    return False
+
+
+def _is_broken_xml(text: bytes) -> bool:
+    from xml.parsers import expat
+
+    parser = expat.ParserCreate()
+    try:
+        parser.Parse(text, True)  # noqa: FBT003 (its only form)
+    except expat.ExpatError:
+        return True
+    return False
 
 
 def launch_roots(texts: Mapping[str, bytes], naming: Sequence[bytes] = ()) -> list[str]:

@@ -10,7 +10,7 @@ from fnmatch import fnmatchcase
 from functools import lru_cache
 
 from urdfctl.discover.generated import written_by_xacro
-from urdfctl.discover.launch_files import is_controllers_file, is_launch_file, launch_roots, may_launch
+from urdfctl.discover.launch_files import is_broken, is_controllers_file, is_launch_file, launch_roots, may_launch
 from urdfctl.discover.walk import DESCRIPTIONS, files_below, text_of
 from urdfctl.errors import UserError
 from urdfctl.names import nearest_path
@@ -124,7 +124,9 @@ def _classify(files: Sequence[str], found: DiscoveredFiles, excluded: Callable[[
     generated = set(found.generated)
     found.others += (path for path in robots if not excluded(path) and path not in generated)
     launches = {path: text for path in files if may_launch(path) and is_launch_file(path, text := text_of(path))}
-    found.launch_candidates += (path for path in launch_roots(launches) if not excluded(path))
+    started = set(launch_roots(launches))
+    followed = (path for path, text in launches.items() if path in started or is_broken(path, text))
+    found.launch_candidates += (path for path in followed if not excluded(path))
     whole = (path for path in roots(robots) if not is_fragment(path, robots[path], launches.values()))
     found.candidates += (path for path in whole if not excluded(path) and path not in generated)
     yamls = (path for path in files if is_yaml(path) and not excluded(path))
