@@ -77,7 +77,7 @@ def component(
     if options.ros == 1:
         raise UserError(f"{options.distro} does not read <ros2_control>; use gen-transmissions")
     plugin = hardware(options, catalog)
-    there = {part.name for part in robot.parts}
+    there = {part.name for part in robot.parts} - {*robot.generated}
     parts = [part for part in _parts(joints, options, made) if part.name not in there]
     if there:
         parts = [part for part in parts if part.commands or part.kind != "joint"]
@@ -88,7 +88,7 @@ def component(
     about = "a simulator" if plugin.simulator in ("gz", "gazebo-classic", "mujoco") else "hardware"
     return templates.render(
         "ros2_control/component.xacro",
-        name=_unused("RobotSystem", robot.components),
+        name=_unused("RobotSystem", [name for name in robot.components if name not in robot.generated]),
         type=plugin.component_types[0] if "system" not in plugin.component_types else "system",
         plugin=plugin.type,
         parameters=[("mujoco_model", options.model_path)] if plugin.type == _MUJOCO and options.model_path else [],

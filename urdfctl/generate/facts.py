@@ -96,7 +96,8 @@ class RobotFacts(NamedTuple):
     joints already have from transmissions or `<ros2_control>` tags. `parts` are the joints, sensors and gpios of these
     tags. `hosts` are the file names of its simulator plugins. `sensor_links` are the links of its sensors by name.
     `distro` is that of the robot, None if several `distros` are possible. `arguments` are its xacro arguments with
-    their defaults. `skeleton` is there if the simulator is MuJoCo.
+    their defaults. `skeleton` is there if the simulator is MuJoCo. `generated` are the components that
+    gen-ros2-control wrote, and their parts.
     """
 
     name: str | None = None
@@ -117,6 +118,7 @@ class RobotFacts(NamedTuple):
     simulator: str | None = None
     arguments: Mapping[str, str] = {}
     skeleton: Skeleton | None = None
+    generated: tuple[str, ...] = ()
 
     def of_kind(self, kind: str) -> tuple[PartFacts, ...]:
         """Return the joints, sensors or gpios of its `<ros2_control>` tags."""

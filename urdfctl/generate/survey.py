@@ -11,6 +11,7 @@ from urdfctl.model.parts import Number
 from urdfctl.model.robot import Joint, Robot
 
 _MOVING = ("revolute", "continuous", "prismatic")
+_MADE, _HEADER = b"made by urdfctl gen-ros2-control ", 2048
 _UNEVEN = 0.1
 """The greatest height above the lowest wheel, in radii, at which another wheel still touches the ground."""
 _LEVEL = 0.3
@@ -37,7 +38,17 @@ def facts_of(robot: Robot) -> RobotFacts:
         components=tuple(control.name or "" for control in robot.ros2_controls),
         hosts=tuple(plugin.filename for plugin in robot.plugins if plugin.filename),
         sensor_links=_sensor_links(robot),
+        generated=tuple(_generated(robot)),
     )
+
+
+def _generated(robot: Robot) -> Iterator[str]:
+    """The components that gen-ros2-control wrote, and their parts: writing the file again replaces them."""
+    for control in robot.ros2_controls:
+        data, start = control.tag.at.source.data, control.tag.at.start
+        if _MADE in data[:_HEADER] or _MADE in data[max(0, start - _HEADER // 2) : start]:
+            yield control.name or ""
+            yield from (part.name or "" for kind in ("joint", "sensor", "gpio") for part in control.of_kind(kind))
 
 
 def _moving_above(robot: Robot) -> dict[str, str]:

@@ -3,10 +3,10 @@
 """Start the robot in gazebo-classic and its controllers."""
 
 from launch import LaunchDescription
-from launch.actions import IncludeLaunchDescription, RegisterEventHandler
+from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription, RegisterEventHandler
 from launch.event_handlers import OnProcessExit
 from launch.launch_description_sources import PythonLaunchDescriptionSource
-from launch.substitutions import Command, PathJoinSubstitution
+from launch.substitutions import Command, LaunchConfiguration, PathJoinSubstitution
 from launch_ros.actions import Node
 from launch_ros.parameter_descriptions import ParameterValue
 from launch_ros.substitutions import FindPackageShare
@@ -25,11 +25,25 @@ def generate_launch_description():
     )
 
     world = PathJoinSubstitution([FindPackageShare("gazebo_ros"), "launch", "gazebo.launch.py"])
-    simulator = IncludeLaunchDescription(PythonLaunchDescriptionSource(world))
+    settings = {"gui": LaunchConfiguration("gui"), "world": LaunchConfiguration("world")}
+    simulator = IncludeLaunchDescription(PythonLaunchDescriptionSource(world), launch_arguments=settings.items())
     robot = Node(
         package="gazebo_ros",
         executable="spawn_entity.py",
-        arguments=["-topic", "robot_description", "-entity", "radu"],
+        arguments=[
+            "-topic",
+            "robot_description",
+            "-entity",
+            "radu",
+            "-x",
+            LaunchConfiguration("x"),
+            "-y",
+            LaunchConfiguration("y"),
+            "-z",
+            LaunchConfiguration("z"),
+            "-Y",
+            LaunchConfiguration("yaw"),
+        ],
     )
 
     # the joint state broadcaster first, then the controllers that move joints
@@ -54,6 +68,12 @@ def generate_launch_description():
 
     return LaunchDescription(
         [
+            DeclareLaunchArgument("world", default_value="worlds/empty.world", description="world of the simulator"),
+            DeclareLaunchArgument("gui", default_value="true", description="false: without a window"),
+            DeclareLaunchArgument("x", default_value="0.0", description="x of the robot in the world, in m"),
+            DeclareLaunchArgument("y", default_value="0.0", description="y of the robot in the world, in m"),
+            DeclareLaunchArgument("z", default_value="0.1", description="z of the robot in the world, in m"),
+            DeclareLaunchArgument("yaw", default_value="0.0", description="yaw of the robot in the world, in rad"),
             simulator,
             state_publisher,
             robot,

@@ -15,6 +15,8 @@ from test_generate_controllers import (
     test_every_type_of_controller_is_written_so_that_lint_finds_nothing_and_twice_the_same,
 )
 from test_generate_good import test_the_same_types_claim_the_same
+from test_generate_matrix import test_every_combination_lints_and_smokes_clean_or_is_refused
+from test_generate_mjcf import test_public_robots_are_the_same_mechanisms
 from test_generate_robot import test_a_package_of_every_kind_of_controller_lints_clean, test_a_package_smokes_clean
 from test_shards import (
     test_it_changes_nothing_how_many_robots_are_looked_at_at_once,
