@@ -9,6 +9,9 @@ from folder import Folder
 
 from urdfctl.diagnostic import Diagnostic, Location, Remark, Severity
 from urdfctl.lint.causes import LINKS, without_consequences
+from urdfctl.lint.merging import merge
+from urdfctl.lint.results import Outcome
+from urdfctl.lint.selection import Selection
 from urdfctl.rules import all_rules
 
 XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
@@ -117,6 +120,11 @@ def test_interfaces_are_missing_because_a_transmission_stands_for_the_joint() ->
     of_it, other = (found("UC450", f"no hardware exports '{name}'", 5) for name in ("elbow", "wrist"))
     left = without_consequences([of_it, other, cause])
     assert [one.message for one in left] == [other.message, cause.message]
+
+
+def test_variants_of_a_robot_share_the_cause_at_a_place() -> None:
+    cause, consequence = found("UC436", "'x' is not read", 1), found("UC435", "'x' is deprecated", 1)
+    assert [one.code for one in merge([Outcome([cause], []), Outcome([consequence], [])], Selection())] == ["UC436"]
 
 
 def test_causes_and_consequences_are_rules() -> None:

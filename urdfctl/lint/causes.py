@@ -64,20 +64,25 @@ LINKS = (
     Link("UC345", ("UC355",), at_its_place),
     Link("UC361", ("UC471", "UC513"), of_its_robot),
     Link("UC436", ("UC435",), at_its_place),
+    Link("UC471", ("UC330",), of_its_robot),
     Link("UC524", ("UC525",), of_its_robot),
     Link("UC601", ("UC603",), of_its_robot),
 )
+LINKS_OF_PLACES = tuple(link for link in LINKS if link.explains is at_its_place)
+"""Those that also hold between the findings of several projects."""
 _CONSEQUENCES = {code for link in LINKS for code in link.consequences}
 _NAME = lazy_pattern(r"'([^']+)'")
 
 
-def without_consequences(findings: Sequence[Diagnostic]) -> Sequence[Diagnostic]:
+def without_consequences(findings: Sequence[Diagnostic], links: Sequence[Link] = LINKS) -> Sequence[Diagnostic]:
     """Return the findings of a project without those that another one explains.
 
     The cause gets their severity if it is worse, and a note that counts those elsewhere.
     """
     codes = {finding.code for finding in findings}
-    links = [link for link in LINKS if link.cause in codes] if codes & _CONSEQUENCES else []
+    links = [link for link in links if link.cause in codes] if codes & _CONSEQUENCES else []
+    if not links:
+        return findings
     explained: dict[int, list[Diagnostic]] = {}
     left_out: set[int] = set()
     for link in links:
