@@ -163,6 +163,17 @@ PROPOSALS = {
     ),
     "two wheels and a caster": ((*WHEELS, *CASTER), "base_controller=diff_drive:left_wheel,right_wheel"),
     "four wheels": (FOUR, "base_controller=diff_drive:f_l,f_r,r_l,r_r"),
+    "a rover with rockers": (
+        (
+            joint("left_rocker", "base", at="0 0.2 0"),
+            wheel("left_wheel_1", 0.2, 0, "left_rocker_link"),
+            wheel("left_wheel_2", -0.2, 0, "left_rocker_link"),
+            joint("right_rocker", "base", at="0 -0.2 0"),
+            wheel("right_wheel_1", 0.2, 0, "right_rocker_link"),
+            wheel("right_wheel_2", -0.2, 0, "right_rocker_link"),
+        ),
+        "base_controller=diff_drive:left_wheel_1,left_wheel_2,right_wheel_1,right_wheel_2",
+    ),
     "four mecanum wheels": (
         tuple(part.replace("_link", "_mecanum") for part in FOUR),
         "base_controller=mecanum:f_l,f_r,r_l,r_r",
@@ -206,6 +217,24 @@ def test_sensors_and_gpios_get_broadcasters(folder: Folder) -> None:
     assert found["gpio_controller"]["gpios"] == ["valve"]
     full = written(folder, robot(part), "--type", "gpio_controllers/GpioCommandController")
     assert full["gpio_controller"]["command_interfaces"] == {"valve": {"interfaces": ["open"]}}
+
+
+def test_what_is_proposed_fits_the_interfaces_that_the_robot_has(folder: Folder) -> None:
+    transmissions = "".join(
+        f"""<transmission name="{side}"><type>transmission_interface/SimpleTransmission</type>
+        <joint name="{side}_wheel">
+        <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>
+        <actuator name="{side}_motor"/></transmission>"""
+        for side in ("left", "right")
+    )
+    found = written(folder, robot(*WHEELS, transmissions), distro="noetic")
+    assert [one["type"] for one in found.values()] == ["effort_controllers/JointVelocityController"] * 2
+    parts = "".join(
+        f'<joint name="{side}_wheel"><command_interface name="effort"/></joint>' for side in ("left", "right")
+    )
+    component = f"""<ros2_control name="hw" type="system"><hardware><plugin>mock_components/GenericSystem</plugin>
+        </hardware>{parts}</ros2_control>"""
+    assert written(folder, robot(*WHEELS, component))["wheel_controller"]["interface_name"] == "effort"
 
 
 def test_an_unclear_drive_is_asked_for(folder: Folder) -> None:

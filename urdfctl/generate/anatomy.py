@@ -122,7 +122,16 @@ def _is_wheel(tree: _Tree, joint: JointFacts) -> bool:
         return False
     carriers = tree.over(joint)
     below = tree.under(joint.name)
-    return all(_is_upright(upper) or upper.slides for upper in carriers) and (not below or len(below) >= _ROLLERS)
+    if below and len(below) < _ROLLERS:
+        return False
+    rockers = [upper for upper in carriers if not (_is_upright(upper) or upper.slides)]
+    named = bool(_WHEEL.search(joint.name) or _WHEEL.search(joint.link or ""))
+    return not rockers or (named and all(_carries_wheels(tree, rocker) for rocker in rockers))
+
+
+def _carries_wheels(tree: _Tree, rocker: JointFacts) -> bool:
+    """Whether a joint only carries wheels, as the rockers of a rover do."""
+    return all(joint.type == "continuous" for joint in tree.under(rocker.name))
 
 
 def _is_upright(joint: JointFacts) -> bool:

@@ -19,7 +19,7 @@ def check_fit(made: Sequence[Controller], robot: RobotFacts, options: Options) -
 
     Joints that the robot does not offer at all are no fault: they can be added.
     """
-    offered = _offered(robot, options)
+    offered = offered_by(robot, options)
     own = {controller.name for controller in made}
     for controller in made:
         claimed = claims(controller.type, controller.name, controller.values)
@@ -31,7 +31,8 @@ def check_fit(made: Sequence[Controller], robot: RobotFacts, options: Options) -
             raise UserError(_message(controller, claim.component, interface, there, options))
 
 
-def _offered(robot: RobotFacts, options: Options) -> dict[str, tuple[str, ...]]:
+def offered_by(robot: RobotFacts, options: Options) -> dict[str, tuple[str, ...]]:
+    """Return the command interfaces that each joint of a robot already has, from its transmissions or components."""
     if options.ros == 1:
         return dict(robot.interfaces)
     return {part.name: part.commands for part in robot.of_kind("joint") if part.commands}

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import takewhile
 
 from urdfctl.errors import UserError
 from urdfctl.generate.anatomy import Base, Tool, anatomy_of
 from urdfctl.generate.facts import JointFacts, RobotFacts
+from urdfctl.generate.fit import offered_by
 from urdfctl.generate.options import Options, Request
 
 _SENSORS = {
@@ -30,11 +31,11 @@ _ONLY_ROS2 = ("mecanum", "omni", "bicycle", "tricycle", "tricycle_steering")
 
 def proposed(robot: RobotFacts, joints: Sequence[JointFacts], options: Options) -> tuple[Request, ...]:
     """Return controllers for all parts of a robot that some joints form. UserError if one of them is unclear."""
-    parts = anatomy_of(robot, joints)
+    parts, offered = anatomy_of(robot, joints), offered_by(robot, options)
     found = [
-        *(_of_base(parts.base, options) if parts.base else ()),
+        *(_of_base(parts.base, options, offered) if parts.base else ()),
         *_of_chains(parts.chains),
-        *_of_tools(parts.tools),
+        *_of_tools(parts.tools, offered),
         *(_of_sensors(robot) if options.ros == 2 else ()),  # noqa: PLR2004
     ]
     return tuple(_numbered(found))
@@ -50,7 +51,12 @@ def _shown_joints(request: Request) -> str:
     return f":{text}" if text else ""
 
 
-def _of_base(base: Base, options: Options) -> Iterator[Request]:
+def _of_base(base: Base, options: Options, offered: Mapping[str, tuple[str, ...]]) -> Iterator[Request]:
+    other = _other_than("velocity", base.joints, offered)
+    if other:  # in ROS 1, velocity controllers also command efforts
+        kind = "velocity" if options.ros == 1 and other == "effort" else other
+        yield Request("wheel_controller", kind, tuple(joint.name for joint in base.joints))
+        return
     here = {1: _ONLY_ROS2, 2: ("four_wheel_steering",)}[options.ros]
     if base.kind is None or base.kind in here:
         names = ", ".join(joint.name for joint in (*base.joints, *base.others)[:4])
@@ -67,10 +73,17 @@ def _of_chains(chains: Sequence[tuple[JointFacts, ...]]) -> Iterator[Request]:
         yield Request(f"{prefix}{label}_controller", "trajectory", tuple(joint.name for joint in chain))
 
 
-def _of_tools(tools: Sequence[Tool]) -> Iterator[Request]:
+def _other_than(wanted: str, joints: Sequence[JointFacts], offered: Mapping[str, tuple[str, ...]]) -> str | None:
+    """The interface that the robot has for some joints if one of them lacks the wanted one."""
+    known = [offered[joint.name] for joint in joints if offered.get(joint.name)]
+    return next((names[0] for names in known if wanted not in names), None)
+
+
+def _of_tools(tools: Sequence[Tool], offered: Mapping[str, tuple[str, ...]]) -> Iterator[Request]:
     for tool in tools:
         prefix = _prefix(tool.joints, "gripper") if len(tools) > 1 else ""
-        kind = "gripper" if tool.single else "trajectory"
+        fits = _other_than("position", tool.joints, offered) in (None, "effort")
+        kind = "gripper" if tool.single and fits else "trajectory"
         yield Request(f"{prefix}gripper_controller", kind, tuple(joint.name for joint in tool.joints))
 
 
