@@ -73,16 +73,18 @@ class Simulation:
         leader, factor, offset = hinge.mimic or ("", 0.0, 0.0)
         return self.engine.position(leader) * factor + offset
 
-    def tracked(self, motion: Motion, goals: Sequence[Goal], seconds: float) -> list[Track]:
-        """Return what the joints of some goals do while a motion commands them for some seconds."""
-        tracks = [Track([], [], []) for _ in goals]
+    def tracked(self, motions: Sequence[tuple[Motion, Sequence[Goal]]], seconds: float) -> list[list[Track]]:
+        """Return what the joints of some goals do while motions command them, all at once, for some seconds."""
+        tracks = [[Track([], [], []) for _ in goals] for _, goals in motions]
         for update in range(max(4, round(seconds / self.period))):
-            motion.update(update * self.period, self.period)
+            for motion, _ in motions:
+                motion.update(update * self.period, self.period)
             self.update()
-            for index, (goal, track) in enumerate(zip(goals, tracks, strict=True)):
-                track.positions.append(self.engine.position(goal.hinge.name))
-                track.velocities.append(self.engine.velocity(goal.hinge.name))
-                track.wanted.append(motion.wanted(index))
+            for (motion, goals), of_motion in zip(motions, tracks, strict=True):
+                for index, (goal, track) in enumerate(zip(goals, of_motion, strict=True)):
+                    track.positions.append(self.engine.position(goal.hinge.name))
+                    track.velocities.append(self.engine.velocity(goal.hinge.name))
+                    track.wanted.append(motion.wanted(index))
         return tracks
 
     def curve(

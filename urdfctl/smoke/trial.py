@@ -14,6 +14,7 @@ from urdfctl.smoke.checks import (
     MIMIC,
     SLIPPING,
     Journey,
+    Track,
     forward_troubles,
     joint_troubles,
     together_troubles,
@@ -22,6 +23,7 @@ from urdfctl.smoke.checks import (
 from urdfctl.smoke.drives import wheels_of
 from urdfctl.smoke.engines import STEP, Engine, Refused, Setup, open_engine
 from urdfctl.smoke.ground import TIPPED
+from urdfctl.smoke.groups import groups_of
 from urdfctl.smoke.loads import gravity_load, moved_inertias
 from urdfctl.smoke.mechanism import Mechanism
 from urdfctl.smoke.motions import FREELY, Goal, Loop, Wheels, goal_of, hold, motion_of, speed_of, turning_of
@@ -143,8 +145,8 @@ class Trial:
         try:
             if not self._settled():
                 return
-            for task in self._plan.tasks:
-                self._run_task(task)
+            for group in groups_of(self._plan.tasks, self._plan.mechanism, fixed=self._plan.fixed):
+                self._run([task for task in group if self._can_run(task)])
             self._together()
             self._mimics()
         except OutOfTime:
@@ -191,25 +193,31 @@ class Trial:
 
     # -- controllers -------------------------------------------------------------------------------------------------
 
-    def _run_task(self, task: Task) -> None:
+    def _can_run(self, task: Task) -> bool:
+        """Whether a controller moves something that can be simulated; if not, it is noted why."""
         if task.family is Family.STRUCTURAL:
             self.unjudged[task.controller] = f"not simulated: {task.why}"
-            return
-        if task.family is Family.NOTHING:
+        elif task.family is Family.NOTHING:
             self.moved.append(task.controller)
             self.acts[task.controller] = "reads"
-            return
-        why = self._why_not(task)
-        if why:
+        elif why := self._why_not(task):
             self.unjudged[task.controller] = f"not simulated: {why}"
+        else:
+            return True
+        return False
+
+    def _run(self, tasks: Sequence[Task]) -> None:
+        """Test some controllers at the same time."""
+        if not tasks:
             return
         try:
-            judged = self._drive(task, task.drive) if task.drive else self._move(task)
+            judged = self._drive(tasks[0], tasks[0].drive) if tasks[0].drive else self._move(tasks)
         except Exploded:
-            subject, when = f"controller:{task.controller}", f" while controller '{task.controller}' moves its joints"
-            self.troubles.append(trouble_of(simulation_explodes, subject, task.controller, when=when))
+            for name in (task.controller for task in tasks):
+                when = f" while controller '{name}' moves its joints"
+                self.troubles.append(trouble_of(simulation_explodes, f"controller:{name}", name, when=when))
             raise
-        if judged:
+        for task in tasks if judged else ():
             self.moved.append(task.controller)
             loop = task.family in (Family.POSITION_PID, Family.TRAJECTORY) or task.interface == "position"
             self.acts[task.controller] = "drives" if task.drive else "follows" if loop else "moves"
@@ -231,7 +239,7 @@ class Trial:
         for name in [goal.hinge.name for goal in goals]:
             goal = self._goals([name], self._plan.duration)[0]
             motion = motion_of(self._engine, task, [goal], PUSHING)
-            tracks = self._simulation.tracked(motion, [goal], PUSHING)
+            tracks = self._simulation.tracked([(motion, [goal])], PUSHING)[0]
             self.troubles += joint_troubles(task, [goal], tracks, PUSHING)
             self.curves.append(self._simulation.curve(task.controller, name, "position", [], tracks[0].positions))
             hold(self._engine, goal.hinge, self._engine.position(name))
@@ -242,33 +250,36 @@ class Trial:
         weights = gravity_load(self._simulation.mechanism, positions) if self._plan.fixed else {}
         return [goal_of(self._hinges[name], positions[name], weights.get(name, 0.0), duration) for name in names]
 
-    def _move(self, task: Task) -> bool:
-        loop = task.family in (Family.POSITION_PID, Family.VELOCITY_PID) or task.interface != "position"
+    def _move(self, tasks: Sequence[Task]) -> bool:
+        """Move the joints of some controllers that command in the same way."""
+        first = tasks[0]
+        loop = first.family in (Family.POSITION_PID, Family.VELOCITY_PID) or first.interface != "position"
         seconds = self._plan.duration * (1.0 if loop else 0.5)
-        goals = self._goals(task.joints, seconds)
-        if task.family is Family.FORWARD and task.interface == "effort":
-            self._push_each(task, goals)
+        goals = [self._goals(task.joints, seconds) for task in tasks]
+        if first.family is Family.FORWARD and first.interface == "effort":
+            self._push_each(first, goals[0])
             return True
-        motion = motion_of(self._engine, task, goals, seconds)
+        motions = [motion_of(self._engine, task, own, seconds) for task, own in zip(tasks, goals, strict=True)]
         steps = self._simulation.steps
         if not loop:  # a driver updates positions more often than a slow manager
             self._simulation.every(min(steps, MOST_STEPS))
-        tracks = self._simulation.tracked(motion, goals, seconds)
+        tracks = self._simulation.tracked(list(zip(motions, goals, strict=True)), seconds)
         self._simulation.every(steps)
+        for task, own, tracked in zip(tasks, goals, tracks, strict=True):
+            self._judge(task, own, tracked, seconds)
+        self._simulation.run_for(0.1)
+        return True
+
+    def _judge(self, task: Task, goals: Sequence[Goal], tracks: Sequence[Track], seconds: float) -> None:
         self.troubles += joint_troubles(task, goals, tracks, seconds)
         of_velocity = task.family is Family.VELOCITY_PID or (
             task.family is Family.FORWARD and task.interface == "velocity"
         )
         quantity = "velocity" if of_velocity else "position"
         for goal, track in zip(goals, tracks, strict=True):
-            measured = track.velocities if of_velocity else track.positions
-            self.curves.append(
-                self._simulation.curve(task.controller, goal.hinge.name, quantity, track.wanted, measured)
-            )
-        for goal in goals:
-            hold(self._engine, goal.hinge, self._engine.position(goal.hinge.name))
-        self._simulation.run_for(0.1)
-        return True
+            measured, name = track.velocities if of_velocity else track.positions, goal.hinge.name
+            self.curves.append(self._simulation.curve(task.controller, name, quantity, track.wanted, measured))
+            hold(self._engine, goal.hinge, self._engine.position(name))
 
     def _together(self) -> None:
         """Run all loops together: joints that are still when they are moved alone may disturb each other."""
@@ -286,7 +297,7 @@ class Trial:
         ]
         gains = [task.gains[index] for task, index in owners.values()]
         motion = Loop(self._engine, goals, gains, "effort", lambda goal, _: (goal.end, 0.0))
-        tracks = self._simulation.tracked(motion, goals, self._plan.duration)
+        tracks = self._simulation.tracked([(motion, goals)], self._plan.duration)[0]
         self.troubles += together_troubles(tasks, goals, tracks)
 
     def _mimics(self) -> None:

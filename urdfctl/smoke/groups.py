@@ -1,0 +1,47 @@
+"""Controllers whose joints move at the same time, because no motion of one is felt by another."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from urdfctl.smoke.mechanism import Mechanism
+from urdfctl.smoke.tasks import Family, Task
+
+_ALONE = (Family.NOTHING, Family.STRUCTURAL)
+
+
+def groups_of(tasks: Sequence[Task], mechanism: Mechanism, *, fixed: bool) -> list[list[Task]]:
+    """Return the controllers in groups that can be tested together, in the order of the first of each.
+
+    Joints of different branches do not disturb each other if the base is fixed. The controllers of a group command in
+    the same way, so that one motion takes the same time for all.
+    """
+    groups: list[tuple[tuple[Family, str], set[str], list[Task]]] = []
+    for task in tasks:
+        links = _moved(task, mechanism)
+        kind = task.family, task.interface
+        together = fixed and bool(links) and not _alone(task)
+        for of_group, taken, members in groups if together else ():
+            if of_group == kind and not taken & links and not _alone(members[0]):
+                taken.update(links)
+                members.append(task)
+                break
+        else:
+            groups.append((kind, set(links), [task]))
+    return [members for _, _, members in groups]
+
+
+def _alone(task: Task) -> bool:
+    """Whether a controller is tested alone: it moves nothing, drives a base, or pushes one joint after the other."""
+    pushes = task.family is Family.FORWARD and task.interface == "effort"
+    return task.drive is not None or pushes or task.family in _ALONE
+
+
+def _moved(task: Task, mechanism: Mechanism) -> set[str]:
+    """All links that a controller moves, with those that hang on the joints that mimic its joints."""
+    names = set(task.joints)
+    moved: set[str] = set()
+    for hinge in mechanism.hinges:
+        if hinge.name in names or (hinge.mimic and hinge.mimic[0] in names):
+            moved |= mechanism.below(hinge.child)
+    return moved
