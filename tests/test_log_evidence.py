@@ -59,6 +59,12 @@ def test_a_description_that_arrives_late_is_harmless() -> None:
     assert [known.kind for known in found.known] == ["harmless"]
 
 
+def test_a_description_that_one_process_has_settles_the_wait_of_another() -> None:
+    waits = "[j-2] [INFO] [1.0] [j]: Waiting for robot_description to be published on the robot_description topic...\n"
+    assert [known.kind for known in log(waits).known] == ["consequence"]
+    assert [known.kind for known in log("[r-1] [INFO] [0.9] [r]: got segment base\n" + waits).known] == ["harmless"]
+
+
 def test_processes_that_die_after_ctrl_c_are_not_reported() -> None:
     died = "[ERROR] [rviz2-3]: process has died [pid 7, exit code -6, cmd 'rviz2'].\n"
     assert [known.kind for known in log(died).known] == ["consequence"]

@@ -36,6 +36,7 @@ class LogMessage(NamedTuple):
 
     info: whether it has its kind in a line of level INFO too. Others are then only progress.
     settles: the ids of earlier messages that this one makes harmless. ends: those of later messages that are normal.
+    everywhere: whether it settles them in every process and at any time, not only earlier ones of its own process.
     """
 
     id: str
@@ -50,6 +51,7 @@ class LogMessage(NamedTuple):
     info: bool = False
     settles: tuple[str, ...] = ()
     ends: tuple[str, ...] = ()
+    everywhere: bool = False
 
     @property
     def rules(self) -> tuple[str, ...]:
@@ -78,6 +80,7 @@ def _message(key: str, entry: Mapping[str, Any]) -> LogMessage:
         info=entry.get("info", False),
         settles=tuple(entry.get("settles", ())),
         ends=tuple(entry.get("ends", ())),
+        everywhere=entry.get("everywhere", False),
     )
 
 

@@ -28,6 +28,8 @@ _MOST_CANDIDATES = 3
 _SHORT = 40
 """Lines up to which a log is read like pasted lines: those without a level may be errors too."""
 _TRACED = re.compile(r'^\W*File ".+", line \d+, in \S+$')
+_EVERYWHERE = "*"
+"""Stands for all processes."""
 _INSTALLED = "/opt/ros/"
 _LEVELS = ("error", "warning", "", "info")
 _URGENT = ("failure", "consequence", "warning")
@@ -187,7 +189,9 @@ class _Reader:
         settled = 0
         for process, last in self._last[name].items():
             later = [
-                line for other, line in settling.items() if line >= last and (not process or other in {"", process})
+                line
+                for other, line in settling.items()
+                if other == _EVERYWHERE or (line >= last and (not process or other in {"", process}))
             ]
             if not later:
                 return 0
@@ -269,7 +273,7 @@ class _Reader:
             return
         self._ended.update(message.ends)
         for name in message.settles:
-            _add(self._settling.setdefault(name, {}), line.process, number)
+            _add(self._settling.setdefault(name, {}), _EVERYWHERE if message.everywhere else line.process, number)
         _add(self._last.setdefault(message.id, {}), line.process, number)
         known = self._known.get(message.id)
         values = dict(hit.match.values)
