@@ -214,7 +214,12 @@ def test_an_interrupted_generator_ends_quietly(folder: Folder) -> None:
     [
         ("lint settings/a.urdf", 2, "settings/urdfctl.toml: unknown key '\\x1b[31mred'"),
         (f"gen-controllers names {GEN}", 2, "several robots found: names/\\x1b[31m.urdf, names/b.urdf"),
-        ("gen-check made", 0, "'made/c.yaml' is skipped: its input '\\x1b[31mred.urdf' does not exist"),
+        (
+            "gen-check made",
+            2,
+            "'made/c.yaml' is skipped: its input '\\x1b[31mred.urdf' does not exist\n"
+            "urdfctl: no generated file was checked in made",
+        ),
         ("smoke made/\x1b[31m", 2, "file or folder 'made/\\x1b[31m' does not exist"),
     ],
 )

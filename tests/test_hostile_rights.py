@@ -73,8 +73,10 @@ def bound(folder: Folder) -> Iterator[Callable[[str], tuple[int, str, str]]]:
             subprocess.run(["true"], preexec_fn=limit, check=True)
         except (subprocess.SubprocessError, AttributeError):
             pytest.skip("the super-user cannot be bound by permissions here")
-    folder.write({"a.urdf": ROBOT, "joints.txt": "elbow\n", "secret.urdf": ROBOT, "shut/a.urdf": ROBOT})
-    changed = {"secret.urdf": 0, "shut": 0, ".": 0o555}
+    folder.write(
+        {"a.urdf": ROBOT, "joints.txt": "elbow\n", "secret.urdf": ROBOT, "secret.log": "", "shut/a.urdf": ROBOT}
+    )
+    changed = {"secret.urdf": 0, "secret.log": 0, "shut": 0, ".": 0o555}
     for name, mode in changed.items():
         (folder.path / name).chmod(mode)
     yield lambda words: run(folder, words, limit)
@@ -106,7 +108,7 @@ def test_a_read_only_folder_is_linted_as_any_other(folder: Folder, bound: Bound)
         (f"gen-transmissions a.urdf {GEN} --into secret.urdf", "'secret.urdf' cannot be read: Permission denied"),
         (f"gen-transmissions a.urdf {GEN} --into a.urdf", "'a.urdf' cannot be written: Permission denied"),
         ("gen-check shut", "'shut' cannot be read: Permission denied"),
-        ("explain secret.urdf", "'secret.urdf' cannot be read: Permission denied"),
+        ("explain secret.log", "'secret.log' cannot be read: Permission denied"),
         ("smoke a.urdf --engine none --report r.html", "'r.html' cannot be written: Permission denied"),
     ],
 )

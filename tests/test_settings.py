@@ -6,6 +6,7 @@ from __future__ import annotations
 import pytest
 from folder import Folder
 
+from urdfctl.catalog.distros import ALL
 from urdfctl.config.settings import Settings, passed_on, validate_settings
 from urdfctl.errors import UserError
 
@@ -15,7 +16,7 @@ from urdfctl.errors import UserError
     [
         (Settings(distro="noetik"), "unknown distro 'noetik'; did you mean 'noetic'?"),
         (Settings(distro="Jazzy"), "unknown distro 'Jazzy'; did you mean 'jazzy'?"),
-        (Settings(distro="xyz"), "unknown distro 'xyz'"),
+        (Settings(distro="xyz"), f"unknown distro 'xyz'; known are {', '.join(ALL)}"),
         (Settings(simulator="ode"), "unknown simulator 'ode'; known are gz, gazebo-classic, mujoco, none"),
         (
             Settings(simulator="mujoko"),
