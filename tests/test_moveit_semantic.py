@@ -289,3 +289,10 @@ def test_entries_of_controller_list_need_a_type_and_an_action(entry: str, expect
     _write(tmp_path, {**files, "arm.launch": launch})
     found = findings(Target(str(tmp_path / "arm.launch")), ("UC65",), workspace=str(tmp_path), distro="noetic")
     assert [f"{one.severity.value} {one.code} {one.at.line}:{one.at.column}" for one in found] == expected
+
+
+def test_a_builder_needs_the_usual_files(tmp_path: Path) -> None:
+    kept = {name: text for name, text in _CONFIG.items() if "kinematics" not in name}
+    _write(tmp_path, {**kept, "demo.launch.py": _BUILDER.replace("CALLS", "").replace("LAUNCH", "demo")})
+    found = findings(Target(str(tmp_path / "demo.launch.py")), ("UC676",), workspace=str(tmp_path), distro="humble")
+    assert [one.message for one in found] == ["kinematics file for MoveIt does not exist: 'config/kinematics.yaml'"]

@@ -100,6 +100,7 @@ def _without_needed(launch: Launch, arguments: Mapping[str, str], reader: _Reade
         references=tuple(one._replace(file=blurred(one.file)) for one in launch.references),
         descriptions=tuple(one._replace(file=blurred(one.file)) for one in launch.descriptions),
         loads=tuple(one._replace(file=blurred(one.file)) for one in launch.loads),
+        moveit=tuple(one._replace(semantic=one.semantic and blurred(one.semantic)) for one in launch.moveit),
     )
 
 

@@ -360,9 +360,8 @@ class _Parameters:
             self._description(term)
         elif builder is not None and (isinstance(term, Called) or term.name == _SEMANTIC):
             runs = self.executable == "move_group"
-            nodes.facts.moveit.append(
-                builder.files(term.at, nodes._locate, namespace=self.namespace, sure=self.sure, runs=runs)
-            )
+            files = builder.files(term.at, nodes._locate, namespace=self.namespace, sure=self.sure, runs=runs)
+            nodes.facts.moveit.append(files)
             if runs and isinstance(term, Called):
                 exists = lambda path: bool(nodes._locate(path)[1])  # noqa: E731 (one use)
                 nodes.described(builder.description(exists, term.at), self.executable, self.namespace, sure=self.sure)

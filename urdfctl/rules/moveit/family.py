@@ -16,6 +16,7 @@ from urdfctl.rules.moveit.moveit_action_differs import moveit_action_differs
 from urdfctl.rules.moveit.moveit_controller_incomplete import moveit_controller_incomplete
 from urdfctl.rules.moveit.moveit_controller_unknown import moveit_controller_unknown
 from urdfctl.rules.moveit.moveit_controller_unlisted import moveit_controller_unlisted
+from urdfctl.rules.moveit.moveit_file_missing import moveit_file_missing
 from urdfctl.rules.moveit.moveit_joint_unknown import moveit_joint_unknown
 from urdfctl.rules.moveit.moveit_joints_differ import moveit_joints_differ
 from urdfctl.rules.moveit.pipeline_of_other_distro import pipeline_of_other_distro
@@ -55,4 +56,5 @@ RULES: tuple[Rule, ...] = (
     virtual_joint_not_at_root,
     kinematics_without_prefix,
     moveit_controller_unlisted,
+    moveit_file_missing,
 )
