@@ -217,8 +217,10 @@ def test_an_interrupted_generator_ends_quietly(folder: Folder) -> None:
         (
             "gen-check made",
             2,
-            "'made/c.yaml' is skipped: its input '\\x1b[31mred.urdf' does not exist\n"
-            "urdfctl: no generated file was checked in made",
+            (
+                "'made/c.yaml' is skipped: its input '\\x1b[31mred.urdf' does not exist\n"
+                "urdfctl: no generated file was checked in made"
+            ),
         ),
         ("smoke made/\x1b[31m", 2, "file or folder 'made/\\x1b[31m' does not exist"),
     ],
