@@ -110,7 +110,9 @@ class Section(NamedTuple):
         """
         if not node.startswith("/"):
             return self.is_shared or self.name == node
-        return re.fullmatch(_pattern("/" + self.path.lstrip("/")), node) is not None
+        path = "/" + self.path.lstrip("/")
+        is_plain = not any(mark in path for mark in "*<{")
+        return path == node if is_plain else re.fullmatch(_pattern(path), node) is not None
 
 
 def _pattern(path: str) -> str:

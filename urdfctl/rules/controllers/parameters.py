@@ -117,10 +117,14 @@ def slips(reader: Reader) -> dict[str, str]:
         name for name in (*_expected(reader), *_starts(reader)) if "<" not in name and name not in reader.own
     )
     for parameter in unread(reader)[:_MOST_COMPARED]:
-        meant = nearest(parameter.name, candidates) or _misplaced(parameter, candidates)
+        meant = _nearest(parameter.name, candidates) or _misplaced(parameter, candidates)
         if meant is not None and matching(parameter.name, reader.former) is None:
             meant_by[parameter.name] = meant
     return meant_by
+
+
+_nearest = lru_cache(maxsize=256)(nearest)
+"""The distros of a type mostly have the same parameters."""
 
 
 def _misplaced(parameter: Given, candidates: frozenset[str]) -> str | None:
