@@ -8,7 +8,16 @@ from functools import cache
 from urdfctl.catalog.additions import NO_ADDITIONS, Additions
 from urdfctl.catalog.distros import ALL, generation
 from urdfctl.catalog.entries import NOTHING, ControllerType, Parameter, Replacement
-from urdfctl.catalog.reading import controller_type, distros_of, extension, in_distro, read_parameters, replacement_of
+from urdfctl.catalog.reading import (
+    controller_type,
+    distros_of,
+    extension,
+    in_distro,
+    is_external,
+    package_of,
+    read_parameters,
+    replacement_of,
+)
 from urdfctl.catalog.store import plain, renamed
 from urdfctl.startup.hints import TYPE_CHECKING, Any
 
@@ -42,6 +51,13 @@ class Catalog:
         """Return the names of the controller types in a distro."""
         ros = generation(distro)
         return tuple(name for name, entry in self._controller_entries(ros) if distro in distros_of(entry, ros))
+
+    def types_of_ros_control(self, distro: str) -> Iterator[tuple[str, str]]:
+        """Yield the controller types in a distro that come with ros_control or ros2_control, with their packages."""
+        for name, entry in self._controller_entries(generation(distro)):
+            own = in_distro(entry, distro)
+            if own is not None and not is_external(own):
+                yield name, package_of(own)
 
     def distros_of(self, name: str) -> tuple[str, ...]:
         """Return the distros of both ROS generations that have a controller type; none if the type is unknown."""

@@ -70,6 +70,17 @@ def extension(base: Plain, entry: Plain) -> dict[str, Any]:
     return own
 
 
+def package_of(entry: Plain) -> str:
+    """Return the package of a controller's entry."""
+    package: str = entry.get("package", entry["type"].partition("/")[0])
+    return package
+
+
+def is_external(entry: Plain) -> bool:
+    """Return whether a controller's entry is for a type that does not come with ros_control or ros2_control."""
+    return "origin" in entry
+
+
 def controller_type(entry: Plain, distro: str) -> ControllerType | None:
     """Return the controller type of an entry for one distro; None if the entry is not for the distro."""
     own = in_distro(entry, distro)
@@ -81,7 +92,7 @@ def controller_type(entry: Plain, distro: str) -> ControllerType | None:
     return ControllerType(
         type=own["type"],
         distro=distro,
-        package=own.get("package", own["type"].partition("/")[0]),
+        package=package_of(own),
         parameters=parameters,
         former=_former(own, distro, parameters),
         claims=ClaimRules(*_claim_rules(claims, ("command", "state"), distro)) if claims is not None else None,
@@ -91,7 +102,7 @@ def controller_type(entry: Plain, distro: str) -> ControllerType | None:
         broadcaster=own.get("kind") == "broadcaster",
         deprecated=_flag(own.get("deprecated", False), distro),
         replacement=replacement_of(own),
-        external="origin" in own,
+        external=is_external(own),
         since=own.get("since", NOTHING).get(distro),
         hardware_interfaces=tuple(own.get("hardware_interfaces", ())),
         joint_parameters=tuple(own.get("joint_parameters", ())),

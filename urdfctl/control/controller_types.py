@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from functools import lru_cache
+from itertools import chain
 
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.distros import ROS1, ROS2, generation
@@ -54,15 +54,8 @@ def typed(project: Project) -> tuple[Typed, ...]:
 @once_for_the_last
 def _known(catalog: Catalog) -> tuple[dict[str, str], dict[str, str]]:
     """The types that come with ros_control and with ros2_control themselves, by generation, with their ROS packages."""
-    return tuple(dict(_own_types(catalog, family)) for family in (ROS1, ROS2))  # type: ignore[return-value]
-
-
-def _own_types(catalog: Catalog, family: tuple[str, ...]) -> Iterator[tuple[str, str]]:
-    for distro in family:
-        for name in catalog.known_types(distro):
-            kind = catalog.controller(name, distro)
-            if kind is not None and not kind.external:
-                yield name, kind.package
+    by_generation = (map(catalog.types_of_ros_control, family) for family in (ROS1, ROS2))
+    return tuple(dict(chain.from_iterable(types)) for types in by_generation)  # type: ignore[return-value]
 
 
 def meant_by(project: Project, unknown: Typed) -> str | None:
