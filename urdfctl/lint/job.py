@@ -162,6 +162,8 @@ def lint_all(
     focus: as in `lint_target`, for each target; no target has one if empty.
     parallel, meanwhile: as in `Workers`.
     """
+    if not targets:
+        return
     workers = Workers(shared_loader(targets, settings), parallel, _TARGETS_PER_WORKER, meanwhile)
     details = [{"focus": list(paths)} for paths in focus] or None
     results = run_on_targets(lint_work, targets, settings, selection, details=details, workers=workers)
