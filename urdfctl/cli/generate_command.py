@@ -109,7 +109,12 @@ def run_generate(options: GenerateOptions) -> int:
 
     distro = known_distro(settings, robot) or (_ANY_DISTRO if command == "convert" else None)
     made = make(distro) if distro else made_for_newest(robot, make)
-    if made.proposal:
+    return _delivered(command, given, robot, made)
+
+
+def _delivered(command: str, given: Mapping[str, Any], robot: RobotFacts | None, made: Made) -> int:
+    """Write, show or check what was made, and return the exit status."""
+    if made.proposal and not given["check"]:
         print_message(made.proposal)
     if command == "gen-all" and robot and not robot.package and not made.options.robot_text:
         print_message(f"'{robot.file}' is not in a package, so installed files cannot find it")
