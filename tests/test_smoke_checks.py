@@ -138,7 +138,7 @@ def test_a_base_drives_about_as_far_as_commanded(ahead: float, expected: list[st
         (-0.11, "the wheels turn backwards"),
         (-0.09, "the wheels do not roll"),
         (0.09, "the wheels do not roll"),
-        (0.11, "the real wheel radius"),
+        (0.11, "the wheels slip, or their real radius is 0.11 times"),
     ],
 )
 def test_the_note_names_what_a_distance_tells(ahead: float, note: str) -> None:
@@ -149,6 +149,12 @@ def test_the_note_names_what_a_distance_tells(ahead: float, note: str) -> None:
 @pytest.mark.parametrize(("yaw", "expected"), [(0.14, []), (0.16, ["UC941"]), (-0.16, ["UC941"])])
 def test_a_base_that_drives_straight_hardly_turns(yaw: float, expected: list[str]) -> None:
     assert [trouble.code for trouble in forward_troubles(BASE, journey(yaw=yaw))] == expected
+
+
+@pytest.mark.parametrize(("rolled", "note"), [(0.79, "the wheels do not reach their speed"), (0.81, "the wheels slip")])
+def test_wheels_that_turn_too_little_are_too_weak(rolled: float, note: str) -> None:
+    (trouble,) = forward_troubles(BASE, journey(0.5)._replace(rolled=rolled))
+    assert trouble.notes[0].startswith(note)
 
 
 def test_the_ranges_are_wider_in_an_engine_whose_wheels_slip() -> None:

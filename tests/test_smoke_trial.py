@@ -43,6 +43,8 @@ class Obedient:
     def step(self) -> None:
         left, right = (0.1 * self.speeds.get(name, 0.0) for name in ("l", "r"))
         self.x += 0.0005 * (left + right)
+        for name in ("l", "r"):
+            self.places[name] = self.places.get(name, 0.0) + 0.001 * self.speeds.get(name, 0.0)
         self.yaw += 0.001 * (right - left) / 0.4
 
     def standing(self) -> Standing:

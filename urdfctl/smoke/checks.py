@@ -46,6 +46,8 @@ SLIPPING = 0.25
 """Both ends of each range are wider by this in MuJoCo, whose soft contacts let wheels slip."""
 STRAIGHT_YAW = 0.15
 """A base may turn by this while it drives straight, in rad."""
+ROLLED = 0.8
+"""Wheels that turn less than this fraction of what they are commanded are too weak."""
 LEAST_TURN = 0.05
 """A base must turn by at least this fraction of the commanded angle, in every engine."""
 TURNS = {"two": (0.8, 1.2), "skid": (0.05, math.inf), "steered": (0.3, 1.5)}
@@ -144,7 +146,8 @@ class Journey(NamedTuple):
     """Where a base started and ended, and by which angle it turned on the way, in rad.
 
     `distance` and `angle` are what its controller was commanded, in m and rad. `facing` is the direction of the frame
-    that the controller drives, from the root's x axis, in rad.
+    that the controller drives, from the root's x axis, in rad. `rolled` is how far its wheels turned, as a fraction of
+    what they were commanded.
     """
 
     before: Standing
@@ -153,6 +156,7 @@ class Journey(NamedTuple):
     distance: float
     angle: float
     facing: float = 0.0
+    rolled: float = 1.0
 
     @property
     def ahead(self) -> float:
@@ -168,7 +172,7 @@ def forward_troubles(task: Task, journey: Journey, slipping: float = 0.0) -> Ite
     low, high = STRAIGHT[0] - slipping, STRAIGHT[1] + slipping
     subject, controller = f"controller:{task.controller}", task.controller
     if not low < journey.ahead / distance < high:
-        notes = tuple(_why_not(journey.ahead / distance))
+        notes = tuple(_why_not(journey.ahead / distance, journey.rolled))
         expected, actual = f"{distance:.2g} m forward", f"it moves by {journey.ahead:+.3g} m"
         yield trouble_of(does_not_drive_forward, subject, controller, notes, expected=expected, actual=actual)
     elif abs(journey.yaw) > STRAIGHT_YAW + slipping:
@@ -176,13 +180,15 @@ def forward_troubles(task: Task, journey: Journey, slipping: float = 0.0) -> Ite
         yield trouble_of(does_not_drive_forward, subject, controller, expected="straight forward", actual=actual)
 
 
-def _why_not(ratio: float) -> Iterator[str]:
+def _why_not(ratio: float, rolled: float) -> Iterator[str]:
     if ratio < -0.1:  # noqa: PLR2004
         yield "the wheels turn backwards: check the axes of their joints"
     elif ratio < 0.1:  # noqa: PLR2004
         yield "the wheels do not roll: check that they touch the ground, and check their axes and effort limits"
+    elif rolled < ROLLED:
+        yield "the wheels do not reach their speed: check their effort limits, and the mass of the robot"
     else:
-        yield f"the real wheel radius seems to be {ratio:.2g} times the one that the controller uses"
+        yield f"the wheels slip, or their real radius is {ratio / rolled:.2g} times the one that the controller uses"
 
 
 def turn_troubles(task: Task, drive: Drive, journey: Journey, slipping: float = 0.0) -> Iterator[Trouble]:

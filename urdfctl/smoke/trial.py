@@ -44,7 +44,7 @@ MOST_DAMPED = 0.5
 """An explicit damping force may change a joint's velocity by this fraction in a step; from twice the velocity on the
 simulation would explode."""
 ACTS = {
-    "reads": ("started",),
+    "reads": ("started", "read"),
     "moves": ("started", "moved"),
     "follows": ("started", "moved", "followed", "held"),
     "drives": ("started", "drove", "turned"),
@@ -333,6 +333,7 @@ class Trial:
 
     def _journey(self, wheels: Wheels, task: Task, quantity: str, seconds: float) -> Journey:
         before = now = self._engine.standing()
+        start = self._turned(task)
         facing = _facing(self._simulation.mechanism, task)
         yaw, yaws, ahead, wanted = 0.0, [], [], []
         tilt = 0.0
@@ -350,7 +351,15 @@ class Trial:
             self.troubles.append(trouble_of(robot_tips_over, ROBOT, task.controller, (), **fields))
         driven = ahead if quantity == "ahead" else yaws
         self.curves.append(self._simulation.curve(task.controller, "base", quantity, wanted, driven))
-        return Journey(before, now, yaw, wheels.distance, wheels.angle, facing=facing)
+        rolled = (self._turned(task) - start) / wheels.distance if wheels.distance else 1.0
+        return Journey(before, now, yaw, wheels.distance, wheels.angle, facing=facing, rolled=rolled)
+
+    def _turned(self, task: Task) -> float:
+        """How far the driven wheels of a base have rolled on average by their controller's radius, in m."""
+        if task.drive is None:
+            return 0.0
+        drive = measured(self._plan.mechanism, task.drive)
+        return sum(self._engine.position(name) * drive.radius_of(name) for name in drive.wheels) / len(drive.wheels)
 
 
 def _facing(mechanism: Mechanism, task: Task) -> float:
