@@ -316,6 +316,8 @@ class _Builder:
             known = (pair for pair in scope.arguments.items() if if_known(pair[1]) is not None)
             replaced = tuple((f"$(arg {name})", value) for name, value in known)
             self.loads[-1] = self.loads[-1]._replace(replaced=replaced)
+        if texts.truth(element.attrs.get("subst_value", "false")) is not False:
+            self.loads[-1] = self.loads[-1]._replace(substituted=True)
 
     def _contained(self, name: str, at: Place, scope: _Scope) -> None:
         """Add a parameter with its value. Those of a node are private to it."""

@@ -145,6 +145,7 @@ def _leaves_of_rcl(mapping: Mapping, path: tuple[str, ...], faults: list[Fault])
             node = written.items[0]  # rcl reads the first map of a list instead of the list
         value = value_of(node, typed_by_rcl)
         yield Leaf(here, key.at, value)
+        faults.extend(_unexpanded(value, key))
         if not isinstance(node, Scalar) and not value.items and not (isinstance(node, Mapping) and node.entries):
             faults.append(Fault(FaultKind.EMPTY_COLLECTION, key.at, key.text))
         elif isinstance(node, Mapping):
@@ -153,6 +154,12 @@ def _leaves_of_rcl(mapping: Mapping, path: tuple[str, ...], faults: list[Fault])
             faults.extend(_faults_of_list(node, value, key.text))
         elif value.kind is Kind.NULL:
             faults.append(Fault(FaultKind.EMPTY, key.at, key.text))
+
+
+def _unexpanded(value: Value, key: Scalar) -> Iterator[Fault]:
+    for item in (value, *value.items):
+        if "${" in item.text or "$(" in item.text:
+            yield Fault(FaultKind.UNEXPANDED, item.at, key.text)
 
 
 def _faults_of_list(node: Sequence, value: Value, name: str) -> Iterator[Fault]:
@@ -194,6 +201,7 @@ def _leaves_of_rosparam(mapping: Mapping, path: tuple[str, ...], faults: list[Fa
         here = (*path, *(part for part in key.text.split("/") if part))
         value = value_of(node, typed_by_pyyaml)
         yield Leaf(here, key.at, value)
+        faults.extend(_unexpanded(value, key))
         if isinstance(node, Mapping):
             yield from _leaves_of_rosparam(node, here, faults)
         else:

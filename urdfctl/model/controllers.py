@@ -39,6 +39,8 @@ class FaultKind(Enum):
     """ROS 1: several documents; roslaunch reads one, 'expected a single document in the stream'."""
     PYTHON_TAG = auto()
     """ROS 2: a value with a tag such as !!python/tuple; rcl ignores it, Python's safe reader rejects it."""
+    UNEXPANDED = auto()
+    """A value with `${...}`, or `$(...)`, which may have no meaning there; `subject` is its key."""
     LOST_INDENTATION = auto()
     """ROS 2: ros__parameters beside the node's name, not below it; `subject` is the name."""
     OVERFLOW = auto()

@@ -71,6 +71,7 @@ class ParameterLoad(NamedTuple):
     node: ROS 2: executable of the node that gets the file.
     of: ROS 2: namespace of that node.
     replaced: the texts in the file that the launch file replaces, with what replaces them.
+    substituted: ROS 1: whether `$(...)` in the file is evaluated.
     """
 
     file: FileReference
@@ -81,6 +82,7 @@ class ParameterLoad(NamedTuple):
     node: str | None = None
     of: str | None = None
     replaced: tuple[tuple[str, str], ...] = ()
+    substituted: bool = False
 
 
 class InlineParameters(NamedTuple):

@@ -26,6 +26,7 @@ from urdfctl.rules.reading.package_without_manifest import package_without_manif
 from urdfctl.rules.reading.python_tag import python_tag
 from urdfctl.rules.reading.rule_crashed import rule_crashed
 from urdfctl.rules.reading.suppression_unused import suppression_unused
+from urdfctl.rules.reading.text_not_expanded import text_not_expanded
 from urdfctl.rules.reading.undefined_argument import undefined_argument
 from urdfctl.rules.reading.undefined_name import undefined_name
 from urdfctl.rules.reading.unknown_macro import unknown_macro
@@ -72,5 +73,6 @@ RULES: tuple[Rule, ...] = (
     arguments_needed,
     indentation_lost,
     python_tag,
+    text_not_expanded,
     suppression_unused,
 )

@@ -42,7 +42,11 @@ _OF_PROBLEMS = {
     ProblemKind.YAML_TAB: "yaml_tab",
     ProblemKind.PYTHON_SYNTAX: "launch_file_not_python",
 }
-_OF_FAULTS = {"LOST_INDENTATION": "indentation_lost", "PYTHON_TAG": "python_tag"}
+_OF_FAULTS = {
+    "LOST_INDENTATION": "indentation_lost",
+    "PYTHON_TAG": "python_tag",
+    "UNEXPANDED": "text_not_expanded",
+}
 """By the names of the kinds: most runs do not import the model of controllers."""
 
 

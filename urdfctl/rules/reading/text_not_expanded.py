@@ -1,0 +1,70 @@
+"""UC033."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from urdfctl.control.readers import controllers_in
+from urdfctl.model.controllers import FaultKind
+from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rules.launch_samples import ARM, BROADCASTER, CONTROLLERS, MANAGER, PUBLISHER, SOUND, launched
+
+_BRACES = re.compile(r"\$\{[^{}]*\}")
+_ARGUMENT = re.compile(r"\$\(arg\s[^()]*\)")
+_ANY_OF_ROS1 = re.compile(r"\$\((?:arg|find|env|optenv|eval|anon|dirname)\b[^()]*\)")
+_NAMES = ("joint", "wheel", "interface")
+
+
+@rule(
+    "UC033",
+    severity=Severity.WARNING,
+    authority="rcl rcl_yaml_param_parser/src/parse.c and rosparam load_file() read values as they are; roslaunch evaluates "
+    '$(...) with subst_value="true", launch_ros with allow_substs, and nothing evaluates ${...}',
+    bad=launched(
+        PUBLISHER,
+        MANAGER,
+        BROADCASTER,
+        ARM,
+        controllers=CONTROLLERS.replace("joints: [shoulder, elbow]", 'joints: [«"${prefix}shoulder"», elbow]'),
+    ),
+    good=SOUND,
+)
+def text_not_expanded(project: Project) -> Iterator[Finding]:
+    """Expression in a controller file that nothing expands.
+
+    xacro does not read controller files, and `$(arg x)` is text in a YAML file unless the launch file asks for its
+    evaluation. The node gets the text as it is. In a name of a joint, wheel or interface this is an error: the robot has
+    none of that name.
+    """
+    launch = project.launch
+    loads = launch.loads if launch else ()
+    evaluated = {load.file.path for load in loads if load.substituted or load.replaced}
+    loaded = {load.file.path: load.at for load in loads if load.sure}
+    read = _read(project)
+    for fault in controllers_in(project).faults:
+        at = fault.at
+        if (
+            fault.kind is not FaultKind.UNEXPANDED
+            or at.source.path not in loaded
+            or (at.source.path, at.start) not in read
+        ):
+            continue
+        text = fault.at.span.text
+        found = _BRACES.search(text)
+        if found is None and fault.at.source.path not in evaluated:
+            found = (_ANY_OF_ROS1 if launch and launch.ros == 1 else _ARGUMENT).search(text)
+        if found:
+            severity = Severity.ERROR if any(name in fault.subject for name in _NAMES) else None
+            message = f"'{found[0]}' in '{fault.subject}' is not expanded: nothing evaluates it in a controller file"
+            yield Finding(at, message, (Note("the file is loaded here", loaded[at.source.path]),), severity=severity)
+
+
+def _read(project: Project) -> set[tuple[str, int]]:
+    """The places of the values that the manager and the started controllers get; of all if it is unknown which start."""
+    controllers, started = controllers_in(project), project.started
+    names = None if started is None else {name.rpartition("/")[2] for name in started}
+    owners = [one.own for one in controllers.controllers if names is None or one.name in names]
+    owners += [one.own for one in controllers.managers]
+    values = [item for own in owners for leaf in own.leaves for item in (leaf.value, *leaf.value.items)]
+    return {(value.at.source.path, value.at.start) for value in values}
