@@ -86,3 +86,17 @@ def test_a_folder_without_a_robot_is_the_user_s_error(robot: Folder) -> None:
 def test_a_rule_is_not_explained_in_a_folder(robot: Folder) -> None:
     with pytest.raises(UserError, match="--in is for messages and logs"):
         command("UC201", "--in", "arm")
+
+
+def test_the_distro_of_the_files_can_be_named(robot: Folder) -> None:
+    prefixed = LOG.splitlines()[0].replace(
+        "Could not find resource 'elbow' in 'hardware_interface::EffortJointInterface'.",
+        "No matching hardware interface found for 'hardware_interface/PositionJointInterface'",
+    )
+    assert "found:" not in command("-", "--in", "arm", "--distro", "noetic", given=prefixed).stdout
+    assert "(UC226)" in command("-", "--in", "arm", "--distro", "indigo", given=prefixed).stdout
+
+
+def test_a_distro_without_a_folder_is_the_user_s_error() -> None:
+    with pytest.raises(UserError, match="--distro is for --in"):
+        command("-", "--distro", "noetic")

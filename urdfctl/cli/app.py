@@ -55,9 +55,9 @@ def _rules(options: RulesOptions) -> int:
 
 
 def _explain(options: ExplainOptions) -> int:
-    from urdfctl.cli.explain_command import run_explain
+    from urdfctl.cli.explain_command import CheckIn, run_explain
 
-    return run_explain(options.what or [], options.output_format, options.folder)
+    return run_explain(options.what or [], options.output_format, CheckIn(options.folder, options.distro))
 
 
 def _init(options: InitOptions) -> int:

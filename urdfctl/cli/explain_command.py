@@ -13,6 +13,7 @@ from urdfctl.cli.writing import print_text
 from urdfctl.errors import UserError
 from urdfctl.names import did_you_mean
 from urdfctl.rule import Rule
+from urdfctl.startup.records import NamedTuple
 
 _FORMATS = ("text", "json")
 _DESCRIPTIONS = (".urdf", ".xacro", ".yaml", ".yml", ".launch", ".launch.py", ".sdf", ".world")
@@ -22,10 +23,17 @@ _NOTHING = (
 )
 
 
-def run_explain(words: Sequence[str], output_format: str, folder: str | None = None) -> int:
+class CheckIn(NamedTuple):
+    """Where to check which causes are really the case. folder: None for nowhere. distro: None to detect it."""
+
+    folder: str | None = None
+    distro: str | None = None
+
+
+def run_explain(words: Sequence[str], output_format: str, files: CheckIn) -> int:
     """Explain the rule, message or log that the words name. Without words, or for `-`, read standard input.
 
-    folder: check which causes the robots in this folder have.
+    files: check which causes the robots in its folder have.
     Raises UserError if there is nothing to explain, or for a single word that is neither a rule nor a file.
     """
     if output_format not in _FORMATS:
@@ -33,18 +41,20 @@ def run_explain(words: Sequence[str], output_format: str, folder: str | None = N
     text = " ".join(words).strip()
     if words and not text:
         raise UserError(_NOTHING)
+    if files.distro is not None and files.folder is None:
+        raise UserError("--distro is for --in FOLDER, which checks the robot's files")
     if text in {"", "-"}:
-        return _explain_log(_standard_input(), output_format, folder)
+        return _explain_log(_standard_input(), output_format, files)
     rule = _rule(text)
     if rule is not None:
-        return _explain_rule(rule, output_format, folder)
+        return _explain_rule(rule, output_format, files)
     if " " not in text and text.lower().endswith(_DESCRIPTIONS):
         raise UserError(f"explain reads rules, messages and logs; to check '{text}', run: urdfctl lint {text}")
     if os.path.isfile(text):
-        return _explain_file(text, output_format, folder)
+        return _explain_file(text, output_format, files)
     if len(text.split()) == 1:
         raise UserError(_unknown(text))
-    return _explain_log(io.BytesIO(text.encode("utf-8", "surrogateescape")), output_format, folder, pasted=True)
+    return _explain_log(io.BytesIO(text.encode("utf-8", "surrogateescape")), output_format, files, pasted=True)
 
 
 def _rule(text: str) -> Rule | None:
@@ -67,10 +77,10 @@ def _unknown(word: str) -> str:
     return f"unknown rule '{word}'{did_you_mean(word, known) or '.'} To list all rules, run urdfctl rules"
 
 
-def _explain_rule(rule: Rule, output_format: str, folder: str | None) -> int:
-    if folder is not None:
+def _explain_rule(rule: Rule, output_format: str, files: CheckIn) -> int:
+    if files.folder is not None:
         raise UserError(
-            f"--in is for messages and logs; to check files, run urdfctl lint {folder} --select {rule.code}"
+            f"--in is for messages and logs; to check files, run urdfctl lint {files.folder} --select {rule.code}"
         )
     if output_format == "json":
         from urdfctl.cli.rules_command import plain_rule
@@ -89,32 +99,32 @@ def _standard_input() -> BinaryIO:
     return sys.stdin.buffer
 
 
-def _explain_file(path: str, output_format: str, folder: str | None) -> int:
+def _explain_file(path: str, output_format: str, files: CheckIn) -> int:
     try:
         with open(path, "rb") as file:
-            return _explain_log(file, output_format, folder)
+            return _explain_log(file, output_format, files)
     except OSError as error:
         raise UserError(f"'{path}' cannot be read: {error.strerror}") from None
 
 
-def _explain_log(stream: BinaryIO, output_format: str, folder: str | None, *, pasted: bool = False) -> int:
+def _explain_log(stream: BinaryIO, output_format: str, files: CheckIn, *, pasted: bool = False) -> int:
     from urdfctl.logs.digest import digest
     from urdfctl.logs.reading import Lines
 
     lines = Lines(stream)
-    messages, files = digest(lines, pasted=pasted), None
+    messages, folder = digest(lines, pasted=pasted), None
     if not messages.lines:
         raise UserError(_NOTHING)
-    if folder is not None:
+    if files.folder is not None:
         from urdfctl.cli.explain_files import checked
 
-        messages, files = checked(messages, folder)
+        messages, folder = checked(messages, files.folder, files.distro)
     if output_format == "json":
         from urdfctl.report.log_json import render_log_json
 
-        print_text(render_log_json(messages, complete=lines.complete, files=files))
+        print_text(render_log_json(messages, complete=lines.complete, files=folder))
         return 0
     from urdfctl.report.log_text import render_log
 
-    print_text(render_log(messages, pasted=pasted, complete=lines.complete, files=files))
+    print_text(render_log(messages, pasted=pasted, complete=lines.complete, files=folder))
     return 0

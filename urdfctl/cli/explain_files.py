@@ -12,13 +12,15 @@ from urdfctl.logs.evidence import CheckedFolder, FoundCause, with_findings
 from urdfctl.report.common import relative
 
 
-def checked(digest: Digest, folder: str) -> tuple[Digest, CheckedFolder]:
+def checked(digest: Digest, folder: str, distro: str | None = None) -> tuple[Digest, CheckedFolder]:
     """Return the digest with the places where rules find its causes in a folder.
 
-    Of each kind, messages with such a place come first. The distro is the one that the log shows, if it shows one.
+    Of each kind, messages with such a place come first. distro: by default the one that the log shows, if it shows one.
     Raises UserError if there is nothing to lint.
     """
-    findings = [relative(one) for one in findings_in(LintOptions(paths=[folder], distro=digest.distro or None))]
+    findings = [
+        relative(one) for one in findings_in(LintOptions(paths=[folder], distro=distro or digest.distro or None))
+    ]
     found = [FoundCause(one.at.file, one.at.line, one.at.column, one.code, one.message) for one in findings]
     known = [_with(entry, found) for entry in digest.known]
     kinds = list(dict.fromkeys(entry.kind for entry in known))

@@ -224,4 +224,8 @@ class ExplainOptions:
             "--in", help="Folder with the robot. Checks which of the causes its files have, and shows these first."
         ),
     ] = None
+    distro: Annotated[
+        str | None,
+        typer.Option(help="ROS distro for --in. Default: the one that the log shows, or else detected from the files."),
+    ] = None
     output_format: Annotated[str, typer.Option("--format", help="Output format: text or json.")] = "text"
