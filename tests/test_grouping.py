@@ -80,7 +80,7 @@ def test_of_a_rule_with_more_than_ten_findings_in_a_file_all_are_one() -> None:
 
 def test_a_package_that_is_missing_in_several_files_is_one_fault() -> None:
     [one] = grouped(found("package 'x' was not found", 1, code="UC003", file=f"/{name}.urdf") for name in "ab")
-    assert likewise(one) == "also in /b.urdf:1"
+    assert likewise(one) == "also /b.urdf:1"
 
 
 def test_the_fixes_of_equal_findings_are_one_fix() -> None:
@@ -107,6 +107,11 @@ def test_the_difference_of_two_messages_is_the_first_name_that_differs() -> None
     assert difference("read only in foxy to iron", "read only in humble") == "read only in humble"
     assert difference("not read in rolling", "not read in jazzy") == ""
     assert difference("link 'a' is heavy", "link 'a' is light") == "link 'a' is light"
+
+
+def test_a_repeated_name_is_listed_by_its_line() -> None:
+    [one] = grouped(found(f"setting '{name}' is ignored", line) for line, name in enumerate("aab", 1))
+    assert likewise(one) == "also line 2 and 'b' (line 3)"
 
 
 def test_a_remark_without_a_place_is_listed_by_its_name() -> None:

@@ -36,14 +36,19 @@ def likewise(diagnostic: Diagnostic) -> str:
     if not any(names.values()) and {file for file, _ in places} == {diagnostic.at.file}:
         lines = dict.fromkeys(str(remark.at.line) for remark in also if remark.at)
         return f"also in line{'s' * (len(lines) > 1)} {_listed(lines, _MOST_IN_A_LINE)}"
-    items = [f"{names[remark]} {_at(remark, diagnostic.at.file)}".strip() for remark in also]
+    items = [_item(names[remark], _at(remark, diagnostic.at.file)) for remark in also]
     return f"also {_listed(dict.fromkeys(filter(None, items)), _MOST_NAMES)}"
+
+
+def _item(name: str, place: str) -> str:
+    """A name with its place, or the place alone."""
+    return f"{name} ({place})" if name and place else name or place
 
 
 def _at(remark: Remark, current: str) -> str:
     if remark.at is None:
         return ""
-    return f"(line {remark.at.line})" if remark.at.file == current else f"in {remark.at.file}:{remark.at.line}"
+    return f"line {remark.at.line}" if remark.at.file == current else f"{remark.at.file}:{remark.at.line}"
 
 
 def _listed(names: Iterable[str], most: int) -> str:
