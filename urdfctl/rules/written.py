@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from urdfctl.rule import Edit, Fix
@@ -41,7 +40,7 @@ def _passed(at: Place, wrong: str, meant: str | None, depth: int) -> Written | N
     if at.call is None or not depth:
         return None
     text = at.span.text
-    own = re.sub(_SUBSTITUTED, "", text).strip("_/ ")
+    own = _SUBSTITUTED.sub("", text).strip("_/ ")
     for value in sorted(_values(at, text), key=lambda one: -len(one.span.text)):
         part = value.span.text
         inner = _passed(value, wrong, meant, depth - 1)
@@ -73,7 +72,7 @@ def _corrected(text: str, wrong: str, meant: str) -> str | None:
     """A text with the wrong part corrected: the whole text, or a part of it that is not substituted."""
     if text == wrong:
         return meant
-    for part in (part for part in re.split(_SUBSTITUTED, text) if part.strip()):
+    for part in (part for part in _SUBSTITUTED.split(text) if part.strip()):
         new = _between(wrong, part, meant)
         if new is not None and text.count(part) == 1 and "$" in text:
             return text.replace(part, new)
