@@ -186,6 +186,14 @@ def test_a_misspelt_own_controller_is_an_error(folder: Folder) -> None:
     assert said(folder, "our_controllers/ArmControler", "{x: 1}") == [("error", "UC421", message)]
 
 
+def test_an_own_package_without_the_class_is_taken_for_the_package_that_has_it(folder: Folder) -> None:
+    right = "ur_controllers/ScaledJointTrajectoryController"
+    ((_, code, message),) = said(folder, "our_controllers/ScaledJointTrajectoryController", "{x: 1}", **{
+        "ours/plugins/ours.xml": PLUGINS.replace("ArmController", "JointTrajectoryController")
+    })  # fmt: skip
+    assert (code, message.partition("; ")[2]) == ("UC421", f"did you mean '{right}'?")
+
+
 def test_a_type_that_resembles_a_known_one_is_right_if_a_package_exports_it(folder: Folder) -> None:
     own = PLUGINS.replace("our_controllers/ArmController", "joint_trajectory_controller/JointTrajectoryControler")
     kind = "joint_trajectory_controller/JointTrajectoryControler"

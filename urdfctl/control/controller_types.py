@@ -62,8 +62,17 @@ def meant_by(project: Project, unknown: Typed) -> str | None:
     """Return the known type that an unknown type means; None if it may be from another package."""
     own = nearest(unknown.type.strip(), project.own.controllers)
     if own is not None:
-        return own
+        return _of_same_class(project.catalog, unknown, own) or own
     return _meant_in(project.catalog, unknown.ros, unknown.type.strip(" '\"").replace("::", "/"))
+
+
+def _of_same_class(catalog: Catalog, unknown: Typed, own: str) -> str | None:
+    """The known type with the class that is written, which no package of the workspace has: a copy of its section."""
+    wanted = unknown.type.strip().rpartition("/")[2]
+    if own.rpartition("/")[2] == wanted:
+        return None
+    known = (name for distro in unknown.distros for name in catalog.known_types(distro))
+    return next((name for name in known if name.rpartition("/")[2] == wanted), None)
 
 
 @lru_cache(64)
