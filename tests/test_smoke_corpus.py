@@ -6,7 +6,7 @@ import pytest
 from corpus import CORPUS, needs_corpus, roots
 from sampling import sample
 from smoking import codes, verdicts, whole
-from smoking_engines import needs_pybullet
+from smoking_engines import EACH_ENGINE, needs_pybullet
 
 from urdfctl.load.target import Target
 
@@ -50,10 +50,10 @@ def target(name: str) -> Target:
 
 
 @needs_corpus
-@needs_pybullet
+@pytest.mark.parametrize("engine", EACH_ENGINE)
 @pytest.mark.parametrize("name", sample(SOUND, 6))
-def test_a_sound_robot_passes(name: str) -> None:
-    made = whole(target(name), "pybullet", workspace=str(CORPUS))
+def test_a_sound_robot_passes(name: str, engine: str) -> None:
+    made = whole(target(name), engine, workspace=str(CORPUS))
     errors = [finding.message for finding in made.linted.outcome.diagnostics if finding.severity.value == "error"]
     assert errors == []
     assert "passed deactivate" in verdicts(made).values()

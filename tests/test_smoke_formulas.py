@@ -8,7 +8,7 @@ import random
 import pytest
 
 from urdfctl.model.geometry import Pose, of_angles
-from urdfctl.smoke.drives import drive_troubles
+from urdfctl.smoke.drives import assumed_sides, drive_troubles
 from urdfctl.smoke.ground import ground_troubles, resting
 from urdfctl.smoke.loads import effort_troubles, gravity_load, moved_inertias, worst_loads
 from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
@@ -231,6 +231,15 @@ def test_steering(fields: dict[str, object], wheelbase: float, expected: list[st
 
 def test_the_list_of_two_driven_wheels_begins_with_the_right_one() -> None:
     assert wheel_codes(STEERED._replace(driven=("l", "r"), steered=("none",))) == ["UC960"]
+
+
+def test_a_steering_controller_takes_the_first_of_two_wheels_as_the_right_one() -> None:
+    mechanism, _ = rover(BOTH)
+    steered = driving(STEERED._replace(driven=("l", "r"), track=0.6))
+    assert assumed_sides(mechanism, steered, steered.drive or PAIR) == {"l": -0.3, "r": 0.3}
+    bare = driving(STEERED._replace(driven=("l", "r")))
+    assert assumed_sides(mechanism, bare, bare.drive or PAIR) == pytest.approx({"l": -0.2, "r": 0.2})
+    assert assumed_sides(mechanism, driving(PAIR), PAIR) == pytest.approx({"l": 0.2, "r": -0.2})
 
 
 # -- the ground ------------------------------------------------------------------------------------------------------

@@ -81,6 +81,19 @@ def wheels_of(mechanism: Mechanism, names: Sequence[str], base_name: str) -> lis
     return wheels
 
 
+def assumed_sides(mechanism: Mechanism, task: Task, drive: Drive) -> dict[str, float]:
+    """Return how far to the left of the base each wheel is for its controller, in m.
+
+    A steering controller takes two wheels as the right and the left one, with the track width that it is given.
+    """
+    sides = {wheel.hinge.name: wheel.place[1] for wheel in wheels_of(mechanism, task.joints, drive.base)}
+    for names, track in ((drive.driven, drive.track), (drive.steered, drive.steering_track or drive.track)):
+        if drive.steered and len(names) == 2 and sides.keys() >= set(names):  # noqa: PLR2004
+            half = (track or abs(sides[names[0]] - sides[names[1]])) / 2
+            sides[names[0]], sides[names[1]] = -half, half
+    return sides
+
+
 # -- sides and places ------------------------------------------------------------------------------------------------
 
 

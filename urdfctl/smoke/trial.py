@@ -20,7 +20,7 @@ from urdfctl.smoke.checks import (
     together_troubles,
     turn_troubles,
 )
-from urdfctl.smoke.drives import wheels_of
+from urdfctl.smoke.drives import assumed_sides
 from urdfctl.smoke.engines import STEP, Engine, Refused, Setup, open_engine
 from urdfctl.smoke.ground import TIPPED
 from urdfctl.smoke.groups import groups_of
@@ -317,7 +317,7 @@ class Trial:
             return False
         seconds = self._plan.duration
         slipping = SLIPPING if self._plan.engine == "mujoco" else 0.0
-        sides = {w.hinge.name: w.place[1] for w in wheels_of(self._simulation.mechanism, task.joints, drive.base)}
+        sides = assumed_sides(self._simulation.mechanism, task, drive)
         speed = speed_of(drive, (self._hinges.get(name) for name in drive.wheels))
         straight = Wheels(self._engine, self._hinges, drive, speed, 0.0, sides=sides)
         troubles = list(forward_troubles(task, self._journey(straight, task, "ahead", seconds), slipping))
