@@ -296,3 +296,10 @@ def test_a_builder_needs_the_usual_files(tmp_path: Path) -> None:
     _write(tmp_path, {**kept, "demo.launch.py": _BUILDER.replace("CALLS", "").replace("LAUNCH", "demo")})
     found = findings(Target(str(tmp_path / "demo.launch.py")), ("UC676",), workspace=str(tmp_path), distro="humble")
     assert [one.message for one in found] == ["kinematics file for MoveIt does not exist: 'config/kinematics.yaml'"]
+
+
+def test_groups_that_contain_each_other_end(tmp_path: Path) -> None:
+    names = [f"g{number}" for number in range(40)]
+    inner = "".join(f'<group name="{name}"/>' for name in names)
+    groups = _groups(tmp_path, "".join(f'<group name="{name}">{inner}<joint name="elbow"/></group>' for name in names))
+    assert {tuple(groups.active(group)) for group in groups.semantic.groups} == {("elbow",)}

@@ -11,6 +11,7 @@ from urdfctl.model.semantic import Chain, Group, Semantic, VirtualJoint
 
 _ROOT = ""
 """The joint above the root link, which every robot model has: a virtual joint, or a fixed one."""
+_MOST_DEPTH = 100
 _SHAPES = ("visual", "collision")
 _MOVING = ("revolute", "continuous", "prismatic", "planar", "floating")
 
@@ -36,6 +37,7 @@ class Groups:
         )
         self._at_root = next((one for one in semantic.virtual if self.is_at_root(one)), None)
         self._members: dict[str, frozenset[str]] = {}
+        self._depths: dict[str, int] = {}
 
     def path_up(self, link: str) -> Iterator[str]:
         """Yield the names of a link and of the links above it."""
@@ -62,7 +64,10 @@ class Groups:
     def members(self, group: Group, depth: int = 0) -> frozenset[str]:
         """Return the names of a group's joints, also fixed ones; an empty name is the joint above the root link."""
         name = group.name.text
-        if name not in self._members and depth <= len(self.semantic.groups):
+        if depth > _MOST_DEPTH:
+            return frozenset()
+        if name not in self._members:
+            self._members[name] = frozenset()  # for a group that contains itself
             found = {joint.text for joint in group.joints if joint.text in self.joints}
             if self._at_root and self._at_root.name and self._at_root.name.text in {one.text for one in group.joints}:
                 found.add(_ROOT)
@@ -71,9 +76,9 @@ class Groups:
                 found |= self._between(chain)
             for inner in group.groups:
                 other = self.semantic.group(inner.text)
-                found |= self.members(other, depth + 1) if other is not None and other is not group else frozenset()
+                found |= self.members(other, depth + 1) if other is not None else frozenset()
             self._members[name] = frozenset(found)
-        return self._members.get(name, frozenset())
+        return self._members[name]
 
     def active(self, group: Group) -> list[str]:
         """Return the joints of a group that move on their own, without mimic and virtual joints."""
@@ -82,7 +87,7 @@ class Groups:
     def is_chain(self, group: Group) -> bool:
         """Return whether a group is a chain: each of its joints is right below the one before it."""
         names = sorted(self.members(group), key=self._depth)
-        active = [name for name in names if self._is_active(name)]
+        active = {name for name in names if self._is_active(name)}
         roots = [name for name in active if not any(above in active for above in self._joints_above(name))]
         if len(roots) != 1:
             return False
@@ -95,7 +100,8 @@ class Groups:
         if not self.joins(chain) or chain.base is None or chain.tip is None:
             return set()
         up, other = list(self.path_up(chain.tip.text)), list(self.path_up(chain.base.text))
-        shared = next(link for link in up if link in other)
+        known = set(other)
+        shared = next(link for link in up if link in known)
         links = [*up[: up.index(shared)], *other[: other.index(shared)]]
         return {self._above.get(link, _ROOT) for link in links}
 
@@ -116,7 +122,12 @@ class Groups:
 
     def _depth(self, name: str) -> int:
         """The number of joints above a joint, with the one above the root link."""
-        return sum(1 for _ in self._joints_above(name))
+        if name not in self._depths:
+            above = [name, *self._joints_above(name)]
+            known = next((index for index, each in enumerate(above) if each in self._depths), len(above))
+            start = self._depths[above[known]] + 1 if known < len(above) else 0
+            self._depths.update((each, start + index) for index, each in enumerate(reversed(above[:known])))
+        return self._depths[name]
 
     def _is_active(self, name: str) -> bool:
         if name == _ROOT:
