@@ -91,6 +91,47 @@ def test_an_effort_limit_of_0_stops_only_a_joint_that_is_commanded_by_effort() -
     assert codes(effort_troubles(lift(effort=0.0), [EFFORT])) == ["UC952"]
 
 
+@pytest.mark.parametrize(
+    ("fields", "text"),
+    [
+        ({"friction": 200.0}, "has a friction of 200 N: with its effort limit of 200 N it moves not at all"),
+        (
+            {"friction": 110.0},
+            "has a friction of 110 N and carries 98.1 N: with its effort limit of 200 N it moves not",
+        ),
+        ({"damping": 10000.0}, "has a damping of 10000: with its effort limit of 200 N it moves at most at 0.02 m/s"),
+    ],
+)
+def test_the_message_names_what_uses_up_the_effort(fields: dict[str, float], text: str) -> None:
+    (trouble,) = effort_troubles(lift(**fields), [POSITION])
+    assert text in trouble.message
+
+
+@pytest.mark.parametrize(("limit", "text"), [(100.0, "a margin of 2 %"), (101.0, "a margin of 3 %")])
+def test_the_margin_is_told_in_per_cent(limit: float, text: str) -> None:
+    (trouble,) = effort_troubles(lift(effort=limit), [POSITION])
+    assert trouble.message.endswith(text)
+    assert trouble.notes == ()
+
+
+def test_what_is_missing_in_the_worst_pose_is_told_with_the_pose() -> None:
+    (trouble,) = effort_troubles(lever(effort=5.0), [POSITION])
+    assert trouble.message.endswith(" % too little")
+    assert trouble.notes[0].startswith("with j at ")
+
+
+def test_the_worst_pose_of_a_long_arm_is_found() -> None:
+    """Five levers of 1 kg, each 1 m long, hang down; stretched out they weigh 5 + 4 + 3 + 2 + 1 times 9.81 N m."""
+    hinges = []
+    for n in range(5):
+        place = (0.0, 0.0, -1.0 if n else 0.0)
+        made = Hinge(f"j{n}", "revolute", parent=f"l{n}", child=f"l{n + 1}", pose=Pose(place), axis=LEFT)
+        hinges.append(made._replace(lower=-2.0, upper=2.0, effort=150.0, velocity=1.0))
+    bodies = {f"l{n}": Body(f"l{n}", 1.0, centre=(0.0, 0.0, -1.0)) for n in range(1, 6)}
+    arm = Mechanism("l0", {"l0": Body("l0"), **bodies}, tuple(hinges))
+    assert worst_loads(arm, arm.hinges)["j0"][0] == pytest.approx(15 * 9.81, rel=0.06)
+
+
 # -- loops -----------------------------------------------------------------------------------------------------------
 
 

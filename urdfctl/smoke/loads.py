@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import random
 from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.model.geometry import Vector, cross, dot, minus, plus, product, scaled, transposed, turned
@@ -28,7 +29,6 @@ SLOWER = 0.5
 """A joint must reach this fraction of the highest speed that its motion takes."""
 TIME = 2.0
 """The time that a motion takes, in s."""
-_PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53)
 
 
 def gravity_load(mechanism: Mechanism, positions: Mapping[str, float]) -> dict[str, float]:
@@ -127,25 +127,10 @@ def _note(
 
 
 def sampled_poses(mechanism: Mechanism) -> Iterator[dict[str, float]]:
-    """Yield poses spread evenly over the joints' ranges (a Halton sequence), the same in every run."""
-    movable = mechanism.movable
-    for n in range(1, POSES + 1):
-        pose = {}
-        for place, hinge in enumerate(movable):
-            low, high = hinge.span
-            part = (_halton(n, _PRIMES[place % len(_PRIMES)]) + place // len(_PRIMES) * math.sqrt(0.5)) % 1.0
-            pose[hinge.name] = low + (high - low) * part
-        yield pose
-
-
-def _halton(index: int, base: int) -> float:
-    """The digits of an index in a base, read backwards as a fraction."""
-    part, fraction = 0.0, 1.0
-    while index:
-        fraction /= base
-        part += fraction * (index % base)
-        index //= base
-    return part
+    """Yield poses spread over the joints' ranges by chance, the same in every run."""
+    chance = random.Random(0)  # noqa: S311 (no secret)
+    for _ in range(POSES):
+        yield {hinge.name: chance.uniform(*hinge.span) for hinge in mechanism.movable}
 
 
 # -- friction, damping and inertia -----------------------------------------------------------------------------------
