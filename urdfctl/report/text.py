@@ -90,7 +90,7 @@ def _excerpt(diagnostic: Diagnostic, width: int) -> Iterator[Piece]:
     room = width - len(f"  {number} | ")
     text, start = _with_single_columns(diagnostic.excerpt), at.column - diagnostic.excerpt_column
     cut = min(max(0, start - room // 2), max(0, len(text) - room)) if len(text) > room else 0
-    text, start = text[cut : cut + room], min(start - cut, room - 1)
+    text, start = text[cut : cut + room], max(0, min(start - cut, room - 1))
     end = start + at.end_column - at.column if at.end_line == at.line else len(text.rstrip())
     yield Piece(f"  {number} | ", "dim")
     yield Piece(f"{text}\n")
