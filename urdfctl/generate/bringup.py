@@ -49,7 +49,7 @@ def launch_file(made: Sequence[Controller], options: Options, templates: Templat
         simulator=options.simulator,
         namespace=space,
         prefix=f"/{space}/" if space else "",
-        model=robot.name or "robot",
+        model=space or robot.name or "robot",  # two robots in one world have different names
         controllers=names,
         spawned=[*_spawned(names, options), *_waiting(made, options)],
         waiting=[controller.name for controller in made if controller.waits],
