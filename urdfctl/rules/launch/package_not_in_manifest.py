@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import MAINTAINED
+from urdfctl.control.simulator_plugins import components
 from urdfctl.model.launch import Launch
 from urdfctl.model.package import Package
 from urdfctl.rule import Edit, Finding, Fix, Note, Project, Severity, rule
+from urdfctl.rules.common import is_conditional
 from urdfctl.rules.launch_samples import MANIFEST, SOUND
 from urdfctl.source.span import Place, SourceSpan
 
@@ -68,7 +70,8 @@ def package_not_in_manifest(project: Project) -> Iterator[Finding]:
 def _used(project: Project, launch: Launch, package: Package) -> Iterator[tuple[str, Place, Severity]]:
     """Yield the packages that the package's own launch files use in every case, with place and severity.
 
-    A missing controller is a warning, since the robot does not move. Other missing packages are noticed at once.
+    A missing controller is a warning, since the robot does not move. Other missing packages are noticed at once. A
+    hardware plugin counts if the package describes the robot itself.
     """
     for spawn in launch.spawns:
         for name, at in spawn.names if package.holds(spawn.at) else ():
@@ -77,6 +80,10 @@ def _used(project: Project, launch: Launch, package: Package) -> Iterator[tuple[
         if word.text in _CHECKED and package.holds(word.at):
             severity = Severity.WARNING if word.text == "controller_manager" else Severity.INFO
             yield word.text, word.at, severity
+    for control in components(project):
+        at = control.hardware[-1].plugins[0].at
+        if package.holds(at) and not is_conditional(control.hardware[-1].at):
+            yield _of_hardware(project, control.plugin or ""), at, Severity.INFO
     for described in launch.descriptions:
         if (described.command or "").startswith("xacro") and described.sure and package.holds(described.at):
             yield "xacro", described.at, Severity.INFO
@@ -89,6 +96,13 @@ def _of_controller(project: Project, name: str) -> str:
     distros = [distro for distro in project.distros if distro in MAINTAINED] or project.distros
     known = (project.catalog.controller(kind, distro) for distro in distros) if kind else ()
     return next((entry.package for entry in known if entry), "")
+
+
+def _of_hardware(project: Project, name: str) -> str:
+    """Return the package of a hardware plugin; empty if it is unknown, or comes with the controller manager."""
+    known = (project.catalog.hardware(name, distro) for distro in project.distros)
+    package = next((entry.package for entry in known if entry), "")
+    return "" if package == "hardware_interface" else package
 
 
 def _is_declared(name: str, package: Package) -> bool:
