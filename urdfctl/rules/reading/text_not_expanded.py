@@ -38,6 +38,9 @@ def text_not_expanded(project: Project) -> Iterator[Finding]:
     none of that name.
     """
     launch = project.launch
+    if launch is None:
+        yield from _without_launch(project)
+        return
     loads = launch.loads if launch else ()
     evaluated = {load.file.path for load in loads if load.substituted or load.replaced}
     loaded = {load.file.path: load.at for load in loads if load.sure}
@@ -58,6 +61,17 @@ def text_not_expanded(project: Project) -> Iterator[Finding]:
             severity = Severity.ERROR if any(name in fault.subject for name in _NAMES) else None
             message = f"'{found[0]}' in '{fault.subject}' is not expanded: nothing evaluates it in a controller file"
             yield Finding(at, message, (Note("the file is loaded here", loaded[at.source.path]),), severity=severity)
+
+
+def _without_launch(project: Project) -> Iterator[Finding]:
+    """Yield the findings on `${...}`, which no launch file evaluates either. Without a robot, a script may fill it in."""
+    read = _read(project)
+    for fault in controllers_in(project).faults:
+        found = _BRACES.search(fault.at.span.text) if fault.kind is FaultKind.UNEXPANDED else None
+        if found and (fault.at.source.path, fault.at.start) in read:
+            message = f"'{found[0]}' in '{fault.subject}' is not expanded: nothing evaluates it in a controller file"
+            is_name = project.robot is not None and any(name in fault.subject for name in _NAMES)
+            yield Finding(fault.at, message, severity=Severity.ERROR if is_name else Severity.WARNING)
 
 
 def _read(project: Project) -> set[tuple[str, int]]:
