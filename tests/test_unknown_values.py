@@ -248,6 +248,14 @@ def test_a_missing_prefix_is_one_error_with_one_fix_for_the_whole_file(folder: F
     assert codes(folder, "r.xacro") == []
 
 
+def test_missing_prefixes_are_told_in_each_file(folder: Folder) -> None:
+    part = XACRO.format('<property name="{}" value="1"/>')
+    included = '<xacro:include filename="a.xacro"/><xacro:include filename="b.xacro"/><link name="${a}${b}"/>'
+    folder.write({"a.xacro": part.format("a"), "b.xacro": part.format("b"), "r.xacro": XACRO.format(included)})
+    found = [line for line in told(folder, "r.xacro") if "UC018" in line]
+    assert [line.partition(":")[0] for line in found] == ["a.xacro", "b.xacro"]
+
+
 def test_a_macro_call_without_prefix_that_only_loses_a_part_is_an_error_from_noetic_on(folder: Folder) -> None:
     body = (
         '<xacro:macro name="arm" params="side"><link name="${side}"/></xacro:macro><arm side="left"/><link name="b"/>'

@@ -25,6 +25,8 @@ OF_VALUES = {
     ProblemKind.XACRO,
 }
 """The kinds of problems that an argument may cause whose value is empty."""
+_ONCE_PER_FILE = (ProblemKind.PREFIX_MISSING,)
+"""The kinds of problems that are mended in each file by itself. Others are reported once in a description."""
 _DEFINING = frozenset(f"xacro:{name}" for name in ("include", "if", "unless", "property", "arg", "macro"))
 
 
@@ -39,7 +41,7 @@ class Problems:
 
     def __init__(self) -> None:
         self.all: list[Problem] = []
-        self._seen: set[tuple[ProblemKind, str, str]] = set()
+        self._seen: set[tuple[ProblemKind, str, str, str]] = set()
         self._cause: int | None = None
         self.may_lack_names = False
         """Whether something that may define or use names could not be evaluated."""
@@ -74,7 +76,8 @@ class Problems:
             self.all[self._cause] = cause._replace(follows=cause.follows + 1)
 
     def _is_new(self, problem: Problem) -> bool:
-        key = (problem.kind, problem.subject, problem.message)
+        file = problem.at.source.path if problem.kind in _ONCE_PER_FILE else ""
+        key = (problem.kind, problem.subject, problem.message, file)
         if key in self._seen:
             return False
         self._seen.add(key)
