@@ -11,6 +11,7 @@ import pytest
 from folder import Folder
 from generating import command
 from sampling import WHOLE, sample
+from smoking_engines import needs_pybullet
 
 DISTROS = {
     "noetic": ("none", "gazebo-classic"),
@@ -199,3 +200,10 @@ def test_every_combination_lints_and_smokes_clean_or_is_refused(robot: str, fold
     every = sample(range(len(cases)), 17)
     faults = {cases[index]: found for index in every if (found := fault(cases[index], folder))}
     assert faults == {}
+
+
+@needs_pybullet
+def test_a_car_of_ros1_drives_and_turns(folder: Folder) -> None:
+    folder.write({"r.urdf": described("ackermann", "noetic", "gazebo-classic")})
+    assert command("gen-all", "r.urdf", "--distro", "noetic", "-o", "made").returncode == 0
+    assert "tested: started, drove, turned" in command("smoke", "made", "--engine", "pybullet").stdout

@@ -198,7 +198,10 @@ def task_of(configured: Configured) -> Task:
     values = Values(kind, configured.values)
     interface = interfaces[0]
     if family in (Family.DIFFERENTIAL, Family.STEERED):
-        return Task(name, family, joints, interface, drive=_drive(family, values))
+        drive = _drive(family, values)
+        if not drive.wheels:
+            return _not_simulated(name, "its parameters name no wheels that it drives")
+        return Task(name, family, joints, interface, drive=drive)
     family = _loop(family, class_name, kind.type, interface, values)
     gains = tuple(_gains(configured.values, joint) for joint in joints)
     return Task(name, family, joints, interface, gains)
@@ -279,10 +282,18 @@ def _drive(family: Family, values: Mapping[str, object]) -> Drive:
         )
     front = bool(values.get("front_steering", True))
     driven = _names(
-        values, "traction_joints_names", "traction_joint_name", "rear_wheels_names" if front else "front_wheels_names"
+        values,
+        "traction_joints_names",
+        "traction_joint_name",
+        "rear_wheels_names" if front else "front_wheels_names",
+        "rear_wheel",
     )
     steered = _names(
-        values, "steering_joints_names", "steering_joint_name", "front_wheels_names" if front else "rear_wheels_names"
+        values,
+        "steering_joints_names",
+        "steering_joint_name",
+        "front_wheels_names" if front else "rear_wheels_names",
+        "front_steer",
     )
     radius = (
         "traction_wheels_radius",
@@ -294,7 +305,7 @@ def _drive(family: Family, values: Mapping[str, object]) -> Drive:
         driven=driven,
         steered=steered,
         radius=_first(values, *radius),
-        wheelbase=_float(values.get("wheelbase")),
+        wheelbase=_first(values, "wheelbase", "wheel_separation_h"),
         base=_text(values.get("base_frame_id")),
         track=_first(
             values, "traction_track_width", "wheel_track", "rear_wheel_track" if front else "front_wheel_track"
