@@ -198,10 +198,7 @@ def task_of(configured: Configured) -> Task:
     values = Values(kind, configured.values)
     interface = interfaces[0]
     if family in (Family.DIFFERENTIAL, Family.STEERED):
-        drive = _drive(family, values)
-        if not drive.wheels:
-            return _not_simulated(name, "its parameters name no wheels that it drives")
-        return Task(name, family, joints, interface, drive=drive)
+        return _of_base(Task(name, family, joints, interface, drive=_drive(family, values)))
     family = _loop(family, class_name, kind.type, interface, values)
     gains = tuple(_gains(configured.values, joint) for joint in joints)
     return Task(name, family, joints, interface, gains)
@@ -263,6 +260,12 @@ def _gains(given: Mapping[str, object], joint: str) -> Gains:
             clamp = next((abs(_float(value)) for value in clamps if _float(value)), math.inf)
             return Gains(p, i, d, clamp, feed)
     return Gains(feed=feed)
+
+
+def _of_base(task: Task) -> Task:
+    if task.base and task.base.wheels:
+        return task
+    return _not_simulated(task.controller, "its parameters name no wheels that it drives")
 
 
 def _drive(family: Family, values: Mapping[str, object]) -> Drive:
