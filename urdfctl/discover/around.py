@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import islice
 
 from urdfctl.discover.launch_files import is_launch_file, launch_roots, may_launch
 from urdfctl.discover.walk import files_below, text_of
@@ -21,17 +22,21 @@ def launch_files_around(paths: Sequence[str]) -> list[str]:
     Those of the own package and of the packages beside it are read as text; a launch file is returned if it, or one
     that it includes, names the package or one of the files. Whether it really starts them shows when it is loaded.
     """
+    names: dict[tuple[str, bool], dict[bytes, None]] = {}
+    for path in map(os.path.abspath, paths):
+        package = _package_around(path)
+        folder = package or (path if os.path.isdir(path) else os.path.dirname(path))
+        names.setdefault((folder, package is not None), {}).update(dict.fromkeys(_names(path, package)))
     found: dict[str, None] = {}
-    for path in paths:
-        absolute = os.path.abspath(path)
-        package = _package_around(absolute)
-        folder = package or (absolute if os.path.isdir(absolute) else os.path.dirname(absolute))
-        texts = {
-            launch: text
-            for launch in _launch_files(folder, neighbours=package is not None)
-            if is_launch_file(launch, text := text_of(launch))
-        }
-        found.update(dict.fromkeys(launch_roots(texts, naming=_names(absolute, package))))
+    known: dict[str, dict[str, bytes]] = {}
+    for (folder, neighbours), naming in names.items():
+        places = [folder, *(_launch_folders(folder) if neighbours else ())]
+        for place in places:
+            if place not in known:
+                known[place] = dict(_launch_files(place))
+        launches = (launch for place in places for launch in known[place].items())
+        texts = dict(islice(launches, _MAX_LAUNCH_FILES))
+        found.update(dict.fromkeys(launch_roots(texts, naming=list(naming))))
     return list(found)[:_MAX_BRINGUPS]
 
 
@@ -51,17 +56,13 @@ def is_inside_package(folder: str) -> bool:
     return package is not None and package != os.path.abspath(folder)
 
 
-def _launch_files(folder: str, *, neighbours: bool) -> Iterator[str]:
-    """Launch files of a package, then those in the folder `launch` of the packages beside it."""
-    count = 0
-    places = [folder, *(_launch_folders(folder) if neighbours else ())]
-    for place in places:
-        for path in sorted(files_below(place)):
-            if may_launch(path):
-                yield os.path.relpath(path)
-                count += 1
-                if count >= _MAX_LAUNCH_FILES:
-                    return
+def _launch_files(place: str) -> Iterator[tuple[str, bytes]]:
+    """Yield the launch files below a folder, with their texts."""
+    paths = (os.path.relpath(path) for path in sorted(files_below(place)) if may_launch(path))
+    for path in islice(paths, _MAX_LAUNCH_FILES):
+        text = text_of(path)
+        if is_launch_file(path, text):
+            yield path, text
 
 
 def _launch_folders(package: str) -> list[str]:

@@ -15,7 +15,7 @@ from race.table import Row
 from race.tools import Tools
 
 PAIR = "lint | xacro && check_urdf"
-ROBOTS = ("UR5e", "UR5e controllers", "PR2", "1200 links")
+ROBOTS = ("UR5e", "UR5e controllers", "PR2", "PR2 launched", "1200 links")
 RIVALS = {
     "check_urdf": ("UR5e", "PR2", "1200 links"),
     "urdf_parser_py": ("UR5e", "PR2", "1200 links"),

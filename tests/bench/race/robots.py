@@ -93,7 +93,11 @@ class Robots:
         return Packages(self.corpus, self.temp)
 
     def named(self, name: str) -> Robot:
-        """UR5e, UR5e controllers, PR2, or 1200 links."""
+        """UR5e, UR5e controllers, PR2, PR2 launched, or 1200 links.
+
+        PR2 is linted in its own repository, where no launch file starts it. PR2 launched is linted among all
+        repositories: five launch files start it there, and it is checked as each of them does.
+        """
         first, _, second = name.partition(" ")
         if second == "links":
             return self.made(int(first))
@@ -101,7 +105,11 @@ class Robots:
         if entry is None:
             raise NotMeasured(f"{PATHS[first]} is not in the corpus's index")
         arguments = tuple(f"{key}:={value}" for key, value in entry["args"].items())
-        return Robot(self.corpus, entry["path"], arguments, (CONTROLLERS[first],) if second else ())
+        if first == "PR2" and not second:
+            repository, _, file = PATHS[first].partition("/")
+            return Robot(self.corpus / repository, file, arguments)
+        controllers = (CONTROLLERS[first],) if second == "controllers" else ()
+        return Robot(self.corpus, entry["path"], arguments, controllers)
 
     def made(self, links: int) -> Robot:
         folder = self.temp / f"made{links}"
@@ -116,7 +124,8 @@ class Robots:
 
     def environment(self, robot: Robot) -> dict[str, str]:
         """In which xacro finds what the robot includes."""
-        return self.packages.environment(robot.folder / robot.file) if robot.folder == self.corpus else environment()
+        file = robot.folder / robot.file
+        return self.packages.environment(file) if self.corpus in file.parents else environment()
 
 
 def parent_of(n: int) -> str:
