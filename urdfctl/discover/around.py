@@ -29,8 +29,9 @@ def launch_files_around(paths: Sequence[str]) -> list[str]:
         names.setdefault((folder, package is not None), {}).update(dict.fromkeys(_names(path, package)))
     found: dict[str, None] = {}
     known: dict[str, dict[str, bytes]] = {}
+    beside: dict[str, list[str]] = {}
     for (folder, neighbours), naming in names.items():
-        places = [folder, *(_launch_folders(folder) if neighbours else ())]
+        places = [folder, *(_launch_folders(folder, beside) if neighbours else ())]
         for place in places:
             if place not in known:
                 known[place] = dict(_launch_files(place))
@@ -65,21 +66,26 @@ def _launch_files(place: str) -> Iterator[tuple[str, bytes]]:
             yield path, text
 
 
-def _launch_folders(package: str) -> list[str]:
+def _launch_folders(package: str, known: dict[str, list[str]]) -> list[str]:
+    """The folders `launch` of the packages beside a package. Those beside a folder are kept in `known`."""
     workspace = workspace_of(package)
     above = os.path.dirname(package)
     if not _is_inside(above, workspace):
         return []
-    folders = [os.path.join(above, name, "launch") for name in _listed(above)]
+    if above not in known:
+        there = (folder for folder in dict.fromkeys(_folders_below(above, workspace)) if os.path.isdir(folder))
+        known[above] = list(islice(there, _MAX_NEIGHBOURS + 1))
+    own = os.path.join(package, "launch")
+    return [folder for folder in known[above] if folder != own][:_MAX_NEIGHBOURS]
+
+
+def _folders_below(above: str, workspace: str) -> Iterator[str]:
+    yield from (os.path.join(above, name, "launch") for name in _listed(above))
     if above != workspace:
         outer = os.path.dirname(above)
-        folders += [os.path.join(outer, name, "launch") for name in _listed(outer)]
-        folders += [
-            os.path.join(outer, name, inner, "launch") for name in _listed(outer) for inner in _listed(outer, name)
-        ]
-    own = os.path.join(package, "launch")
-    there = (folder for folder in dict.fromkeys(folders) if folder != own and os.path.isdir(folder))
-    return [folder for folder, _ in zip(there, range(_MAX_NEIGHBOURS), strict=False)]
+        names = _listed(outer)
+        yield from (os.path.join(outer, name, "launch") for name in names)
+        yield from (os.path.join(outer, name, inner, "launch") for name in names for inner in _listed(outer, name))
 
 
 def _listed(*parts: str) -> list[str]:

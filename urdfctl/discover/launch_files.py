@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import lru_cache
 
 from urdfctl.discover.walk import LAUNCHES
 
@@ -19,6 +20,7 @@ _MANAGER = rb"(?m)^[ \t]*[\"']?[\w/*]*\bcontroller_manager[\"']?[ \t]*:"
 _TYPE = rb"(?m)(?:^[ \t]*|[{,][ \t]*)[\"']?type[\"']?[ \t]*:[ \t]*[\"']?\w*(?:controller|broadcaster)\w*/\w"
 _TEMPLATE = rb"\{\{|\{%|<%"
 _MOST_BYTES = 1 << 18
+_MOST_TEXTS = 512
 _ONLY_PARSE = 0x400  # ast.PyCF_ONLY_AST, without the import of ast
 
 
@@ -93,12 +95,30 @@ def _included(path: str, text: bytes, by_name: Mapping[str, Sequence[str]]) -> I
     if path.endswith(_ROS2):
         yield from _named(path, text, by_name)
         return
-    for match in re.finditer(_INCLUDE, re.sub(_COMMENT, b"", text)):
-        address = match.group(1).decode("utf-8", "replace")
-        tail = re.sub(r"^.*\$\([^)]*\)+/?", "", address).lstrip("./")
+    for tail in _tails(text):
         for candidate in by_name.get(os.path.basename(tail), ()):
             if candidate != path and f"/{os.path.abspath(candidate)}".replace(os.sep, "/").endswith(f"/{tail}"):
                 yield candidate
+
+
+@lru_cache(maxsize=_MOST_TEXTS)
+def _tails(text: bytes) -> tuple[str, ...]:
+    """The ends of the paths that an XML launch file includes. Texts are kept: each package's search reads them."""
+    addresses = re.findall(_INCLUDE, re.sub(_COMMENT, b"", text))
+    decoded = (address.decode("utf-8", "replace") for address in addresses)
+    return tuple(re.sub(r"^.*\$\([^)]*\)+/?", "", address).lstrip("./") for address in decoded)
+
+
+@lru_cache(maxsize=_MOST_TEXTS)
+def _launch_names(text: bytes) -> tuple[str, ...]:
+    """The names of launch files in a Python or YAML launch file."""
+    return tuple((one or other).decode("utf-8", "replace") for one, other in re.findall(_NAMED, text))
+
+
+@lru_cache(maxsize=_MOST_TEXTS)
+def _starts_robots(text: bytes) -> bool:
+    """Whether a launch file describes a robot, loads parameters or starts controllers itself."""
+    return bool(re.search(_RELEVANT, text) or re.search(_DESCRIBING, text))
 
 
 def _named(path: str, text: bytes, by_name: Mapping[str, Sequence[str]]) -> Iterator[str]:
@@ -106,8 +126,7 @@ def _named(path: str, text: bytes, by_name: Mapping[str, Sequence[str]]) -> Iter
 
     If several files have the name: those in a folder that it names too, or else those in its own folder.
     """
-    for match in re.finditer(_NAMED, text):
-        name = (match.group(1) or match.group(2)).decode("utf-8", "replace")
+    for name in _launch_names(text):
         candidates = [candidate for candidate in by_name.get(name, ()) if candidate != path]
         beside = [candidate for candidate in candidates if os.path.dirname(candidate) == os.path.dirname(path)]
         in_named_folder = [
@@ -124,7 +143,7 @@ def _is_relevant(
     while pending:
         current = pending.pop()
         text = texts[current]
-        relevant = relevant or bool(re.search(_RELEVANT, text) or re.search(_DESCRIBING, text))
+        relevant = relevant or _starts_robots(text)
         named = named or any(name in text for name in naming)
         if relevant and named:
             return True
