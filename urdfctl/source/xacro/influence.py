@@ -75,12 +75,7 @@ class Definitions(NamedTuple):
         files: dict[str, None] = {}
         arguments: dict[str, None] = {}
         pending = [_Scoped(place.span.text, place.call)]
-        seen: set[_Scoped] = set()
-        while pending and len(seen) < _MOST_STEPS:
-            scoped = pending.pop()
-            if scoped in seen:
-                continue
-            seen.add(scoped)
+        for scoped in _each_once(pending):
             for expression in _expressions(scoped.text):
                 for pattern, names in self._loads(expression, scoped.call):
                     matching = [path for path in self.loaded if fnmatchcase(path, pattern)]
@@ -109,12 +104,7 @@ class Definitions(NamedTuple):
             texts = [text for one in texts for text in re.findall(_FOUND, one)]
         pending = [_Scoped(text, place.call) for text in (*texts, f"${{{expression}}}")]
         found: set[str] = set()
-        seen: set[_Scoped] = set()
-        while pending and len(seen) < _MOST_STEPS:
-            scoped = pending.pop()
-            if scoped in seen:
-                continue
-            seen.add(scoped)
+        for scoped in _each_once(pending):
             evaluated = " ".join(part for found_parts in re.findall(_EVALUATED, scoped.text) for part in found_parts)
             words = set(_NAME.findall(evaluated))
             asked = {*re.findall(_ASKED, scoped.text), *re.findall(_QUOTED, scoped.text)}
@@ -161,6 +151,16 @@ class Definitions(NamedTuple):
             return self._pattern(found[0], names, depth - 1) if found else "*"
 
         return _PARTS.sub(filling, scoped.text) if depth else "*"
+
+
+def _each_once(pending: list[_Scoped]) -> Iterator[_Scoped]:
+    """Yield the texts of a list that grows meanwhile, the last one first and each once, up to a number of steps."""
+    seen: set[_Scoped] = set()
+    while pending and len(seen) < _MOST_STEPS:
+        scoped = pending.pop()
+        if scoped not in seen:
+            seen.add(scoped)
+            yield scoped
 
 
 def _deciding(place: Place) -> Iterator[str]:
