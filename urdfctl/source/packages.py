@@ -126,7 +126,7 @@ class PackageIndex:
         self._names: dict[str, str | None] = {}
         self._maps: dict[str, InstallMap] = {}
         self._dependencies: dict[str, frozenset[str]] = {}
-        self._git: dict[str, GitIgnore] = {}
+        self._git: GitIgnore | None = None
 
     def dependencies(self, folder: str) -> frozenset[str]:
         """Return the names of the packages that the package.xml in a folder declares."""
@@ -151,8 +151,8 @@ class PackageIndex:
 
     def is_ignored_by_git(self, path: str) -> bool:
         """Return whether a .gitignore of the workspace names a file, or a folder around it: it is made later."""
-        git = self._git.setdefault(self.workspace, GitIgnore(self.workspace, top=self.workspace))
-        return git.expects(path)
+        self._git = self._git or GitIgnore(self.workspace, top=self.workspace)
+        return self._git.expects(path)
 
     def prefixes(self, *variables: str) -> Iterator[str]:
         """Yield the folders that path-like environment variables, such as AMENT_PREFIX_PATH, list."""
