@@ -100,7 +100,7 @@ def split_arguments(words: Sequence[str]) -> tuple[list[str], dict[str, str]]:
 
 
 def severity_named(name: str) -> Severity:
-    """Return the severity that --fail-on names. UserError if there is none of that name."""
+    """Return the severity with the name that --fail-on gives. Raises UserError if there is none."""
     try:
         return Severity(name)
     except ValueError:
