@@ -5,10 +5,11 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Mapping
 
-from urdfctl.model.build_launch import Sources, is_of_ros2, launch_of
+from urdfctl.model.build_launch import is_of_ros2, launch_of
 from urdfctl.model.build_package import package_around
 from urdfctl.model.controllers import FileReference
 from urdfctl.model.launch import Launch, Reference, Word
+from urdfctl.model.launch_scope import Sources
 from urdfctl.names import is_slip, nearest
 from urdfctl.source.dom import Document, Element
 from urdfctl.source.files import FileProblem, Files

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.model.controllers import FileReference
 from urdfctl.model.launch import (
@@ -19,13 +19,13 @@ from urdfctl.model.launch import (
     Word,
     joined,
 )
+from urdfctl.model.launch_scope import Scope, Sources
 from urdfctl.model.moveit_files import MoveItFiles
 from urdfctl.model.substitutions import Substitutions
 from urdfctl.model.xacro_command import of_command
-from urdfctl.source.dom import Document, Element
+from urdfctl.source.dom import Element
 from urdfctl.source.opaque import UNKNOWN, if_known
 from urdfctl.source.span import Place
-from urdfctl.startup.records import NamedTuple
 
 _DESCRIPTION = "robot_description"
 _SEMANTIC = "_semantic"
@@ -42,47 +42,6 @@ _ARGUMENT_FILES = (".rviz", ".vcg", ".world", ".sdf")
 """The endings of files that programs get as arguments."""
 
 
-class Sources(NamedTuple):
-    """Access to files, packages and the environment for a launch file.
-
-    read: returns the tree of a file; None if it cannot be read.
-    locate: returns the source path of a file, and whether it exists; None if that cannot be checked.
-    find: returns the folder of a package; None if unknown.
-    environ: the environment variables.
-    blank: the value of arguments with an empty default, in this file and the included ones.
-    """
-
-    read: Callable[[str], Document | None]
-    locate: Callable[[str], tuple[str, bool | None]]
-    find: Callable[[str], str | None]
-    environ: Mapping[str, str]
-    blank: str = ""
-
-
-class _Scope(NamedTuple):
-    """The state for the elements of a launch file or group.
-
-    file: path of the launch file.
-    namespace: their namespace; UNKNOWN if unknown.
-    arguments: the launch arguments by name.
-    sure: False if an unknown condition decides whether they are used.
-    depth: depth of nested includes.
-    in_node: whether they are in a node.
-    held: False if they are used only with other launch arguments.
-    """
-
-    file: str
-    namespace: str
-    arguments: dict[str, str]
-    sure: bool
-    depth: int = 0
-    in_node: bool = False
-    held: bool = True
-
-    def joined(self, namespace: str) -> str:
-        return joined(self.namespace, namespace)
-
-
 def launch_of(path: str, arguments: Mapping[str, str], sources: Sources) -> Launch | None:
     """Return the model of a ROS 1 launch file that is started with these arguments; None if it is not such a file."""
     document = sources.read(path)
@@ -90,7 +49,7 @@ def launch_of(path: str, arguments: Mapping[str, str], sources: Sources) -> Laun
     if root is None or root.tagName != "launch" or is_of_ros2(root):
         return None
     builder = _Builder(sources)
-    builder.walk(root, _Scope(path, "", dict(arguments), sure=True))
+    builder.walk(root, Scope(path, "", dict(arguments), sure=True))
     return Launch(
         path,
         1,
@@ -160,7 +119,7 @@ class _Builder:
         self._includes = 0
         self._remapped = False
 
-    def walk(self, parent: Element, scope: _Scope) -> None:
+    def walk(self, parent: Element, scope: Scope) -> None:
         for element in parent.elements():
             texts = self._texts(scope)
             held = self._held(element, texts)
@@ -189,7 +148,7 @@ class _Builder:
             for package in re.findall(r"\$\(find\s+([^\s()$]+)\s*\)", value):
                 self.packages.append(Word(package, element.at[name]))
 
-    def _texts(self, scope: _Scope) -> Substitutions:
+    def _texts(self, scope: Scope) -> Substitutions:
         return Substitutions(scope.file, scope.arguments, self.sources.find, self.sources.environ)
 
     @staticmethod
@@ -204,7 +163,7 @@ class _Builder:
 
     # -- elements ----------------------------------------------------------------------------------------------------
 
-    def _argument(self, element: Element, scope: _Scope, texts: Substitutions) -> None:
+    def _argument(self, element: Element, scope: Scope, texts: Substitutions) -> None:
         name = element.attrs.get("name", "")
         if scope.depth == 0 and not scope.in_node and "value" not in element.attrs:
             self.arguments.setdefault(name, element.attrs.get("default"))
@@ -215,7 +174,7 @@ class _Builder:
         value = UNKNOWN if text is None or not scope.sure else texts.resolve(text)
         scope.arguments[name] = value if value or given is not None else self.sources.blank
 
-    def _include(self, element: Element, scope: _Scope, texts: Substitutions) -> None:
+    def _include(self, element: Element, scope: Scope, texts: Substitutions) -> None:
         written = element.attrs.get("file", "")
         path = texts.resolve(written)
         if any(f"$(find {package})" in written for package in _SIMULATOR_ALONE):
@@ -240,10 +199,10 @@ class _Builder:
         for child in element.elements():
             if child.tagName == "arg" and child.attrs.get("name") not in declared and scope.held:
                 self.strays.append(Word(child.attrs.get("name", ""), child.at["name"]))
-        inner = _Scope(path, scope.namespace, arguments, scope.sure, scope.depth + 1, held=scope.held)
+        inner = Scope(path, scope.namespace, arguments, scope.sure, scope.depth + 1, held=scope.held)
         self.walk(document.documentElement, inner)
 
-    def _simulation(self, element: Element, scope: _Scope, texts: Substitutions) -> None:
+    def _simulation(self, element: Element, scope: Scope, texts: Substitutions) -> None:
         if not scope.held or "world" not in element.attrs.get("file", ""):
             return
         arguments = [child for child in element.elements() if child.tagName == "arg"]
@@ -256,7 +215,7 @@ class _Builder:
         at = given[-1].at if given else element.at
         self.simulations.append(Simulation("gazebo-classic", at, paused, scope.sure))
 
-    def _param(self, element: Element, scope: _Scope, texts: Substitutions) -> None:
+    def _param(self, element: Element, scope: Scope, texts: Substitutions) -> None:
         name = joined(scope.namespace, texts.resolve(element.attrs.get("name", "")))
         last = name.rpartition("/")[2]
         if last.endswith(_SEMANTIC):
@@ -289,7 +248,7 @@ class _Builder:
         )
         (self.descriptions if last == _DESCRIPTION else self.others).append(description)
 
-    def _semantic(self, element: Element, name: str, scope: _Scope, texts: Substitutions) -> None:
+    def _semantic(self, element: Element, name: str, scope: Scope, texts: Substitutions) -> None:
         """Add an SRDF that is set on the parameter server."""
         source = "command" if "command" in element.attrs else "textfile"
         written = re.sub(r"\$\(find xacro\)", "xacro", element.attrs.get(source, ""))
@@ -300,7 +259,7 @@ class _Builder:
         files = MoveItFiles(element.at, reference, arguments, namespace=namespace, sure=scope.sure)
         self.moveit.append(files)
 
-    def _rosparam(self, element: Element, scope: _Scope, texts: Substitutions) -> None:
+    def _rosparam(self, element: Element, scope: Scope, texts: Substitutions) -> None:
         if element.attrs.get("command", "load") != "load":
             return
         below = "/".join(texts.resolve(element.attrs[name]) for name in ("ns", "param") if element.attrs.get(name))
@@ -319,13 +278,13 @@ class _Builder:
         if texts.truth(element.attrs.get("subst_value", "false")) is not False:
             self.loads[-1] = self.loads[-1]._replace(substituted=True)
 
-    def _contained(self, name: str, at: Place, scope: _Scope) -> None:
+    def _contained(self, name: str, at: Place, scope: Scope) -> None:
         """Add a parameter with its value. Those of a node are private to it."""
         namespace, _, last = name.rpartition("/")
         if not scope.in_node and last and UNKNOWN not in name and "$(" not in at.span.text:
             self.inline.append(InlineParameters(namespace, last, at, scope.sure))
 
-    def _load(self, written: str, at: Place, namespace: str, scope: _Scope, texts: Substitutions) -> None:
+    def _load(self, written: str, at: Place, namespace: str, scope: Scope, texts: Substitutions) -> None:
         reference = self._reference(written, at, if_known(texts.resolve(written)), "parameters", sure=scope.sure)
         self.loads.append(ParameterLoad(reference, if_known(namespace), at, scope.sure, scope.in_node))
 
@@ -338,7 +297,7 @@ class _Builder:
             self.references.append(Reference(reference, use, None, sure))
         return reference
 
-    def _node(self, element: Element, scope: _Scope, texts: Substitutions) -> None:
+    def _node(self, element: Element, scope: Scope, texts: Substitutions) -> None:
         name = texts.resolve(element.attrs.get("name", ""))
         inside = scope._replace(namespace=scope.joined(name), arguments={**scope.arguments}, in_node=True)
         self.walk(element, inside)
@@ -355,7 +314,7 @@ class _Builder:
             active = _SPAWNING[words.pop(0)]
         self._spawn(element, words, scope, texts, active=active)
 
-    def _started(self, element: Element, name: str, words: list[str], scope: _Scope, texts: Substitutions) -> None:
+    def _started(self, element: Element, name: str, words: list[str], scope: Scope, texts: Substitutions) -> None:
         package = Word(element.attrs.get("pkg", ""), element.at["pkg"])
         program = Word(element.attrs.get("type", ""), element.at["type"])
         at = element.at["args"]
@@ -390,7 +349,7 @@ class _Builder:
             )
         )
 
-    def _spawn(self, element: Element, words: list[str], scope: _Scope, texts: Substitutions, *, active: bool) -> None:
+    def _spawn(self, element: Element, words: list[str], scope: Scope, texts: Substitutions, *, active: bool) -> None:
         names: list[tuple[str, Place]] = []
         options: list[Option] = []
         namespace, complete = scope.namespace, True
