@@ -120,7 +120,7 @@ def made(code: str, *findings: tuple[int, str], whole_robot: bool = False, distr
         for number, message in findings:
             yield Finding(project.robot.links[number].at, message)
 
-    return Rule(code, made_for_a_test, Severity.WARNING, "this test", {}, {}, distros, whole_robot)
+    return Rule(code, made_for_a_test, Severity.WARNING, "ignores", "this test", {}, {}, distros, whole_robot)
 
 
 def broken(code: str) -> Rule:
@@ -132,7 +132,7 @@ def broken(code: str) -> Rule:
         yield Finding(project.robot.links[0].at, "before the crash")
         raise ZeroDivisionError("of all things")
 
-    return Rule(code, made_to_crash, Severity.WARNING, "this test", {}, {})
+    return Rule(code, made_to_crash, Severity.WARNING, "ignores", "this test", {}, {})
 
 
 def outcome(*rules: Rule, path: str = "r.xacro", chosen: Selection = Selection()) -> Outcome:  # noqa: B008 (immutable)
@@ -177,7 +177,7 @@ def test_the_gravest_of_what_is_merged_is_told(folder: Folder) -> None:
 
     macro = '<xacro:macro name="part" params="n"><link name="${n}"/></xacro:macro>'
     folder.write({"r.xacro": HEAD + macro + '\n<xacro:part n="a"/><xacro:part n="b"/></robot>'})
-    rule = Rule("UC901", made_for_a_test, Severity.WARNING, "this test", {}, {})
+    rule = Rule("UC901", made_for_a_test, Severity.WARNING, "ignores", "this test", {}, {})
     [one] = merge([outcome(rule)], Selection())
     assert (one.severity, one.message) == (Severity.ERROR, "b is bad")
 
@@ -219,7 +219,7 @@ def test_a_robot_that_is_over_its_budget_in_a_rule_is_no_crash_of_the_rule(folde
 
     folder.write({"r.xacro": HEAD + LINKS + "</robot>"})
     with pytest.raises(OverBudget):
-        outcome(Rule("UC901", made_to_last, Severity.WARNING, "this test", {}, {}))
+        outcome(Rule("UC901", made_to_last, Severity.WARNING, "ignores", "this test", {}, {}))
 
 
 # -- which rules are asked -------------------------------------------------------------------------------------------
@@ -281,7 +281,7 @@ def test_a_finding_may_be_graver_than_its_rule_where_the_distro_makes_it_so(fold
         yield Finding(project.robot.at, "x", severity=Severity.ERROR if project.distro == "noetic" else None)
 
     folder.write({"r.xacro": HEAD + LINKS + "</robot>"})
-    rule = Rule("UC901", made_for_a_test, Severity.INFO, "this test", {}, {})
+    rule = Rule("UC901", made_for_a_test, Severity.INFO, "ignores", "this test", {}, {})
     for distro, severity in (("noetic", Severity.ERROR), ("melodic", Severity.INFO)):
         loaded = Loader(Settings(distro=distro)).load(Target("r.xacro"))
         project = loaded.project

@@ -17,6 +17,27 @@ CONDITION = re.compile(
     re.IGNORECASE,
 )
 
+SAID_OF = {
+    Runtime.REFUSES: r"reject|refus|stops?\b|fails?\b|exits?\b|waits?\b|cannot|gives up|requires|raises|error|"
+    r"deactivated|no controller|not (?:be )?(?:loaded|started|activated|initialized|accepted|expanded|found)",
+    Runtime.CRASHES: r"crash|exit|throw|exception",
+    Runtime.DROPS: r"drop|skip|leaves? (?:it )?out|reads? only|does nothing|stays inactive|ignores|cannot|without|"
+    r"knows no|not (?:loaded|load|find|start|work)",
+    Runtime.IGNORES: r"ignor|silently|lost|leaves? (?:it )?out|drop|no effect|not (?:read|used|affect)|default|replace|"
+    r"only (?:one|the)\b|without a message|hides|missing|nothing",
+    Runtime.WARNS: r"warn|prints?\b|\blogs?\b|logged|report|message|error",
+}
+"""What the explanation or the authority of a rule says if the runtime does this. The rest has no words of its own."""
+
+
+def test_a_rule_explains_what_it_states_that_the_runtime_does() -> None:
+    def check(rule: Rule) -> None:
+        said = SAID_OF.get(rule.runtime)
+        text = f"{rule.why} {rule.authority}"
+        assert said is None or re.search(said, text, re.IGNORECASE), f"no word of '{rule.runtime.value}' in: {text}"
+
+    assert_each(check, OF_LINT)
+
 
 def test_the_severity_of_a_rule_is_one_that_goes_with_what_the_runtime_does_or_says_why_not() -> None:
     def check(rule: Rule) -> None:

@@ -117,7 +117,7 @@ def counted(read: Any) -> tuple[Rule, list[object]]:
         calls.append(read(project))
         yield Finding(AT, str(calls[-1]))
 
-    return rule("UC000", severity=Severity.ERROR, authority="x", bad={}, good={})(check), calls
+    return rule("UC000", severity=Severity.ERROR, runtime="crashes", authority="x", bad={}, good={})(check), calls
 
 
 @once_per_object

@@ -44,9 +44,6 @@ class Runtime(Enum):
         return (Severity.INFO,) if self is Runtime.WORKS else (Severity.WARNING,)
 
 
-_USUAL = {Severity.ERROR: Runtime.REFUSES, Severity.WARNING: Runtime.IGNORES, Severity.INFO: Runtime.WORKS}
-
-
 class Rule(NamedTuple):
     """A rule as the engine, `urdfctl rules` and `urdfctl explain` use it.
 
@@ -59,6 +56,8 @@ class Rule(NamedTuple):
     code: str
     check: Check
     severity: Severity
+    runtime_as_written: str
+    """What the runtime does with the fault, a value of `Runtime`."""
     authority_as_written: str
     bad_as_written: Example
     good_as_written: Example
@@ -70,8 +69,6 @@ class Rule(NamedTuple):
     """The stage that a robot or controller with an error of this rule does not pass. None: that of its family."""
     message: str = ""
     """The message of a smoke rule, with named fields for `str.format`. Empty for a rule of lint."""
-    stated_runtime: str = ""
-    """What the runtime does with the fault; empty if it does what is usual for the severity."""
     because: str = ""
     """Why the severity is not one that goes with what the runtime does."""
     explains: tuple[Rule, ...] = ()
@@ -85,7 +82,7 @@ class Rule(NamedTuple):
     @property
     def runtime(self) -> Runtime:
         """What the runtime does with the fault."""
-        return Runtime(self.stated_runtime) if self.stated_runtime else _USUAL[self.severity]
+        return Runtime(self.runtime_as_written)
 
     @property
     def of_smoke(self) -> bool:
@@ -126,6 +123,7 @@ def rule(  # noqa: PLR0913 (a rule has this many attributes)
     code: str,
     *,
     severity: Severity,
+    runtime: str,
     authority: str,
     bad: Example,
     good: Example,
@@ -135,15 +133,13 @@ def rule(  # noqa: PLR0913 (a rule has this many attributes)
     options: Iterable[str] = (),
     stage: Stage | StageDependsOn | None = None,
     message: str = "",
-    runtime: str = "",
     because: str = "",
     explains: tuple[Rule, ...] = (),
 ) -> Callable[[Check], Rule]:
     """Make a function a rule. Its name is the function's name; its summary and reason come from the docstring.
 
-    runtime: what ROS or Gazebo does with the fault, a value of `Runtime`; by default what goes with the severity:
-    it refuses what is an error, ignores what is a warning, and works with what is only info. because: why the
-    severity is another one than that of `runtime`.
+    runtime: what ROS, Gazebo or MoveIt does with the fault, a value of `Runtime`. because: why the severity is not one
+    that goes with it; the severity of a smoke rule follows from what it measures.
     """
 
     def made(check: Check) -> Rule:
@@ -151,6 +147,7 @@ def rule(  # noqa: PLR0913 (a rule has this many attributes)
             code=code,
             check=check,
             severity=severity,
+            runtime_as_written=runtime,
             authority_as_written=authority,
             bad_as_written=bad,
             good_as_written=good,
@@ -160,7 +157,6 @@ def rule(  # noqa: PLR0913 (a rule has this many attributes)
             options=tuple(options),
             stage=stage,
             message=message,
-            stated_runtime=runtime,
             because=because,
             explains=explains,
         )

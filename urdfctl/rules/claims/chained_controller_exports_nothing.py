@@ -38,6 +38,7 @@ _CONTROLLERS = """
     "UC453",
     stage=StageDependsOn.MANAGER,
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=since("humble"),
     authority='ros2_control controller_manager/src/controller_manager.cpp: "No state/reference interface from '
     "controller : 'low/elbow/position' exist, since the following controller with name 'low' is not chainable.\"",
@@ -52,7 +53,7 @@ def chained_controller_exports_nothing(project: Project) -> Iterator[Finding]:
 
     Only chainable types, such as pid_controller, export interfaces for other controllers. The name before the first
     slash is looked up among the controllers first, then in the hardware: a controller with a joint's name hides the
-    joint.
+    joint. The claiming controller cannot be activated.
     """
     return of_each_candidate(project, _unchainable)
 

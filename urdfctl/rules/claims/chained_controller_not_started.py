@@ -48,6 +48,7 @@ _BOTH = """pid: {type: pid_controller/PidController}
     "UC454",
     stage=StageDependsOn.MANAGER,
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=since("humble"),
     authority="ros2_control controller_manager/src/controller_manager.cpp: \"The following controller with name 'pid' is "
     'currently inactive and it is not requested to be activated."',
@@ -60,7 +61,7 @@ _BOTH = """pid: {type: pid_controller/PidController}
 def chained_controller_not_started(project: Project) -> Iterator[Finding]:
     """Chained controller is not started first.
 
-    A controller can be activated only if the controllers whose reference interfaces it claims are active, or are
+    A controller cannot be activated unless the controllers whose reference interfaces it claims are active, or are
     activated in the same request. The spawner activates its controllers one by one, in the given order, unless it has
     the option `--activate-as-group`.
     """

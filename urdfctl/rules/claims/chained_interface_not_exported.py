@@ -46,6 +46,7 @@ _CONTROLLERS = """
     "UC452",
     stage=StageDependsOn.MANAGER,
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=since("humble"),
     authority="ros2_control controller_manager/src/controller_manager.cpp: \"Unable to activate controller 'arm' since "
     "the command interface 'pid/elbow/velocity' is not available.\"",

@@ -49,6 +49,7 @@ _PID = "pid_controller/PidController"
     "UC455",
     stage=StageDependsOn.MANAGER,
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=since("humble"),
     authority="ros2_control controller_manager/src/controller_manager.cpp, check_following_controllers_for_activate: "
     "each controller waits for the next to be active",

@@ -40,6 +40,7 @@ _CONTROLLERS = """
     "UC456",
     stage=StageDependsOn.MANAGER,
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="ros2_control controller_manager/src/controller_manager.cpp: \"Resource conflict for controller 'hand'. "
     "Command interface 'elbow/position' is already claimed.\"; ros_control hardware_interface/robot_hw.h, "
     "checkForConflict: 'Resource conflict on [elbow].  Controllers = [arm, hand]'",

@@ -29,6 +29,7 @@ _CONTROLLERS = """
 @rule(
     "UC471",
     severity=Severity.ERROR,
+    runtime="refuses",
     stage=Stage.HARDWARE,
     authority="ros2_control controller_manager.cpp: claimed interfaces come only from <ros2_control> of the description; "
     "gazebo_ros_control default_robot_hw_sim.cpp: only from <transmission>",
@@ -61,8 +62,8 @@ def controllers_without_hardware(project: Project) -> Iterator[Finding]:
     """Controllers without hardware.
 
     Controllers are declared or spawned, but the description has no <ros2_control> (ROS 2) and no <transmission> (ROS 1
-    in Gazebo), so no hardware exports an interface: no controller can be activated. In ROS 1 without a simulator a
-    driver may bring its own hardware interface; then this is only a remark.
+    in Gazebo), so no hardware exports an interface: every controller is refused when it is activated. In ROS 1 without
+    a simulator a driver may bring its own hardware interface; then this is only a remark.
     """
     robot = whole_robot_in(project)
     first = _first_controller(project)

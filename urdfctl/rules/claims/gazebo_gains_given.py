@@ -28,6 +28,7 @@ _ROBOT = """
 @rule(
     "UC469",
     severity=Severity.INFO,
+    runtime="works",
     distros=ROS1,
     authority="gazebo_ros_pkgs gazebo_ros_control/src/default_robot_hw_sim.cpp: 'No p gain specified for pid.  "
     "Namespace: /gazebo_ros_control/pid_gains/elbow'",

@@ -26,6 +26,7 @@ _ROBOT = """
 @rule(
     "UC463",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS1,
     authority='ros_control controller_interface/controller.h: "This controller requires a hardware interface of type '
     "'hardware_interface::ImuSensorInterface'. Make sure this is registered in the hardware_interface::RobotHW class.\"",

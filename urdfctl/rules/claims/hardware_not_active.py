@@ -40,6 +40,7 @@ _CONTROLLERS = """
     "UC458",
     stage=StageDependsOn.MANAGER,
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=since("humble"),
     authority="ros2_control controller_manager/src/controller_manager.cpp, init_resource_manager and, from jazzy 4.38.0 "
     "on, 'Could not switch controllers since prepare command mode switch was rejected.'",

@@ -35,6 +35,7 @@ _CONTROLLERS = """
     "UC457",
     stage=StageDependsOn.MANAGER,
     severity=Severity.ERROR,
+    runtime="refuses",
     authority='ros2_control controller_manager/src/controller_manager.cpp: "The command interfaces of the controller '
     "'arm' are not unique. Please make sure that the command interfaces are unique\"; ros_control "
     "hardware_interface/robot_hw.h, checkForConflict: 'Resource conflict on [elbow].  Controllers = [arm, arm]'",

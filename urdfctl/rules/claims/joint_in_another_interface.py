@@ -34,6 +34,7 @@ _CONTROLLERS = """
     "UC461",
     stage=StageDependsOn.MANAGER,
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS1,
     authority="ros_control hardware_interface/internal/resource_manager.h: \"Could not find resource 'elbow' in "
     "'hardware_interface::EffortJointInterface'.\"; ros_controllers joint_trajectory_controller: \"Could not find joint "

@@ -35,6 +35,7 @@ _LIMITS = """
 @rule(
     "UC468",
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=ROS1,
     authority='ros_control joint_limits_interface/joint_limits_rosparam.h; joint_limits_interface.h: "Cannot enforce '
     "limits for joint 'elbow'. It has no velocity limits specification.\"",

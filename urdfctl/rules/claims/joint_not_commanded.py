@@ -33,6 +33,7 @@ _COMMAND = '<command_interface name="position"/>'
 @rule(
     "UC467",
     severity=Severity.INFO,
+    runtime="works",
     authority="ros2_control and ros_control: a joint moves when a controller commands it",
     whole_robot=True,
     in_library=False,

@@ -32,6 +32,8 @@ _CONTROLLERS = """
 @rule(
     "UC465",
     severity=Severity.INFO,
+    runtime="misbehaves",
+    because="another node may publish them",
     authority="robot_state_publisher subscribes to joint_states, which joint_state_broadcaster (ROS 1: "
     "joint_state_controller) publishes",
     whole_robot=True,

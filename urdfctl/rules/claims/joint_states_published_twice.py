@@ -22,6 +22,7 @@ _ROBOT = """
 @rule(
     "UC466",
     severity=Severity.WARNING,
+    runtime="misbehaves",
     authority="ros_controllers joint_state_controller and ros2_controllers joint_state_broadcaster publish on the topic "
     "joint_states of their manager",
     whole_robot=True,

@@ -31,6 +31,7 @@ _CONTROLLERS = """
     "UC462",
     stage=StageDependsOn.MANAGER,
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS1,
     authority="gazebo_ros_pkgs gazebo_ros_control/src/default_robot_hw_sim.cpp: joints are those of the transmissions; "
     "ros_control: \"Could not find resource 'shoulder' in 'hardware_interface::PositionJointInterface'.\"",

@@ -34,6 +34,7 @@ _CONTROLLERS = """
 @rule(
     "UC470",
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=since("galactic"),
     authority='ros2_controllers joint_state_broadcaster/src/joint_state_broadcaster.cpp, on_configure: "Mapping from '
     "'angel' to interface 'position'.\"",

@@ -37,6 +37,7 @@ _STATE = '<state_interface name="position"/>'
     "UC472",
     stage=StageDependsOn.MANAGER,
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=since("galactic"),
     authority="ros2_controllers joint_state_broadcaster.cpp, init_joint_data: 'No state interfaces found to publish.' "
     "(before jazzy 'None of requested interfaces exist. Controller will not run.'); gpio_command_controller.cpp, "

@@ -23,6 +23,7 @@ _ROBOT = """
     "UC451",
     stage=StageDependsOn.MANAGER,
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority="ros2_control controller_manager/src/controller_manager.cpp: \"Unable to activate controller 'arm' since "
     "the state interface 'shoulder/velocity' is not available.\", before jazzy: \"State interface with key "

@@ -14,6 +14,7 @@ from urdfctl.rules.controllers.common import faults
     "UC405",
     stage=Stage.PARAMETERS,
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority="rcl rcl_yaml_param_parser/src/parse.c: 'Will not support aliasing at line 8'",
     options=["--distro=jazzy"],

@@ -15,6 +15,7 @@ from urdfctl.rules.controllers.common import faults
     "UC407",
     stage=Stage.LOAD,
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority="rclcpp rclcpp/src/rclcpp/parameter_map.cpp: 'No parameter value set'",
     options=["--distro=jazzy"],

@@ -30,6 +30,7 @@ _CONTROLLERS = """
     "UC441",
     stage=Stage.ACTIVATE,
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="ros_controllers: 'Could not find joint 'mount' in 'hardware_interface::EffortJointInterface'.'; Gazebo "
     "merges the link of a fixed joint into its parent, so the joint does not exist there",
     whole_robot=True,

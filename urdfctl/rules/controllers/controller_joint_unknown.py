@@ -36,6 +36,7 @@ _CONTROLLERS = """
     "UC440",
     stage=Stage.ACTIVATE,
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="ros_controllers: 'Could not find joint 'elbw' in URDF model.', 'Could not find resource 'elbw' in "
     "'hardware_interface::PositionJointInterface'.'; ros2_control: 'Unable to activate controller 'arm' since the command "
     "interface 'elbw/position' is not available.'",

@@ -16,6 +16,7 @@ _IN_ROS2 = r"[A-Za-z_][A-Za-z0-9_]*"
 @rule(
     "UC428",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="ros_control controller_manager.cpp: 'Exception thrown while constructing nodehandle for controller with "
     "name 'arm.left'' ; rmw: a node's name consists of letters, digits and underscores",
     options=["--distro=noetic"],

@@ -15,6 +15,7 @@ from urdfctl.source.span import Place
 @rule(
     "UC420",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="ros2_control controller_manager/src/controller_manager.cpp: 'The 'type' param was not defined for 'arm'.'; "
     "ros_control controller_manager.cpp: 'Could not load controller 'arm' because the type was not specified.'",
     options=["--distro=jazzy"],

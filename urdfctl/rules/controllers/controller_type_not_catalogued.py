@@ -12,6 +12,7 @@ from urdfctl.rule import Finding, Project, Severity, rule
 @rule(
     "UC424",
     severity=Severity.INFO,
+    runtime="works",
     authority="the catalogue of urdfctl: ros_controllers, ros2_controllers and some third-party packages",
     options=["--distro=jazzy"],
     bad={

@@ -14,6 +14,7 @@ _MAINTAINED = {*since("humble"), "noetic"}
 @rule(
     "UC422",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="ros2_controllers and ros_controllers: the plugins that each distro's branches declare; ros2_control "
     "controller_manager/src/controller_manager.cpp: 'Loader for controller 'joint_states' (type "
     "'joint_state_controller/JointStateController') not found.'",

@@ -12,6 +12,7 @@ from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 @rule(
     "UC423",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="ros_controllers and ros2_controllers declare different types; ros2_control "
     "controller_manager/src/controller_manager.cpp: 'Loader for controller 'arm' (type "
     "'effort_controllers/JointPositionController') not found.'",

@@ -12,6 +12,7 @@ from urdfctl.rules.common import replaced
 @rule(
     "UC421",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="ros2_control controller_manager/src/controller_manager.cpp: 'Loader for controller 'arm' (type "
     "'joint_trajectory_controler/JointTrajectoryController') not found.'; ros_control controller_manager.cpp: 'Could "
     "not load controller 'arm' because controller type '...' does not exist.'",

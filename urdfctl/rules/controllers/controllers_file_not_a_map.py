@@ -12,6 +12,7 @@ from urdfctl.rules.controllers.common import faults
 @rule(
     "UC412",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="rcl rcl_yaml_param_parser/src/parse.c: 'Sequences can only be values and not keys in params'",
     options=["--distro=jazzy"],
     bad={
@@ -54,7 +55,8 @@ from urdfctl.rules.controllers.common import faults
 def controllers_file_not_a_map(project: Project) -> Iterator[Finding]:
     """Controller file is not a map.
 
-    Parameters have names, so a parameter file must be a map of `name: value`, not a list or a string.
+    Parameters have names, so a parameter file must be a map of `name: value`, not a list or a string. A node that gets
+    another file exits.
     """
     for fault in faults(project, FaultKind.ROOT):
         yield Finding(fault.at, "controller file is not a map; a parameter file requires 'name: value' lines")

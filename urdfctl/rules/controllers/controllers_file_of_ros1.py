@@ -16,6 +16,7 @@ _ROS2 = 2
     "UC401",
     stage=Stage.PARAMETERS,
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority="rcl rcl_yaml_param_parser/src/parse.c: 'Cannot have a value before ros__parameters at line 2'",
     options=["--distro=humble"],

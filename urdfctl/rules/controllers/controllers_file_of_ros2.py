@@ -13,6 +13,7 @@ from urdfctl.rule import Finding, Note, Project, Severity, Stage, rule
     "UC402",
     stage=Stage.PARAMETERS,
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS1,
     authority="ros_control controller_manager/src/controller_manager.cpp: 'Could not load controller 'arm' because the "
     "type was not specified. Did you load the controller configuration on the parameter server?'",

@@ -25,6 +25,7 @@ _CONTROLLERS = """
 @rule(
     "UC442",
     severity=Severity.WARNING,
+    runtime="warns",
     distros=ROS1[1:],
     authority="ros_controllers joint_state_controller/src/joint_state_controller.cpp: 'Extra joint 'caster' does not specify "
     "a valid default position. Ignoring.', 'Extra joint does not specify name. Ignoring.'",

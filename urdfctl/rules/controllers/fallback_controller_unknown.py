@@ -36,6 +36,7 @@ _FILE = """
     "UC418",
     stage=Stage.ACTIVATE,
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=since("jazzy"),
     authority="ros2_control controller_manager/src/controller_manager.cpp: 'Unable to find the fallback controller : "
     "'hld' of the controller : 'arm' within the controller list', 'Controller 'arm' cannot be a fallback controller for "

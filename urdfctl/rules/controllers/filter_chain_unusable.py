@@ -38,6 +38,7 @@ _FILE = """
     "UC439",
     stage=Stage.CONFIGURE,
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority="filters filters/filter_chain.hpp: 'filter_chain.filter1.name and filter_chain.filter1.type are required'; "
     "control_toolbox: 'LowPass filter cannot be configured'",

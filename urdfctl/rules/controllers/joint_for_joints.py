@@ -14,6 +14,7 @@ from urdfctl.rules.controllers.parameters import missing, number_slips, slips, u
     "UC444",
     stage=StageDependsOn.PARAMETER_CHECKS,
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="ros_controllers effort_controllers/src/joint_position_controller.cpp: 'No joint given (namespace: /arm)'; "
     "forward_command_controller: ''joints' parameter was empty'",
     options=["--distro=noetic"],
@@ -35,7 +36,8 @@ from urdfctl.rules.controllers.parameters import missing, number_slips, slips, u
 def joint_for_joints(project: Project) -> Iterator[Finding]:
     """Parameter `joint` instead of `joints`, or the reverse.
 
-    Controllers of one joint read its name from `joint`; controllers of several joints read a list from `joints`.
+    Controllers of one joint read its name from `joint`; controllers of several joints read a list from `joints`. A
+    controller that does not find its joints is not loaded or not configured.
     """
     return in_each_distro(project, _slip)
 

@@ -38,8 +38,8 @@ _CONTROLLERS = """
 def joint_unlike_its_controller(project: Project) -> Iterator[Finding]:
     """Joint name differs slightly from its controller's name.
 
-    The other controllers in the file are named after their joints, so this joint's name looks misspelt. Checked only if
-    no robot is known.
+    The other controllers in the file are named after their joints, so this joint's name looks misspelt. A controller
+    without its joint is not loaded. Checked only if no robot is known.
     """
     pairs = list(_pairs(project)) if project.robot is None else []
     for (ending, joint_ending), count in Counter(pair.endings for pair in pairs).items():

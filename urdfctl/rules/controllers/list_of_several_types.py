@@ -14,6 +14,7 @@ from urdfctl.rules.controllers.common import faults
     "UC408",
     stage=Stage.PARAMETERS,
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority="rcl rcl_yaml_param_parser/src/parse.c: 'Sequence should be of same type'; 'Sequences cannot be key'",
     options=["--distro=jazzy"],

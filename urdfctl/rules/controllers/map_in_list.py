@@ -14,6 +14,7 @@ from urdfctl.rules.controllers.common import faults
     "UC409",
     stage=StageDependsOn.PARAMETER_CHECKS,
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=ROS2,
     authority="rcl rcl_yaml_param_parser/src/parse.c: a map in a list is read as if it were not in a list",
     options=["--distro=jazzy"],

@@ -14,6 +14,7 @@ from urdfctl.rules.controllers.common import faults
     "UC411",
     stage=Stage.PARAMETERS,
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority="rcl rcl_yaml_param_parser/src/parse.c checks each name with rmw_validate_node_name and rmw_validate_namespace",
     options=["--distro=jazzy"],

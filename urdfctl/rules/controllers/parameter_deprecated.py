@@ -12,6 +12,8 @@ from urdfctl.rules.controllers.parameters import known_as
 @rule(
     "UC435",
     severity=Severity.WARNING,
+    runtime="works",
+    because="later distros ignore it",
     authority="ros2_controllers and ros_controllers: parameters that their sources and migration notes call deprecated",
     options=["--distro=jazzy"],
     bad={

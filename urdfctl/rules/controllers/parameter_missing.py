@@ -20,6 +20,7 @@ _LOSES_PARAMETERS = (FaultKind.OUTSIDE_PARAMETERS, FaultKind.NODE_NAME, FaultKin
     "UC431",
     stage=StageDependsOn.PARAMETER_CHECKS,
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="generate_parameter_library: 'parameter 'joints' is not initialized', 'Parameter 'joints' cannot be "
     "empty'; ros_controllers: 'No joint given', 'Could not find 'joints' parameter'",
     options=["--distro=jazzy"],

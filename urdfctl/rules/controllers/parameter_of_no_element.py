@@ -16,6 +16,7 @@ from urdfctl.rules.controllers.parameters import known_as
 @rule(
     "UC437",
     severity=Severity.WARNING,
+    runtime="ignores",
     authority="generate_parameter_library: parameters with __map_ are declared for each element of the list they name",
     options=["--distro=jazzy"],
     bad={

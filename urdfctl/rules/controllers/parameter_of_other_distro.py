@@ -15,6 +15,7 @@ from urdfctl.rules.controllers.parameters import known_as
 @rule(
     "UC436",
     severity=Severity.WARNING,
+    runtime="ignores",
     authority="ros2_controllers and ros_controllers: the parameters that each distro's branches declare",
     options=["--distro=jazzy"],
     bad={

@@ -16,6 +16,7 @@ from urdfctl.rules.controllers.parameters import is_ros1, known_as
 @rule(
     "UC432",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="rclcpp: 'Wrong parameter type, parameter {joints} is of type {string_array}, setting it to {string} is "
     "not allowed.'; roscpp's getParam fails if the type differs",
     options=["--distro=jazzy"],

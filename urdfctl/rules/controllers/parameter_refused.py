@@ -19,6 +19,7 @@ from urdfctl.rules.controllers.parameters import is_ros1, known_as
 @rule(
     "UC433",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="generate_parameter_library: 'Invalid value set during initialization for parameter ...'",
     options=["--distro=jazzy"],
     bad={

@@ -25,6 +25,7 @@ from urdfctl.rules.controllers.parameters import (
     "UC430",
     stage=StageDependsOn.PARAMETER_CHECKS,
     severity=Severity.WARNING,
+    runtime="ignores",
     authority="generate_parameter_library and rclcpp: a value for a parameter that no node declares is ignored; "
     "ros_control's controllers ask the parameter server for the names they know",
     options=["--distro=jazzy"],

@@ -13,6 +13,7 @@ from urdfctl.rules.controllers.parameters import known_as
 @rule(
     "UC438",
     severity=Severity.WARNING,
+    runtime="ignores",
     authority="ros2_control jazzy: controllers' nodes do not declare async_parameters; ros_controllers: controllers for "
     "position joints read no gains",
     options=["--distro=jazzy"],

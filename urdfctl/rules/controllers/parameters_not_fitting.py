@@ -14,6 +14,7 @@ from urdfctl.rules.controllers.parameters import is_sound
     "UC434",
     stage=StageDependsOn.MANAGER,
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="the controllers' own checks, e.g. joint_trajectory_controller: ''velocity' command interface can only be "
     "used alone if 'velocity' and 'position' state interfaces are present'",
     options=["--distro=jazzy"],
@@ -50,7 +51,7 @@ def parameters_not_fitting(project: Project) -> Iterator[Finding]:
     """Inconsistent controller parameters.
 
     Each value may be valid by itself. But lists must have the same length, interfaces must form a supported
-    combination, or one of several groups must be given. The controller checks these conditions.
+    combination, or one of several groups must be given. The controller checks these conditions and refuses to start.
     """
     return in_each_distro(project, _unfit)
 

@@ -15,6 +15,7 @@ from urdfctl.rules.controllers.parameters import OF_THE_SPAWNER, is_lacking
     "UC415",
     stage=StageDependsOn.PARAMETER_CHECKS,
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=ROS2,
     authority="ros2_control controller_manager/src/controller_manager.cpp: for a controller the manager's node reads only "
     "type, params_file and fallback_controllers",

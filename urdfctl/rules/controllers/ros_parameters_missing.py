@@ -21,6 +21,7 @@ _MEANT = ("rosparameters", "rosparameter", "rosparams", "rosparam", "parameters"
     "UC403",
     stage=Stage.PARAMETERS,
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority="rcl rcl_yaml_param_parser/src/parse.c: 'Cannot have a value before ros__parameters at line 3'",
     options=["--distro=jazzy"],

@@ -13,6 +13,7 @@ from urdfctl.rules.controllers.common import sections
 @rule(
     "UC404",
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=ROS2,
     authority="rcl rcl_yaml_param_parser/src/parse.c: below the first ros__parameters each key is part of a name",
     options=["--distro=jazzy"],

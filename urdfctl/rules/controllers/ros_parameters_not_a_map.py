@@ -14,6 +14,7 @@ from urdfctl.rules.controllers.common import faults
     "UC410",
     stage=StageDependsOn.PARAMETER_CHECKS,
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority="rcl rcl_yaml_param_parser/src/parse.c: parameters are the keys of a map",
     options=["--distro=jazzy"],

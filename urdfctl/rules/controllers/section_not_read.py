@@ -16,6 +16,7 @@ from urdfctl.rules.controllers.sections import meant_for
     "UC416",
     stage=StageDependsOn.PARAMETER_CHECKS,
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=ROS2,
     authority="rclcpp rclcpp/src/rclcpp/parameter_map.cpp: a section is read by the node whose full name it matches; "
     "controller_manager's spawner: 'Controller : /arm parameters not found in parameter files'",

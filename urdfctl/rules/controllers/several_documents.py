@@ -14,6 +14,7 @@ from urdfctl.rules.controllers.common import faults
     "UC413",
     stage=Stage.PARAMETERS,
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS1,
     authority="ros_comm roslaunch/src/roslaunch/loader.py: yaml.safe_load, 'expected a single document in the stream'",
     options=["--distro=noetic"],

@@ -15,6 +15,7 @@ _MAKER = b"made by urdfctl "
 @rule(
     "UC449",
     severity=Severity.WARNING,
+    runtime="misbehaves",
     authority="urdfctl gen-controllers: a value that the robot does not give is written as a placeholder and marked TODO",
     options=["--distro=noetic"],
     bad={

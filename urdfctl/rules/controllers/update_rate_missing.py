@@ -12,6 +12,7 @@ from urdfctl.rule import Finding, Project, Severity, rule
 @rule(
     "UC426",
     severity=Severity.INFO,
+    runtime="works",
     distros=until("iron"),
     authority="ros2_control controller_manager/src/controller_manager.cpp: ''update_rate' parameter not set, using "
     "default value.'",

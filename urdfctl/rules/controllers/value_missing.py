@@ -13,6 +13,7 @@ from urdfctl.rules.controllers.common import faults
     "UC406",
     stage=Stage.PARAMETERS,
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="rcl rcl_yaml_param_parser/src/parse.c: 'No value at line 7'; ros_comm's rosparam: 'cannot marshal None "
     "unless allow_none is enabled'",
     options=["--distro=jazzy"],

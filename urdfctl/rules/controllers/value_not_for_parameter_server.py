@@ -14,6 +14,7 @@ from urdfctl.rules.controllers.common import faults
     "UC414",
     stage=Stage.PARAMETERS,
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS1,
     authority="ros_comm roslaunch over XML-RPC: 'int exceeds XML-RPC limits', 'dictionary key must be string', "
     "'cannot marshal <type 'datetime.date'> objects'",

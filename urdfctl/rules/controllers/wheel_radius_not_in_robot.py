@@ -48,6 +48,7 @@ _CONTROLLERS = """
 @rule(
     "UC447",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=until("noetic")[1:],
     authority="ros_controllers diff_drive_controller/src/diff_drive_controller.cpp: 'Wheel link wheel is NOT modeled as a "
     "cylinder or sphere!', 'Link wheel does not have collision description.'",

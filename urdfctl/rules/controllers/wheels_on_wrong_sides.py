@@ -14,6 +14,7 @@ _PAIRS = (("left_wheel", "right_wheel"), ("left_wheel_names", "right_wheel_names
 @rule(
     "UC446",
     severity=Severity.WARNING,
+    runtime="misbehaves",
     authority="diff_drive_controller uses the wheels as listed",
     options=["--distro=jazzy"],
     bad={

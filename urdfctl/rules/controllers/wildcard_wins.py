@@ -31,6 +31,7 @@ _ALL = """
 @rule(
     "UC417",
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=ROS2,
     authority="rclcpp rclcpp/src/rclcpp/parameter_map.cpp: sections that match a node are read in file order",
     options=["--distro=jazzy"],
@@ -41,7 +42,7 @@ def wildcard_wins(project: Project) -> Iterator[Finding]:
     """Section with a wildcard overrides a node's own section.
 
     ROS 2 reads all sections that match a node in the order of the file. The last value wins, however general its
-    section is. Put sections with wildcards first.
+    section is, and the earlier one is lost. Put sections with wildcards first.
     """
     controllers = controllers_in(project)
     nodes = [(controller.name, controller.own, controller.parameters) for controller in controllers.controllers]

@@ -26,6 +26,7 @@ _ROBOT = '%s<link name="base"/>%s</robot>'
 @rule(
     "UC643",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS1,
     options=["--distro=noetic"],
     whole_robot=True,

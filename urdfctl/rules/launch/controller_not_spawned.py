@@ -15,6 +15,7 @@ from urdfctl.rules.launch_samples import BROADCASTER, CONTROLLERS, MANAGER, PUBL
 @rule(
     "UC603",
     severity=Severity.INFO,
+    runtime="works",
     authority="ros2_control controller_manager.cpp load_controller(): a controller is loaded when a spawner asks for it; "
     "likewise ros_control's controller_manager",
     bad=launched(

@@ -35,6 +35,7 @@ _ADDS_PARTS = rb"<(?:xacro:(?!arg\b|property\b)|link\b|joint\b|include\b)"
 @rule(
     "UC631",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="urdfdom urdf_parser/src/model.cpp parseURDF(): 'No link elements found in urdf file'",
     bad={
         "arm.launch": _LAUNCH.format("«$(find arm)/camera.urdf.xacro»").replace(

@@ -17,6 +17,7 @@ _ELSEWHERE = PUBLISHER.replace("<node ", '<node namespace="left" ')
 @rule(
     "UC611",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     options=("--distro=jazzy",),
     authority="ros2_control controller_manager.cpp: 'Waiting for data on 'robot_description' topic to finish "

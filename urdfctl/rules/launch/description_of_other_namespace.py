@@ -38,6 +38,7 @@ def _files(namespace: str) -> dict[str, str]:
 @rule(
     "UC613",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS1,
     authority="gazebo_ros_control gazebo_ros_control_plugin.cpp getURDF(): searchParam() from robotNamespace upwards: "
     "'gazebo_ros_control plugin is waiting for model URDF in parameter [robot_description] on the ROS param server.'",

@@ -24,6 +24,7 @@ _TYPED = _PUBLISHER.replace('"/>', '" type="str"/>')
 @rule(
     "UC632",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="launch_ros utilities/evaluate_parameters.py: a substitution without a type is passed to yaml.safe_load: "
     "'Unable to parse the value of parameter robot_description as yaml. If the parameter is meant to be a string, try "
     "wrapping it in launch_ros.parameter_descriptions.ParameterValue(value, value_type=str)'",

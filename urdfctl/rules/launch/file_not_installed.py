@@ -36,6 +36,7 @@ def _files(folders: str, mark: str = "") -> dict[str, str]:
 @rule(
     "UC615",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="ament_index_python get_package_share_directory(): <prefix>/share/<package>, where only install() rules and "
     "data_files of setup.py put files",
     bad=_files("launch urdf", "$(find-pkg-share arm)/config/controllers.yaml"),
@@ -45,7 +46,7 @@ def file_not_installed(project: Project) -> Iterator[Finding]:
     """File used by a launch file is not installed.
 
     `ros2 launch` looks in the installed package. It contains only what `install()` in CMakeLists.txt or `data_files` in
-    setup.py lists. The missing install rule does not show in the source tree. ROS 1 needs install rules only for
+    setup.py lists. The launch fails, although the file is in the source tree. ROS 1 needs install rules only for
     `catkin_make install` and for binary packages; there the rule reports files that an installed launch file uses.
     """
     launch = project.launch

@@ -27,6 +27,7 @@ def _files(name: str) -> dict[str, str]:
 @rule(
     "UC618",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS1,
     authority="roslaunch loader.py post_process_include_args(): 'unused args [gui] for include of [/arm/inner.launch]'",
     bad=_files("«gvi»"),

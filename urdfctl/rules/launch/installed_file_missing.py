@@ -31,6 +31,8 @@ def _files(folders: str) -> dict[str, str]:
 @rule(
     "UC637",
     severity=Severity.WARNING,
+    runtime="refuses",
+    because="the folder may exist on the machine of the author",
     distros=ROS2,
     authority="CMake install(): 'file INSTALL cannot find \"/ws/src/arm/launch\": No such file or directory.'; "
     "ament_cmake_core: \"ament_cmake_symlink_install_directory() can't find '/ws/src/arm/launch'\"",

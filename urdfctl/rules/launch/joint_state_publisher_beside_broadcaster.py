@@ -17,6 +17,7 @@ _TOPICS = ("joint_states", "/joint_states")
 @rule(
     "UC604",
     severity=Severity.WARNING,
+    runtime="misbehaves",
     authority="joint_state_publisher: publishes joint_states of all joints, zero for joints without input; "
     "robot_state_publisher takes whatever comes on joint_states",
     bad=launched(PUBLISHER, MANAGER, BROADCASTER, ARM, _NODE),

@@ -17,6 +17,7 @@ _ARGUMENTS = {".rviz": "RViz configuration", ".vcg": "RViz configuration", ".wor
 @rule(
     "UC616",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="roslaunch: 'file does not exist'; launch: 'The following exception occurred ... No such file or directory'; "
     "rcl: 'Error opening YAML file'; xacro: 'No such file or directory'",
     bad=launched(

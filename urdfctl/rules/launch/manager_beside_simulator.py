@@ -22,6 +22,7 @@ _SIMULATED = ROBOT.replace("mock_components/GenericSystem", "gz_ros2_control/Gaz
 @rule(
     "UC607",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority="ros2_control hardware_interface resource_manager.cpp: 'According to the loaded plugin descriptions the class "
     "gz_ros2_control/GazeboSimSystem with base class type hardware_interface::SystemInterface does not exist.'",

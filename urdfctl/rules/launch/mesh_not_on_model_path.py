@@ -48,6 +48,7 @@ def _files(mark: str, export: str) -> dict[str, str]:
 @rule(
     "UC636",
     severity=Severity.WARNING,
+    runtime="warns",
     distros=ROS2,
     options=("--distro=foxy",),
     authority="sdformat parser_urdf.cc: package:// becomes model://; gazebo_ros and ros_gz_sim scripts GazeboRosPaths: the model "
@@ -60,8 +61,8 @@ def mesh_not_on_model_path(project: Project) -> Iterator[Finding]:
     """Gazebo does not find the meshes of a package.
 
     Gazebo reads package:// as model:// and looks for the package in its model path. A package adds itself to that path
-    with an export in package.xml, or the launch file sets the environment variable. Otherwise the links are invisible
-    and have no collision shapes, unless the variable is set outside.
+    with an export in package.xml, or the launch file sets the environment variable. Otherwise Gazebo prints an error,
+    and the links are invisible and have no collision shapes, unless the variable is set outside.
     """
     launch, robot = launch_of(project, ROS_2), robot_in(project)
     package = launch.package if launch else None

@@ -37,6 +37,7 @@ _NODE = '<node name="NAME" pkg="joint_state_publisher" type="joint_state_publish
 @rule(
     "UC633",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS1,
     authority="roslaunch config.py add_node(): 'roslaunch file contains multiple nodes named [/spawner]. Please check all "
     "<node> 'name' attributes to make sure they are unique.'",

@@ -12,6 +12,8 @@ from urdfctl.rules.launch_samples import ARM, BROADCASTER, MANAGER, PUBLISHER, S
 @rule(
     "UC642",
     severity=Severity.WARNING,
+    runtime="refuses",
+    because="the package may be installed",
     authority="roslaunch substitution_args.py _find(): rospkg ResourceNotFound; launch_ros FindPackageShare: "
     "\"package 'amr' not found, searching: ...\"",
     bad=launched(PUBLISHER.replace("(find-pkg-share arm)", "(find-pkg-share «armm»)", 1), MANAGER, BROADCASTER, ARM),

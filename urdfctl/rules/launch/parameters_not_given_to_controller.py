@@ -17,6 +17,7 @@ _REJECTING = since("lyrical")
 @rule(
     "UC610",
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=since("jazzy"),
     options=("--distro=jazzy",),
     authority="ros2_control #1694 (jazzy): parameters of controllers are given to the spawner; #3016 (lyrical): the manager "

@@ -20,6 +20,7 @@ _MANIFEST = "<package><name>arm</name><exec_depend>robot_state_publisher</exec_d
 @rule(
     "UC644",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=("noetic",),
     options=["--distro=noetic"],
     authority="robot_state_publisher CHANGELOG 1.15.0 (noetic): 'Remove state_publisher'; joint_state_publisher 1.12.14: "

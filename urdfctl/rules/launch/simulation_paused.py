@@ -26,8 +26,8 @@ _HOW = {"gz": "Add '-r' to gz_args", "gazebo-classic": "Set 'pause' to 'false'"}
 def simulation_paused(project: Project) -> Iterator[Finding]:
     """Simulation is started paused, but controllers are spawned in it.
 
-    In a paused simulation time does not advance, and the plugin's controller manager is not updated. No controller is
-    activated before someone presses play, and the spawner gives up after five seconds.
+    In a paused simulation time does not advance, and the plugin's controller manager is not updated. Nothing can be
+    activated before someone presses play: the request waits, and the spawner gives up after five seconds.
     """
     launch = launch_of(project, ROS_2)
     if launch is None:

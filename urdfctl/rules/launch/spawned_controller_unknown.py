@@ -17,6 +17,7 @@ from urdfctl.source.span import Place
 @rule(
     "UC601",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="ros2_control controller_manager.cpp: 'The 'type' param was not defined for 'arm'.'; ros_control "
     "controller_manager.cpp: 'Could not load controller 'arm' because the type was not specified.'",
     bad=launched(PUBLISHER, MANAGER, BROADCASTER, spawner(f"«arm_controler» {FILE}")),

@@ -14,6 +14,7 @@ from urdfctl.rules.launch_samples import BROADCASTER, FILE, MANAGER, PUBLISHER, 
 @rule(
     "UC606",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     whole_robot=True,
     authority="ros2_control spawner.py: 'Could not contact service /left/controller_manager/list_controllers'",

@@ -16,6 +16,7 @@ from urdfctl.rules.launch_samples import BROADCASTER, FILE, MANAGER, PUBLISHER, 
 @rule(
     "UC609",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority="ros2_control spawner.py: argparse ends the program where it does not know an option: 'unrecognized "
     "arguments'; the options of each distro's branch",

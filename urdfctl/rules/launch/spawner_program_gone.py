@@ -22,6 +22,7 @@ _GONE = {
 @rule(
     "UC608",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=since("galactic"),
     options=("--distro=humble",),
     authority="ros2_control controller_manager/setup.cfg: console_scripts spawner, unspawner; galactic: ''spawner.py' is "

@@ -16,6 +16,7 @@ _GLUED = r"\.(?:xacro|urdf)(?=\w+:=)"
 @rule(
     "UC617",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="launch substitutions/command.py: the parts are put together as they are, and split like a shell does: "
     "'executed command failed' or 'file not found'",
     bad=launched(

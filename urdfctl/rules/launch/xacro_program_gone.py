@@ -15,6 +15,7 @@ _LOADED = "<launch><param name=\"robot_description\" command={}$(find xacro)/{} 
 @rule(
     "UC620",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=("noetic",),
     options=("--distro=noetic",),
     authority="ros/xacro pull request 239, released as 1.14.2 for noetic: xacro.py is removed; roslaunch: "

@@ -12,7 +12,8 @@ from urdfctl.rules.migration.common import severity_of_old
 
 @rule(
     "UC704",
-    runtime="warns",
+    runtime="works",
+    because="later distros do not have it",
     severity=Severity.WARNING,
     distros=ROS2,
     authority="ros2_controllers doc/migration.rst and release_notes.rst: deprecated types and their successors",

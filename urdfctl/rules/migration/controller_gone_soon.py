@@ -13,6 +13,7 @@ from urdfctl.rules.migration.common import lacking
 @rule(
     "UC707",
     severity=Severity.INFO,
+    runtime="works",
     distros=ROS2,
     authority="ros2_controllers#2016: position_controllers, velocity_controllers and effort_controllers are removed; "
     "doc/migration.rst of each distro",

@@ -47,7 +47,7 @@ _WITHOUT = since("jazzy")
 def gazebo_classic_gone(project: Project) -> Iterator[Finding]:
     """Gazebo Classic plugin in a distro without Gazebo Classic.
 
-    Gazebo Classic reached its end of life in January 2025, and has no release for jazzy and later. gz does not find its
+    Gazebo Classic reached its end of life in January 2025, and has no release for jazzy and later. gz cannot load its
     plugins. If the controllers run in such a plugin, the simulated robot is not controlled.
     """
     if not set(project.distros) <= set(_WITHOUT):

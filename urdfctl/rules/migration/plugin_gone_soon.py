@@ -14,6 +14,7 @@ from urdfctl.rules.migration.facts import IN_GZ
 @rule(
     "UC705",
     severity=Severity.INFO,
+    runtime="works",
     distros=ROS2,
     authority="gazebo_ros2_control README: 'gazebo_ros2_control won't be released for Jazzy and Rolling anymore'",
     options=["--distro=humble"],

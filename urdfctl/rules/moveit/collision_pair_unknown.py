@@ -14,6 +14,7 @@ from urdfctl.rules.moveit.samples import planned
 @rule(
     "UC662",
     severity=Severity.WARNING,
+    runtime="ignores",
     whole_robot=True,
     in_library=False,
     authority="srdfdom src/model.cpp loadCollisionPairs(): \"Link 'uper' is not known to URDF. Cannot disable/enable collisons.\"",

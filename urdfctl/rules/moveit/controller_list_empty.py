@@ -20,6 +20,8 @@ _MOVEIT = """
 @rule(
     "UC655",
     severity=Severity.WARNING,
+    runtime="drops",
+    because="planning works without controllers",
     authority="moveit_simple_controller_manager.cpp: 'Returned 0 controllers in list', 'No controller_names specified.'; "
     "trajectory_execution_manager.cpp: 'Unable to identify any set of controllers that can actuate the specified joints'",
     bad=planned(moveit_controllers=_MOVEIT.format("«controller_names»", "[]")),

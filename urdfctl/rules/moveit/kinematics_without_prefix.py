@@ -43,6 +43,7 @@ def _files(parameters: str, kinematics: str = KINEMATICS) -> dict[str, str]:
 @rule(
     "UC674",
     severity=Severity.ERROR,
+    runtime="drops",
     distros=since("jazzy"),
     options=("--distro=jazzy",),
     authority="moveit2 kinematics_plugin_loader.cpp getLoaderFunction(): since jazzy only robot_description_kinematics.<group> is "

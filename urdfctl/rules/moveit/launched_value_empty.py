@@ -12,6 +12,7 @@ from urdfctl.rules.moveit.samples import MOVEIT, planned
 @rule(
     "UC656",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     options=("--distro=humble",),
     authority="launch_ros normalize_parameters.py: an empty list becomes an empty tuple, \"Expected 'value' to be one of ..., but "
@@ -23,7 +24,7 @@ def launched_value_empty(project: Project) -> Iterator[Finding]:
     """Empty list or missing value in a file of MoveIt.
 
     MoveIt's launch files read the YAML files and pass their content to the nodes. Launch accepts neither an empty list
-    nor a key without a value, and starts nothing. Delete the key, or give it a value.
+    nor a key without a value, and stops with an error. Delete the key, or give it a value.
     """
     moveit = project.moveit
     is_certain = moveit is not None and moveit.files is not None and moveit.files.sure

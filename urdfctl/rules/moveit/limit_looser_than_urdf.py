@@ -16,6 +16,7 @@ _TOLERANCE = 1e-3
 @rule(
     "UC669",
     severity=Severity.WARNING,
+    runtime="misbehaves",
     authority="moveit_ros_planning robot_model_loader.cpp configure(): limits in joint_limits.yaml replace those of the URDF; the "
     "setup assistant writes: 'Joint limits can be turned off with has_velocity_limits' and expects tighter ones",
     bad=planned(joint_limits=LIMITS.replace("max_velocity: 1.5", "max_velocity: «15.0»", 1)),

@@ -14,6 +14,7 @@ from urdfctl.rules.moveit.samples import LIMITS, planned
 @rule(
     "UC666",
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=ROS2,
     whole_robot=True,
     in_library=False,

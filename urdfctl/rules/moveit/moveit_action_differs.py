@@ -29,6 +29,7 @@ _WITHOUT_PARALLEL = tuple(distro for distro in until("iron") if distro in ROS2)
 @rule(
     "UC672",
     severity=Severity.ERROR,
+    runtime="refuses",
     options=("--distro=jazzy",),
     authority="moveit_simple_controller_manager.cpp: 'Action client not connected to action server: arm_controller/gripper_cmd', "
     "'Unknown controller type: GripperCmd'; ros2_controllers: joint_trajectory_controller offers ~/follow_joint_trajectory, "

@@ -18,6 +18,7 @@ _ACTIONS = {"FollowJointTrajectory": "follow_joint_trajectory", "GripperCommand"
 @rule(
     "UC651",
     severity=Severity.ERROR,
+    runtime="drops",
     distros=ALL,
     authority="moveit2 moveit_simple_controller_manager.cpp: 'No action namespace specified for controller `arm_controller` "
     "through parameter', 'No type specified for controller', 'No joints specified for controller'; moveit: 'name, joints, "

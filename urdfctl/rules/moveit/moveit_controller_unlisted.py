@@ -20,6 +20,8 @@ _LISTED = "\n      arm_controller:"
 @rule(
     "UC675",
     severity=Severity.WARNING,
+    runtime="drops",
+    because="the section may be left over",
     distros=ROS2,
     authority="moveit_simple_controller_manager.cpp initialize(): only the controllers in controller_names are created",
     bad=configured(_LISTED, _HAND.replace("hand_controller", "«hand_controller»")),

@@ -25,6 +25,7 @@ def _files(semantic: str) -> dict[str, str]:
 @rule(
     "UC676",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority='launch_param_builder utils.py raise_if_file_not_found(): "File .../config/kinematics.yaml doesn\'t exist"; '
     "moveit_configs_builder.py to_moveit_configs(): reads the SRDF, kinematics.yaml and joint_limits.yaml; roslaunch: 'Invalid "
     "<param> tag: No such file or directory'",

@@ -17,6 +17,7 @@ _PARTIAL = "allow_partial_joints_goal"
 @rule(
     "UC653",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="ros2_controllers joint_trajectory_controller.cpp: 'Incoming joint elbow_joint doesn't match the controller's "
     "joints.', 'Joints on incoming trajectory don't match the controller joints.'",
     bad=configured("joints: [shoulder, elbow]", "joints: [shoulder, «elbow_joint»]"),

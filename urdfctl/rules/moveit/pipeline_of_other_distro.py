@@ -28,6 +28,7 @@ _NEW_PIPELINE = """
 @rule(
     "UC670",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     options=("--distro=jazzy",),
     authority="moveit2 planning_pipeline.cpp: since jazzy planning_plugins, request_adapters and response_adapters are lists: "
@@ -44,7 +45,7 @@ def pipeline_of_other_distro(project: Project) -> Iterator[Finding]:
     """Planning pipeline is written for another distro.
 
     jazzy renamed planning_plugin to planning_plugins, made it and the adapters lists, and replaced the adapters. In the
-    other form, the pipeline has no planner, or move_group ends because a parameter has the wrong type.
+    other form, the pipeline cannot load a planner, or move_group ends because a parameter has the wrong type.
     """
     distros = set(project.distros)
     is_new, is_old = distros <= set(_NEW), distros <= set(_OLD)

@@ -26,7 +26,7 @@ _ALONE = """
 def semantic_chain_broken(project: Project) -> Iterator[Finding]:
     """Chain of a planning group does not connect two links.
 
-    A chain needs base_link and tip_link, and a path of joints between them. MoveIt leaves other chains out of the group.
+    A chain needs base_link and tip_link, and a path of joints between them. MoveIt drops other chains from the group.
     """
     groups = planning(project)
     for group in groups.semantic.groups if groups else ():

@@ -11,6 +11,7 @@ from urdfctl.rules.moveit.samples import planned
 @rule(
     "UC661",
     severity=Severity.WARNING,
+    runtime="warns",
     authority='srdfdom src/model.cpp: "Group \'wrist\' is empty."; moveit_core robot_model.cpp addJointModelGroup(): "Group '
     "'wrist' must have at least one valid joint\", \"A group named 'arm' already exists. Not adding.\"",
     bad=planned('<group name="wrist"><joint name="elbow"/></group>', '<group name="«wrist»"/>'),
@@ -19,7 +20,7 @@ from urdfctl.rules.moveit.samples import planned
 def semantic_group_unusable(project: Project) -> Iterator[Finding]:
     """Planning group is empty, or defined twice.
 
-    MoveIt does not create a group without joints, and ignores the second group of the same name.
+    MoveIt prints a warning, does not create a group without joints, and ignores the second group of the same name.
     """
     semantic = project.moveit.semantic if project.moveit else None
     if semantic is None or not semantic.complete:

@@ -13,6 +13,7 @@ from urdfctl.rules.moveit.samples import planned
 @rule(
     "UC657",
     severity=Severity.WARNING,
+    runtime="warns",
     in_library=False,
     authority="srdfdom src/model.cpp initXml(): 'Semantic description is not specified for the same robot as the URDF'",
     bad=planned('<robot name="arm">', '<robot name="«old_arm»">'),

@@ -41,6 +41,7 @@ _NODE = '<node name="move_group" pkg="moveit_ros_move_group" type="move_group"{}
 @rule(
     "UC671",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS1,
     options=("--distro=noetic",),
     authority="moveit_ros_planning rdf_loader.cpp: the name is searched in the node's namespace and those above it: 'Robot "

@@ -14,6 +14,7 @@ from urdfctl.rules.moveit.samples import planned
 @rule(
     "UC658",
     severity=Severity.ERROR,
+    runtime="drops",
     whole_robot=True,
     in_library=False,
     authority="srdfdom src/model.cpp loadGroups(): \"Joint 'elbow' declared as part of group 'arm' is not known to the URDF\", "

@@ -12,6 +12,7 @@ from urdfctl.rules.moveit.samples import KINEMATICS, planned
 @rule(
     "UC663",
     severity=Severity.WARNING,
+    runtime="ignores",
     authority="moveit_ros_planning robot_model_loader.cpp loadKinematicsSolvers(): a group in kinematics.yaml that is not in the "
     "SRDF is skipped; 'No kinematics plugins defined. Fill and load kinematics.yaml!'",
     bad=planned(kinematics=KINEMATICS.replace("    arm:", "    «manipulator»:")),

@@ -35,6 +35,7 @@ def _files(group: str) -> dict[str, str]:
 @rule(
     "UC664",
     severity=Severity.ERROR,
+    runtime="drops",
     whole_robot=True,
     in_library=False,
     authority="moveit_kinematics kdl_kinematics_plugin.cpp initialize(): \"Group 'both' is not a chain\"; kinematics_plugin_loader"

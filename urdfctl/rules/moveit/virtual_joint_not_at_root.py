@@ -15,6 +15,7 @@ _VIRTUAL = '<virtual_joint name="to_world" type="planar" parent_frame="map" chil
 @rule(
     "UC673",
     severity=Severity.WARNING,
+    runtime="ignores",
     whole_robot=True,
     in_library=False,
     authority="moveit_core robot_model.cpp constructJointModel(): \"Skipping virtual joint 'to_world' because its child frame "
@@ -25,8 +26,8 @@ _VIRTUAL = '<virtual_joint name="to_world" type="planar" parent_frame="map" chil
 def virtual_joint_not_at_root(project: Project) -> Iterator[Finding]:
     """Virtual joint is not attached to the root link.
 
-    MoveIt skips it, and fixes the root link to the world. A mobile base then does not move in the planning scene. Only
-    a fixed joint below an empty root link `world` is accepted.
+    MoveIt ignores it, and fixes the root link to the world. A mobile base then does not move in the planning scene.
+    Only a fixed joint below an empty root link `world` is accepted.
     """
     groups = planning(project)
     if groups is None or groups.root is None or is_of_other_robot(project):

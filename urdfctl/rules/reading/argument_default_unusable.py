@@ -12,6 +12,8 @@ from urdfctl.source.problem import ProblemKind
 @rule(
     "UC028",
     severity=Severity.WARNING,
+    runtime="refuses",
+    because="whoever passes the argument starts the robot",
     authority="xacro/__init__.py load_yaml(), parse(): the folder of the file at work, opened as a file: 'Is a directory'; "
     "xacro/substitution_args.py _eval_arg(): 'Undefined substitution argument' without a default",
     bad={

@@ -12,6 +12,7 @@ from urdfctl.source.problem import ProblemKind
 @rule(
     "UC021",
     severity=Severity.WARNING,
+    runtime="ignores",
     options=("prefx:=left_",),
     authority="xacro/cli.py load_mappings(): every name:=value is kept; nothing compares them with <xacro:arg>",
     bad={

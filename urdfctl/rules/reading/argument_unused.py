@@ -12,6 +12,7 @@ from urdfctl.source.problem import ProblemKind
 @rule(
     "UC019",
     severity=Severity.INFO,
+    runtime="works",
     authority="xacro/__init__.py eval_all(): an <xacro:arg> only stores its default",
     bad={
         "robot.xacro": """

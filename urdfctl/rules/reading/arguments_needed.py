@@ -12,6 +12,8 @@ from urdfctl.source.problem import ProblemKind
 @rule(
     "UC030",
     severity=Severity.INFO,
+    runtime="refuses",
+    because="a launch file passes the arguments",
     authority="xacro/substitution_args.py _eval_arg(): without a value xacro reports 'Undefined substitution argument'",
     bad={
         "robot.xacro": """

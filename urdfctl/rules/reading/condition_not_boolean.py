@@ -12,6 +12,7 @@ from urdfctl.source.problem import ProblemKind
 @rule(
     "UC011",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="xacro/__init__.py get_boolean_value(): '... which is not a boolean expression'",
     bad={
         "robot.xacro": """

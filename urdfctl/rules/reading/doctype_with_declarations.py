@@ -12,6 +12,7 @@ from urdfctl.source.problem import ProblemKind
 @rule(
     "UC005",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="CWE-776: recursive entity expansion; tinyxml, which urdfdom uses, knows no entities of a document's own",
     bad={
         "robot.urdf": """

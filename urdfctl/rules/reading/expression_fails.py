@@ -12,6 +12,7 @@ from urdfctl.source.problem import ProblemKind
 @rule(
     "UC010",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="xacro/__init__.py eval_text(): re-raises whatever Python raised, 'when evaluating expression ...'",
     bad={
         "robot.xacro": """

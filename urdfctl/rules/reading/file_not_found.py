@@ -12,6 +12,7 @@ from urdfctl.source.problem import ProblemKind
 @rule(
     "UC002",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="xacro/__init__.py parse(): raises 'No such file or directory'",
     bad={
         "robot.xacro": """

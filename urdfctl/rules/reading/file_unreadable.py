@@ -12,6 +12,7 @@ from urdfctl.source.problem import ProblemKind
 @rule(
     "UC004",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="xacro/__init__.py parse(): open() raises IsADirectoryError or PermissionError",
     bad={
         "robot.xacro": """

@@ -12,6 +12,7 @@ from urdfctl.source.problem import ProblemKind
 @rule(
     "UC015",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="xacro/__init__.py safe_eval(): looks at the top-level names only",
     bad={
         "robot.xacro": """

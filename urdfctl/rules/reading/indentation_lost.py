@@ -14,6 +14,7 @@ from urdfctl.rule import Finding, Project, Severity, Stage, rule
     "UC031",
     stage=Stage.PARAMETERS,
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority="rcl rcl_yaml_param_parser/src/parse.c: 'Cannot have a value before ros__parameters at line 1'",
     options=["--distro=jazzy"],

@@ -13,6 +13,7 @@ from urdfctl.source.problem import ProblemKind
 @rule(
     "UC027",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority="launch launch/launch_description_sources/python_launch_file_utilities.py: the file is imported as a Python module; 'InvalidLaunchFileError'",
     bad={

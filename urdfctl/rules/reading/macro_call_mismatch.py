@@ -12,6 +12,7 @@ from urdfctl.source.problem import ProblemKind
 @rule(
     "UC009",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="xacro/__init__.py handle_macro_call(): 'Invalid parameter', 'Undefined parameters', 'Not enough blocks', 'Unused block'",
     bad={
         "robot.xacro": """

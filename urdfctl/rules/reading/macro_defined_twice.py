@@ -12,6 +12,7 @@ from urdfctl.source.problem import ProblemKind
 @rule(
     "UC017",
     severity=Severity.WARNING,
+    runtime="ignores",
     authority="xacro/__init__.py grab_macro(): macros[name] = macro, over whatever was there",
     bad={
         "robot.xacro": """

@@ -28,6 +28,7 @@ _ROBOT = """
 @rule(
     "UC029",
     severity=Severity.WARNING,
+    runtime="ignores",
     authority="xacro/__init__.py grab_macro(): macros[name] = macro, over whatever was there",
     bad={
         "robot.xacro": _ROBOT.replace("CALLED", "left_arm"),

@@ -12,6 +12,7 @@ from urdfctl.source.problem import ProblemKind
 @rule(
     "UC016",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="xacro/__init__.py process_include() and load_yaml(): open any path they are given",
     bad={
         "robot.xacro": """
@@ -36,7 +37,7 @@ def outside_workspace(project: Project) -> Iterator[Finding]:
     """File outside the workspace.
 
     A robot from an untrusted source must not read other files on this machine. urdfctl reads files in the workspace, in
-    the packages that it resolves, and in `--package-path`. Use `--workspace` to widen this, or `--trust` to turn the
-    check off.
+    the packages that it resolves, and in `--package-path`, and refuses others. Use `--workspace` to widen this, or
+    `--trust` to turn the check off.
     """
     yield from findings_of(project, ProblemKind.OUTSIDE_WORKSPACE)

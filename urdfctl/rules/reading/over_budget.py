@@ -12,6 +12,7 @@ from urdfctl.source.problem import ProblemKind
 @rule(
     "UC014",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="measured on 72 public repositories: the largest robot is a hundred times below each limit",
     bad={
         "robot.xacro": """
@@ -39,7 +40,7 @@ from urdfctl.source.problem import ProblemKind
 def over_budget(project: Project) -> Iterator[Finding]:
     """Description is too large to be expanded.
 
-    The limits are 16 MiB a file, 200 levels of nested elements, 20 000 macro calls and a million elements. No real
-    robot comes close, and an endless description must not block a pipeline.
+    urdfctl stops there. The limits are 16 MiB a file, 200 levels of nested elements, 20 000 macro calls and a million
+    elements. No real robot comes close, and an endless description must not block a pipeline.
     """
     yield from findings_of(project, ProblemKind.BUDGET)

@@ -15,6 +15,7 @@ _BY_PYTHON = since("jazzy")
 @rule(
     "UC032",
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=ROS2,
     authority="rcl rcl_yaml_param_parser/src/parse.c ignores tags; ros2_control controller_manager/"
     "controller_manager_services.py reads --param-file with yaml.safe_load(): 'could not determine a constructor for the "

@@ -19,6 +19,7 @@ _NAMES = ("joint", "wheel", "interface")
 @rule(
     "UC033",
     severity=Severity.WARNING,
+    runtime="misbehaves",
     authority="rcl rcl_yaml_param_parser/src/parse.c and rosparam load_file() read values as they are; roslaunch evaluates "
     '$(...) with subst_value="true", launch_ros with allow_substs, and nothing evaluates ${...}',
     bad=launched(

@@ -12,6 +12,7 @@ from urdfctl.source.problem import ProblemKind
 @rule(
     "UC007",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="xacro/substitution_args.py _eval_arg(): ArgException; xacro reports 'Undefined substitution argument'",
     bad={
         "robot.xacro": """

@@ -12,6 +12,7 @@ from urdfctl.source.problem import ProblemKind
 @rule(
     "UC006",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="xacro/__init__.py eval_text(): NameError 'name ... is not defined' when evaluating expression",
     bad={
         "robot.xacro": """

@@ -12,6 +12,7 @@ from urdfctl.source.problem import ProblemKind
 @rule(
     "UC008",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="xacro/__init__.py handle_macro_call(): 'unknown macro name'",
     bad={
         "robot.xacro": """
@@ -33,7 +34,7 @@ from urdfctl.source.problem import ProblemKind
 def unknown_macro(project: Project) -> Iterator[Finding]:
     """Macro is called before it is defined.
 
-    xacro reads a file from top to bottom, and a macro exists only after its definition. The usual causes are a missing
-    include and a misspelt name.
+    xacro reads a file from top to bottom, and stops at a call of a macro that is not defined yet. The usual causes are
+    a missing include and a misspelt name.
     """
     yield from findings_of(project, ProblemKind.UNKNOWN_MACRO)

@@ -12,6 +12,7 @@ from urdfctl.source.problem import ProblemKind
 @rule(
     "UC012",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="xacro/__init__.py and xmlutils.py: check_attrs(), reqd_attrs(), grab_property(), grab_macro()",
     bad={
         "robot.xacro": """

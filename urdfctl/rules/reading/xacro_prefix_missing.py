@@ -20,6 +20,7 @@ _PROLOG = rb"(?s)(?:\xef\xbb\xbf)?(?:\s+|<\?.*?\?>|<!--.*?-->|<!DOCTYPE[^>\[]*>)
 @rule(
     "UC018",
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=_REQUIRED,
     authority="xacro CHANGELOG 1.14.0 (noetic): 'removed deprecated --xacro-ns option'; eval_all() looks at names that begin with 'xacro:' only",
     bad={

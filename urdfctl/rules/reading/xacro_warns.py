@@ -12,6 +12,7 @@ from urdfctl.source.problem import ProblemKind
 @rule(
     "UC013",
     severity=Severity.WARNING,
+    runtime="warns",
     authority="xacro/__init__.py: check_attrs() 'unknown attribute(s)', Table._setitem() 'redefining global symbol', and others",
     bad={
         "robot.xacro": """
@@ -33,7 +34,7 @@ from urdfctl.source.problem import ProblemKind
 def xacro_warns(project: Project) -> Iterator[Finding]:
     """Xacro prints a warning about an element.
 
-    xacro goes on, but the result may be wrong. For example, it ignores an unknown attribute, and a redefined symbol
-    hides another one.
+    xacro prints it and goes on, but the result may be wrong. For example, it ignores an unknown attribute, and a
+    redefined symbol hides another one.
     """
     yield from findings_of(project, ProblemKind.XACRO_WARNING)

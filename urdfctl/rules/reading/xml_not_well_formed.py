@@ -12,6 +12,7 @@ from urdfctl.source.problem import ProblemKind
 @rule(
     "UC001",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="urdfdom urdf_parser/src/model.cpp: parseURDF() returns nothing when tinyxml cannot parse; xacro/__init__.py: 'XML parsing error'",
     bad={
         "robot.urdf": """

@@ -13,6 +13,7 @@ from urdfctl.source.problem import ProblemKind
 @rule(
     "UC025",
     severity=Severity.WARNING,
+    runtime="ignores",
     authority="rcl_yaml_param_parser/src/parse.c: parse_value() overwrites; PyYAML: construct_mapping() keeps the last one",
     bad={
         "controllers.yaml": """

@@ -13,6 +13,7 @@ from urdfctl.source.problem import ProblemKind
     "UC024",
     stage=Stage.PARAMETERS,
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="rcl_yaml_param_parser/src/parse.c: 'Error parsing a event near line %d'; roslaunch: 'file <f> contains invalid YAML'",
     bad={
         "controllers.yaml": """

@@ -13,6 +13,7 @@ from urdfctl.source.problem import ProblemKind
     "UC026",
     stage=Stage.PARAMETERS,
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="YAML 1.1, section 4.2.1: tabs must not be used for indentation; PyYAML (roslaunch's reader) scanner.py: scan_to_next_token() skips blanks only",
     bad={
         "controllers.yaml": """

@@ -13,6 +13,7 @@ from urdfctl.rules.ros2_control.common import component, components
 @rule(
     "UC328",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority="ros2_control hardware_interface/src/component_parser.cpp: \"Error while parsing 'elbow'. There should"
     ' be exactly one joint defined in this component but found 2"',

@@ -24,6 +24,7 @@ _POLICIES = ("synchronized", "detached")
 @rule(
     "UC323",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=JAZZY,
     authority='ros2_control hardware_interface/src/component_parser.cpp: "Error parsing async tag: String must be a'
     " flat array: starts with '[' and ends with ']', no nested arrays\"",

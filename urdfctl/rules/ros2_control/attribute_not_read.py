@@ -19,6 +19,7 @@ from urdfctl.source.span import SourceSpan
 @rule(
     "UC339",
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp: FindAttribute("...") by exact names; other'
     " attributes are silently ignored",

@@ -17,6 +17,8 @@ from urdfctl.source.span import SourceSpan
 @rule(
     "UC351",
     severity=Severity.WARNING,
+    runtime="refuses",
+    because="newer releases strip the blanks",
     distros=ROS2,
     authority="ros2_control hardware_interface/src/component_parser.cpp trims names since jazzy 4.43, kilted 5.12 "
     "and rolling 6.4, but not before; topic_based_hardware_interfaces#1: a formatter wrapped the lines of <plugin>",
@@ -49,7 +51,7 @@ def blanks_around_name(project: Project) -> Iterator[Finding]:
     """Whitespace around a name in a component.
 
     Up to iron, and in jazzy and kilted releases before 2026, the whitespace is part of the name. No plugin, joint or
-    interface has that name. Newer releases strip it.
+    interface has that name, and the description or the controller is rejected. Newer releases strip it.
     """
     if not set(project.distros) - set(since("lyrical")):
         return

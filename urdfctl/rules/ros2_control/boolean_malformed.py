@@ -17,6 +17,7 @@ _WORDS = {"1": "true", "yes": "true", "on": "true", "0": "false", "no": "false",
 @rule(
     "UC317",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=since("iron"),
     authority="ros2_control hardware_interface/src/component_parser.cpp: \"Input string : 'yes' is not a valid "
     "boolean value. Expected 'true' or 'false'.\"",

@@ -15,6 +15,7 @@ _MIRRORED = ("position", "velocity", "acceleration", "effort")
 @rule(
     "UC358",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=JAZZY,
     authority="measured with jazzy's mock_components/GenericSystem: \"Data type: 'int32' will not be casted to "
     'double for interface: elbow/position. Use get_optional<int32>() instead."',

@@ -13,6 +13,8 @@ from urdfctl.rules.ros2_control.common import parts
 @rule(
     "UC346",
     severity=Severity.INFO,
+    runtime="ignores",
+    because="many controllers need no state",
     distros=ROS2,
     authority="ros2_controllers: joint_trajectory_controller requires state interfaces of each joint; "
     "joint_state_broadcaster publishes those that exist",

@@ -54,7 +54,7 @@ def comment_breaks_parameter(project: Project) -> Iterator[Finding]:
 
     In humble, Gazebo Classic's plugin (0.4.7 and later) passes the whole description to the controller manager as a
     parameter, which is parsed as YAML. There, a colon followed by whitespace makes a key, and `#` after whitespace
-    starts a comment. The simulation then has no controller manager.
+    starts a comment. The controller manager then fails to start.
     """
     robot = robot_in(project)
     if robot is None or not any(_PLUGIN in (plugin.filename or "") for plugin in robot.plugins):

@@ -17,6 +17,7 @@ from urdfctl.source.opaque import UNKNOWN
 @rule(
     "UC304",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp: "invalid tag name"',
     bad={

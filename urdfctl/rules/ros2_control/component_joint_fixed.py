@@ -13,6 +13,7 @@ from urdfctl.rules.ros2_control.common import JAZZY, component, parts
 @rule(
     "UC313",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority="ros2_control hardware_interface/src/component_parser.cpp: \"Joint 'flange' is of type 'fixed'. Fixed "
     'joints do not make sense in ros2_control."',

@@ -14,6 +14,7 @@ from urdfctl.rules.ros2_control.common import JAZZY, component, parts
 @rule(
     "UC312",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority="ros2_control hardware_interface/src/component_parser.cpp: \"Joint 'elbw' not found in URDF\"",
     whole_robot=True,

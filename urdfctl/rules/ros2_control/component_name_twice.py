@@ -14,6 +14,7 @@ from urdfctl.rules.ros2_control.common import components
 @rule(
     "UC310",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority='ros2_control hardware_interface/src/resource_manager.cpp: "Hardware name arm is duplicated. Please '
     "provide a unique 'name' in the URDF.\"",

@@ -16,6 +16,7 @@ _LONGEST = 255
 @rule(
     "UC311",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=JAZZY,
     authority="measured with jazzy's controller manager, which gives each component a node of that name: \"Couldn't "
     "parse remap rule: '-r __node:=my arm'\"",

@@ -13,6 +13,8 @@ from urdfctl.rules.ros2_control.common import components
 @rule(
     "UC348",
     severity=Severity.WARNING,
+    runtime="refuses",
+    because="only hardware that loads transmissions does",
     distros=since("humble"),
     authority='ros2_control transmission_interface/src/differential_transmission_loader.cpp: "Failed to construct '
     'transmission"; "There should be exactly two unique joint names"',

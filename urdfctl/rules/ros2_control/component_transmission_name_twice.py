@@ -14,6 +14,7 @@ from urdfctl.rules.ros2_control.common import component, components
 @rule(
     "UC350",
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=ROS2,
     authority="measured with jazzy's controller manager, which accepts both; hardware identifies transmissions by name",
     in_library=False,

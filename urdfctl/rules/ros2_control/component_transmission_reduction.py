@@ -13,6 +13,8 @@ from urdfctl.rules.ros2_control.common import components, is_number
 @rule(
     "UC349",
     severity=Severity.WARNING,
+    runtime="refuses",
+    because="only hardware that loads transmissions does",
     distros=ROS2,
     authority='ros2_control transmission_interface/simple_transmission.hpp: "Transmission reduction ratio cannot be'
     ' zero."; component_parser.cpp get_parameter_value_or() uses the default for anything that is not a number',

@@ -15,6 +15,7 @@ from urdfctl.rules.ros2_control.facts import TYPES
 @rule(
     "UC303",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority="ros2_control hardware_interface/src/resource_manager.cpp compares the type with system, actuator and"
     " sensor, and skips a component of any other type",

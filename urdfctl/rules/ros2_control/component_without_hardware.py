@@ -13,6 +13,7 @@ from urdfctl.rules.ros2_control.common import component, components
 @rule(
     "UC305",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp leaves the class empty; pluginlib: "the '
     'class with base class type hardware_interface::SystemInterface does not exist"',

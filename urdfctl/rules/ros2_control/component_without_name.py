@@ -12,6 +12,7 @@ from urdfctl.rules.ros2_control.common import components
 @rule(
     "UC301",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp: "no attribute name in ros2_control tag"',
     bad={

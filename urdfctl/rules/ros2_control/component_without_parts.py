@@ -13,6 +13,7 @@ from urdfctl.rules.ros2_control.common import component, components
 @rule(
     "UC362",
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=ROS2,
     authority='ros2_control hardware_interface/src/resource_manager.cpp: "Importing state interfaces for the '
     "hardware 'arm' returned no state interfaces.\"",

@@ -18,6 +18,7 @@ from urdfctl.source.opaque import UNKNOWN
 @rule(
     "UC338",
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp: FirstChildElement("...") by exact names; '
     "other elements are silently ignored",

@@ -12,6 +12,7 @@ from urdfctl.rules.ros2_control.common import component, components, side_by_sid
 @rule(
     "UC344",
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=ROS2,
     authority="ros2_control hardware_interface/src/component_parser.cpp reads the first <plugin>, and replaces an "
     "earlier <hardware> with a later one",

@@ -17,6 +17,7 @@ _EXPECTED = {"bool": "'true' or 'false'", "double": "a number"}
 @rule(
     "UC357",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority="ros2_control hardware_interface/src/lexical_casts.cpp: \"Input string : 'yes' is not a valid boolean "
     "value. Expected 'true' or 'false'.\", \"Failed converting string to real number\"",

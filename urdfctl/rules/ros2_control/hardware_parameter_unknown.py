@@ -14,6 +14,7 @@ from urdfctl.rules.ros2_control.common import components, known_hardware
 @rule(
     "UC356",
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=ROS2,
     authority="mock_components generic_system.cpp and others look up parameters by exact names; others are "
     "silently ignored",

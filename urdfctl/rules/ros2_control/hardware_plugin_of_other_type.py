@@ -14,6 +14,7 @@ from urdfctl.rules.ros2_control.facts import TYPES
 @rule(
     "UC354",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority='pluginlib class_loader: "the class mock_components/GenericSystem with base class type '
     'hardware_interface::SensorInterface does not exist"',

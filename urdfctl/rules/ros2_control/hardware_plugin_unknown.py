@@ -21,6 +21,7 @@ _WHOLE = (*_CORE, "gz_ros2_control", "ign_ros2_control", "gazebo_ros2_control")
 @rule(
     "UC353",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority='pluginlib class_loader: "According to the loaded plugin descriptions the class '
     "mock_component/GenericSystem with base class type hardware_interface::SystemInterface does not "

@@ -15,6 +15,7 @@ from urdfctl.rules.ros2_control.facts import DATA_TYPES
 @rule(
     "UC331",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority='ros2_control hardware_interface/include/hardware_interface/handle.hpp: "Invalid initial value : '
     "'90deg' parsed for interface : 'elbow/position' with type : 'double'\"",

@@ -16,6 +16,7 @@ _OLD_NAME = "initial_<interface>"
 @rule(
     "UC342",
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=ROS2,
     authority="ros2_control component_parser.cpp reads initial_value only in interfaces; mock_components "
     'generic_system.cpp: "Parsing of optional initial interface values failed or uses a deprecated '

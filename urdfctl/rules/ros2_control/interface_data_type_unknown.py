@@ -23,6 +23,7 @@ _MEANT = {
 @rule(
     "UC320",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=JAZZY,
     authority='ros2_control hardware_interface/include/hardware_interface/hardware_info.hpp: "Invalid data type: '
     "'int' for interface: io/out. Check supported types.\"",

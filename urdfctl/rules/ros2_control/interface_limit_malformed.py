@@ -13,6 +13,7 @@ from urdfctl.rules.ros2_control.common import called, interfaces, is_number
 @rule(
     "UC332",
     severity=Severity.WARNING,
+    runtime="warns",
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp: "Error parsing the limits for the '
     "interface: position from the tags [min: 'low' and max: 'high'] within ros2_control tag inside the "

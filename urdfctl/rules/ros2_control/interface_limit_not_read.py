@@ -18,6 +18,7 @@ _LIMITED = ("position", "velocity", "effort", "acceleration", "jerk")
 @rule(
     "UC352",
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp: "Jerk only accepts max limits."; it looks '
     "for min and max in lower case",

@@ -14,6 +14,7 @@ from urdfctl.rules.ros2_control.common import component, of_part, parts
 @rule(
     "UC337",
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=ROS2,
     authority='ros2_control hardware_interface/src/resource_manager.cpp: "ResourceStorage: Tried to insert '
     'CommandInterface with already existing key. Insert[elbow/position]"',

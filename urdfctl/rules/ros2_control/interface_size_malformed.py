@@ -14,6 +14,7 @@ from urdfctl.rules.ros2_control.common import JAZZY, called, interfaces
 @rule(
     "UC319",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority="ros2_control hardware_interface/src/component_parser.cpp: 'Could not parse size tag in "
     '"command_interface". Got "0", but expected a non-zero positive integer.\'',

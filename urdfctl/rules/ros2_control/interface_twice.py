@@ -14,6 +14,7 @@ from urdfctl.rules.ros2_control.common import called, parts, side_by_side
 @rule(
     "UC336",
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=ROS2,
     authority="measured with jazzy's controller manager, which silently accepts the second",
     bad={

@@ -15,6 +15,7 @@ from urdfctl.rules.ros2_control.common import called, known_hardware, parts
 @rule(
     "UC355",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority='ros2_control hardware_interface/src/resource_manager.cpp: "Wrong state or command interface '
     'configuration. missing command interfaces: elbow/acceleration"',

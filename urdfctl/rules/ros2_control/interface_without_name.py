@@ -16,6 +16,7 @@ from urdfctl.rules.ros2_control.facts import INTERFACES_OF_ROS1
 @rule(
     "UC308",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp: "no attribute name in command_interface tag"',
     bad={

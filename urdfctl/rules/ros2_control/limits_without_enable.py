@@ -12,6 +12,7 @@ from urdfctl.rules.ros2_control.common import JAZZY, first_of, parts
 @rule(
     "UC318",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=JAZZY,
     authority="ros2_control hardware_interface/src/component_parser.cpp: \"no attribute 'enable' in 'limits' tag\"",
     options=["--distro=jazzy"],

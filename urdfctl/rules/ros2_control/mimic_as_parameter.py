@@ -15,6 +15,7 @@ from urdfctl.rules.ros2_control.common import component, is_deaf, known_hardware
 @rule(
     "UC341",
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=ROS2,
     authority='ros2_control doc/migration.rst (jazzy): "The mimic-joint configuration is now done via URDF"; '
     "mock_components generic_system.cpp up to iron: \"Mimicked joint 'elbw' not found\"",
@@ -56,7 +57,7 @@ def mimic_as_parameter(project: Project) -> Iterator[Finding]:
     """Mimic parameter of a joint is ignored or names an unknown joint.
 
     Up to iron, the hardware reads the parameter, and fails if its component has no joint of that name. Since jazzy, the
-    URDF's `<mimic>` is used; without one the joint does not move.
+    parameter is ignored and the URDF's `<mimic>` is used; without one the joint does not move.
     """
     robot = robot_in(project)
     mimics = {joint.name for joint in robot.joints if joint.mimic} if robot else set()

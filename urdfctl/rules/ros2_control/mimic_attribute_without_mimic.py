@@ -12,6 +12,7 @@ from urdfctl.rules.ros2_control.common import JAZZY, parts
 @rule(
     "UC316",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=JAZZY,
     authority="ros2_control hardware_interface/src/component_parser.cpp: \"Joint 'elbow' has no mimic information in"
     ' the URDF"',

@@ -12,6 +12,7 @@ from urdfctl.rules.ros2_control.common import JAZZY, followers
 @rule(
     "UC314",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=JAZZY,
     authority="ros2_control hardware_interface/src/component_parser.cpp: \"Joint 'elbow' has mimic attribute not set"
     ' to false: Activated mimic joints cannot have command interfaces."',

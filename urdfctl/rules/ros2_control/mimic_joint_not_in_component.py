@@ -35,6 +35,7 @@ _CONTROL = """
 @rule(
     "UC366",
     severity=Severity.WARNING,
+    runtime="misbehaves",
     distros=ROS2,
     whole_robot=True,
     in_library=False,

@@ -13,6 +13,7 @@ from urdfctl.rules.ros2_control.facts import MOCK
 @rule(
     "UC360",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=JAZZY,
     authority="measured with jazzy's mock_components/GenericSystem: \"The requested state interface not found: "
     "'elbow/velocity'\", thrown during the first read",

@@ -12,6 +12,7 @@ from urdfctl.rules.ros2_control.common import JAZZY, component, followers
 @rule(
     "UC315",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=JAZZY,
     authority="ros2_control hardware_interface/src/component_parser.cpp: \"Mimic joint 'elbow' not found in "
     '<ros2_control> tag"',

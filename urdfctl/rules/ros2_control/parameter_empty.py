@@ -12,6 +12,7 @@ from urdfctl.rules.ros2_control.common import parameters
 @rule(
     "UC364",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=until("galactic"),
     authority='ros2_control hardware_interface/src/component_parser.cpp up to galactic: "text not specified in the '
     '<name> tag"',

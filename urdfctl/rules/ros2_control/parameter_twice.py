@@ -14,6 +14,7 @@ from urdfctl.rules.ros2_control.common import parameters, side_by_side
 @rule(
     "UC340",
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=ROS2,
     authority="ros2_control hardware_interface/src/component_parser.cpp parse_parameters_from_xml(): a later "
     "parameter replaces an earlier one of the same name",

@@ -12,6 +12,7 @@ from urdfctl.rules.ros2_control.common import parameters
 @rule(
     "UC309",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp: "no parameter name attribute set in param '
     'tag"',

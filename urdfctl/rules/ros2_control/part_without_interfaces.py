@@ -15,6 +15,7 @@ from urdfctl.rules.ros2_control.facts import INTERFACE_ELEMENTS
 @rule(
     "UC335",
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=ROS2,
     authority='ros2_control hardware_interface/src/resource_manager.cpp: "Importing state interfaces for the '
     "hardware 'arm' returned no state interfaces.\"",

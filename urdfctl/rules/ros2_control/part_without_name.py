@@ -12,6 +12,7 @@ from urdfctl.rules.ros2_control.common import component, parts
 @rule(
     "UC307",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp: "no attribute name in joint tag"',
     bad={

@@ -14,6 +14,7 @@ from urdfctl.source.opaque import UNKNOWN
 @rule(
     "UC329",
     severity=Severity.ERROR,
+    runtime="drops",
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp: "no ros2_control tag"; it reads '
     "only the children of the root element",

@@ -13,6 +13,7 @@ from urdfctl.rules.ros2_control.common import JAZZY, component, components, lead
 @rule(
     "UC321",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=JAZZY,
     authority="ros2_control hardware_interface/src/component_parser.cpp: 'Could not parse rw_rate tag in "
     '"ros2_control". Got "-1", but expected a positive integer.\'',

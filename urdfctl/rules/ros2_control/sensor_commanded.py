@@ -13,6 +13,7 @@ from urdfctl.rules.ros2_control.common import called, component, parts
 @rule(
     "UC343",
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=ROS2,
     authority="ros2_control hardware_interface: sensors export only state interfaces; a component of type sensor "
     "has no write()",
@@ -42,8 +43,8 @@ from urdfctl.rules.ros2_control.common import called, component, parts
 def sensor_commanded(project: Project) -> Iterator[Finding]:
     """Sensor with a command interface.
 
-    Sensors, and all parts of a component of type sensor, export only state interfaces: no controller can claim this
-    one. For commands that belong to no joint, use a `<gpio>` in a system.
+    Sensors, and all parts of a component of type sensor, export only state interfaces: this one is ignored, and no
+    controller can claim it. For commands that belong to no joint, use a `<gpio>` in a system.
     """
     for control, part in parts(project):
         whole = (control.type or "").strip() == "sensor"

@@ -14,6 +14,7 @@ _PLUGINS = ("gazebo_ros2_control", "gz_ros2_control", "ign_ros2_control")
 @rule(
     "UC361",
     severity=Severity.ERROR,
+    runtime="drops",
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp: "no ros2_control tag"; '
     'gazebo_ros2_control: "Error parsing URDF in gazebo_ros2_control plugin, plugin not active"',

@@ -12,6 +12,7 @@ from urdfctl.rules.ros2_control.common import JAZZY, component, components, is_p
 @rule(
     "UC322",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=JAZZY,
     authority="ros2_control hardware_interface/src/component_parser.cpp: 'Could not parse thread_priority tag in "
     '"ros2_control". Got "0", but expected a non-zero positive integer.\'',

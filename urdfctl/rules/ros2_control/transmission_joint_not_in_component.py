@@ -13,6 +13,7 @@ from urdfctl.rules.ros2_control.common import component, components
 @rule(
     "UC327",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority="ros2_control hardware_interface/src/component_parser.cpp: \"Error while parsing 'arm'. Transmission "
     "'gear' declared joint 'elbw' is not available in component 'arm'.\"",

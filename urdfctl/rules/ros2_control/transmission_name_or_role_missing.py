@@ -14,6 +14,7 @@ from urdfctl.rules.ros2_control.common import component, components
 @rule(
     "UC326",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp: "no attribute role in joint tag", "no '
     'attribute name in transmission tag"',

@@ -13,6 +13,7 @@ from urdfctl.rules.ros2_control.common import replacement
 @rule(
     "UC330",
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=ROS2,
     authority="ros2_control hardware_interface/src/component_parser.cpp reads only the children of <ros2_control>;"
     " transmissions of ROS 1 are in the root, where ROS 2 ignores them",

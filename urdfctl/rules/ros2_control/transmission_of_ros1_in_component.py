@@ -21,6 +21,7 @@ from urdfctl.rules.ros2_control.common import (
 @rule(
     "UC324",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority='ros2_control hardware_interface/src/component_parser.cpp: "Missing <plugin> tag of <transmission> '
     'element in your URDF."; foxy, galactic and iron crash there',

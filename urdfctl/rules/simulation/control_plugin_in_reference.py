@@ -12,6 +12,7 @@ from urdfctl.rules.common import robot_in
 @rule(
     "UC510",
     severity=Severity.WARNING,
+    runtime="ignores",
     authority="gazebo physics/Model.cc, Model::LoadPlugins: only the plugins of a model; gz-sim: 'is not a model. Please "
     "make sure that Gazebo ROS 2 Control is attached to a valid model.'",
     bad={

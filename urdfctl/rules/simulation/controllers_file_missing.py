@@ -12,6 +12,7 @@ from urdfctl.rules.simulation.common import controllers_files
 @rule(
     "UC520",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority="gazebo_ros2_control src/gazebo_ros2_control_plugin.cpp: 'parser error Couldn't parse params file ... Error "
     "opening YAML file'; rcl rcl_yaml_param_parser/src/parser.c",

@@ -13,6 +13,7 @@ from urdfctl.rules.simulation.common import unread_settings, wheel_measures
 @rule(
     "UC517",
     severity=Severity.WARNING,
+    runtime="misbehaves",
     authority="gazebo_plugins gazebo_ros_diff_drive.cpp: wheelSeparation 0.34, wheelDiameter 0.15 by default; gz-sim "
     "DiffDrive.cc: wheel_separation 1.0, wheel_radius 0.2",
     bad={

@@ -13,6 +13,7 @@ from urdfctl.rules.common import is_conditional, is_known, is_xacro
 @rule(
     "UC507",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     in_library=False,
     authority="gz_ros2_control src/gz_ros2_control_plugin.cpp loads only GazeboSimSystemInterface: 'The plugin failed to "

@@ -12,6 +12,7 @@ from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 @rule(
     "UC506",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS2,
     authority="gz_ros2_control src/gz_ros2_control_plugin.cpp and gazebo_ros2_control src/gazebo_ros2_control_plugin.cpp:"
     " 'The plugin failed to load for some reason. Error: According to the loaded plugin descriptions the class "

@@ -12,6 +12,7 @@ from urdfctl.rules.common import is_all_there
 @rule(
     "UC527",
     severity=Severity.WARNING,
+    runtime="warns",
     distros=("kinetic",),
     authority="gazebo_ros_control (kinetic) src/gazebo_ros_control_plugin.cpp: 'GazeboRosControlPlugin missing <legacyModeNS> "
     "while using DefaultRobotHWSim, defaults to true.'; removed in melodic, ros-simulation/gazebo_ros_pkgs#709",

@@ -14,6 +14,7 @@ from urdfctl.rules.simulation.common import controllers_files
 @rule(
     "UC523",
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=ROS2,
     authority="rclcpp src/rclcpp/parameter_map.cpp: a section is read only by the node of that full name; gz_ros2_control "
     "src/gz_ros2_control_plugin.cpp: the manager is <ros><namespace> with <controller_manager_name>; "

@@ -13,6 +13,7 @@ from urdfctl.rules.common import is_known, replaced
 @rule(
     "UC505",
     severity=Severity.ERROR,
+    runtime="drops",
     authority="gz-sim src/SystemLoader.cc: 'Failed to load system plugin: could not instantiate from library'; "
     "ros-controls/gz_ros2_control#638",
     bad={

@@ -15,6 +15,7 @@ from urdfctl.rules.common import is_known, replaced
 @rule(
     "UC503",
     severity=Severity.WARNING,
+    runtime="warns",
     authority="gazebo common/Plugin.hh: 'Failed to load plugin libgazebo_ros_contol.so: cannot open shared object file'; "
     "gz-sim src/SystemLoader.cc: 'couldn't find shared library'",
     bad={
@@ -35,8 +36,8 @@ from urdfctl.rules.common import is_known, replaced
 def plugin_filename_misspelt(project: Project) -> Iterator[Finding]:
     """Misspelt file name of a plugin.
 
-    Gazebo Classic requires the complete file name with `lib` and `.so`; gz also accepts it without them. A library that
-    is not found is not loaded, and the robot runs without it.
+    Gazebo Classic requires the complete file name with `lib` and `.so`; gz also accepts it without them. Gazebo prints
+    an error if it does not find a library, and goes on without it.
     """
     known = {library: f"lib{library}.so" for of in LIBRARIES.values() for library in of}
     for ros_distro in ("noetic", "humble", "jazzy"):

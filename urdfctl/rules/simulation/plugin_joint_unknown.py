@@ -13,6 +13,8 @@ from urdfctl.rules.simulation.common import default_joints, named_joints
 @rule(
     "UC515",
     severity=Severity.WARNING,
+    runtime="drops",
+    because="the rest of the robot runs without the plugin",
     whole_robot=True,
     in_library=False,
     authority="gazebo_plugins gazebo_ros_utils.h: 'couldn't get wheel hinge joint named'; gazebo_ros_diff_drive.cpp (ROS 2): "

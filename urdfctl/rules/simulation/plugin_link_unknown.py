@@ -12,6 +12,8 @@ from urdfctl.rules.common import Names, is_known, replaced, whole_robot_in
 @rule(
     "UC516",
     severity=Severity.WARNING,
+    runtime="drops",
+    because="the rest of the robot runs without the plugin",
     whole_robot=True,
     in_library=False,
     authority="gazebo_plugins gazebo_ros_p3d.cpp: 'bodyName: forearm does not exist'; gazebo_ros_force.cpp: 'link named: "

@@ -15,6 +15,7 @@ from urdfctl.rules.simulation.common import ROS_2
 @rule(
     "UC504",
     severity=Severity.ERROR,
+    runtime="drops",
     authority="gazebo common/Plugin.hh: 'Failed to load plugin libgazebo_ros_control.so: cannot open shared object file'; "
     "gz-sim src/SystemLoader.cc: 'couldn't find shared library'",
     options=["--distro=humble"],

@@ -15,6 +15,7 @@ from urdfctl.rules.simulation.common import is_written_empty, number
 @rule(
     "UC514",
     severity=Severity.WARNING,
+    runtime="warns",
     authority="sdformat src/Param.cc: 'Invalid argument. Unable to set value', 'Unable to convert parameter[...] whose type is "
     "string, to type double'",
     bad={

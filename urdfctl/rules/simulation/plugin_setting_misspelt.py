@@ -13,6 +13,7 @@ from urdfctl.rules.simulation.common import Unread, unread_settings
 @rule(
     "UC511",
     severity=Severity.WARNING,
+    runtime="ignores",
     authority="gazebo_ros_pkgs: in ROS 2 the settings of plugins are written_like_this, in ROS 1 writtenLikeThis; sdformat "
     "Element::HasElement compares names exactly, and a plugin asks only for the names that it knows",
     options=["--distro=galactic"],

@@ -12,6 +12,7 @@ from urdfctl.rules.common import label
 @rule(
     "UC501",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="sdformat src/Element.cc: 'Required attribute[filename] in element[plugin] is not specified in SDF.'",
     bad={
         "robot.urdf": """

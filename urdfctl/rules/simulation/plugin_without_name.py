@@ -11,6 +11,7 @@ from urdfctl.rule import Finding, Fix, Project, Severity, rule
 @rule(
     "UC502",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="sdformat src/Element.cc, up to version 1.9 of the format: 'Required attribute[name] in element[plugin] is not "
     "specified in SDF.'",
     bad={

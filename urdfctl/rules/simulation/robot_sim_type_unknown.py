@@ -14,6 +14,7 @@ from urdfctl.rules.common import is_known, replaced
 @rule(
     "UC526",
     severity=Severity.ERROR,
+    runtime="drops",
     distros=ROS1,
     authority="gazebo_ros_control src/gazebo_ros_control_plugin.cpp: 'Failed to create robot simulation interface loader: "
     "According to the loaded plugin descriptions the class ... does not exist'",

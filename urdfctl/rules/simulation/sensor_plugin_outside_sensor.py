@@ -12,6 +12,7 @@ from urdfctl.rule import Finding, Fix, Project, Severity, rule
 @rule(
     "UC530",
     severity=Severity.WARNING,
+    runtime="warns",
     authority="gazebo physics/Model.cc: 'is attempting to load a plugin, but detected an incorrect plugin type. Plugin "
     "filename[libgazebo_ros_camera.so]'",
     bad={
@@ -34,8 +35,8 @@ from urdfctl.rule import Finding, Fix, Project, Severity, rule
 def sensor_plugin_outside_sensor(project: Project) -> Iterator[Finding]:
     """Sensor plugin outside `<sensor>`.
 
-    The plugin publishes what the enclosing sensor measures. As a plugin of the robot it has the wrong type and is not
-    loaded.
+    The plugin publishes what the enclosing sensor measures. As a plugin of the robot it has the wrong type: Gazebo
+    prints an error and does not load it.
     """
     for sim_plugin in loaded_plugins(project):
         if sim_plugin.library in OF_SENSORS:

@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import ROVER, WHEELS, found_by_smoke_test
     "UC964",
     stage=Stage.MOVE,
     severity=Severity.WARNING,
+    runtime="misbehaves",
     message="controller '{controller}' drives the robot at {speed} m/s at most: {why}",
     authority="a base drives at the speed of its wheels times their radius; its controller clamps its command",
     options=["--distro=jazzy"],

@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import ROVER, WHEELS, found_by_smoke_test
     "UC958",
     stage=Stage.MOVE,
     severity=Severity.WARNING,
+    runtime="misbehaves",
     message="link '{link}' is the largest part of the robot's base, but has no mass; the rest of the base has {rest} kg",
     authority="sdformat's parser_urdf.cc: a link without <inertial> adds no mass to the link that it is joined to",
     options=["--distro=jazzy"],

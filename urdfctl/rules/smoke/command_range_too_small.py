@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import GRIPPER, GRIPPER_CONTROLLER, found_by_smo
     "UC954",
     stage=Stage.MOVE,
     severity=Severity.WARNING,
+    runtime="misbehaves",
     message="<ros2_control> allows the {interface} command of joint '{joint}' only from {low:g} to {high:g}; the joint's own "
     "range is {least:.3g} to {most:.3g}",
     authority="hardware_interface: <param name='min'> and <param name='max'> of a command interface limit its commands",

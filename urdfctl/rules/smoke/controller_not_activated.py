@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import CONTROLLERS, HARDWARE, found_by_smoke_tes
     "UC905",
     stage=Stage.ACTIVATE,
     severity=Severity.ERROR,
+    runtime="refuses",
     message="controller '{controller}' cannot be activated: {why}",
     authority="controller_manager.cpp: \"Unable to activate controller 'arm' since the command interface "
     "'wrist/position' is not available.\"; ROS 1: 'Could not switch controllers, due to resource conflict'",

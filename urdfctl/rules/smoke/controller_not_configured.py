@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import CONTROLLERS, HARDWARE, found_by_smoke_tes
     "UC904",
     stage=Stage.CONFIGURE,
     severity=Severity.ERROR,
+    runtime="refuses",
     message="controller '{controller}' cannot be configured: {why}",
     authority="controller_manager.cpp: \"After configuring, controller 'arm' is in state 'unconfigured', "
     'expected inactive."',

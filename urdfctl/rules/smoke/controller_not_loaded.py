@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import CONTROLLERS, HARDWARE, found_by_smoke_tes
     "UC903",
     stage=Stage.LOAD,
     severity=Severity.ERROR,
+    runtime="refuses",
     message="controller '{controller}' cannot be loaded: {why}",
     authority="controller_manager.cpp: \"Loader for controller 'arm' (type 'x') not found.\"; ROS 1: \"Could not "
     "load controller 'arm' because controller type 'x' does not exist.\"",

@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import ROVER, WHEELS, found_by_smoke_test
     "UC941",
     stage=Stage.MOVE,
     severity=Severity.ERROR,
+    runtime="misbehaves",
     message="controller '{controller}' should drive the robot {expected}, but {actual}",
     authority="measured on 35 real robots and 109 hand-made cases, in pybullet and MuJoCo",
     options=["--distro=jazzy"],

@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
     "UC915",
     stage=Stage.MOVE,
     severity=Severity.ERROR,
+    runtime="misbehaves",
     message="joint '{joint}' needs {needed:.3g} {unit} to hold the robot at spawn, but its effort limit is "
     "{limit:g} {unit}",
     authority="gazebo_ros_control and gz_ros2_control clamp efforts to the joint's limit",

@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
     "UC950",
     stage=Stage.MOVE,
     severity=Severity.WARNING,
+    runtime="misbehaves",
     message="joint '{joint}' needs up to {needed:.3g} {unit} to hold the robot, but its effort limit is {limit:g} {unit}: "
     "{margin}",
     authority="gazebo_ros_control and gz_ros2_control clamp efforts to the joint's limit",

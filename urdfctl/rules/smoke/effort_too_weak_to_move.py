@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import GRIPPER, GRIPPER_CONTROLLER, found_by_smo
     "UC952",
     stage=Stage.MOVE,
     severity=Severity.ERROR,
+    runtime="misbehaves",
     message="joint '{joint}' needs at least {needed:.2g} {unit} for the test motion, but its effort limit is {limit:g} {unit}",
     authority="a mass m reaches the distance s in t seconds with at least the force 2 m s / t²; "
     "gz_ros2_control clamps efforts to the joint's limit",

@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
     "UC920",
     stage=Stage.MOVE,
     severity=Severity.ERROR,
+    runtime="crashes",
     message="{engine} crashed while simulating the robot: {why}",
     authority="measured on 35 real robots and 109 hand-made cases, in pybullet and MuJoCo",
     options=["--distro=jazzy"],

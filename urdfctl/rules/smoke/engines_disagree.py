@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
     "UC963",
     stage=Stage.MOVE,
     severity=Severity.WARNING,
+    runtime="misbehaves",
     message="{engine} and {others} disagree; only {engine} reports: {what}",
     authority="measured: pybullet's damping is explicit, and its wheels slip when a base with four of them turns",
     options=["--distro=jazzy"],

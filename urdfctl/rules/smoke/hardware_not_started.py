@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import CONTROLLERS, HARDWARE, found_by_smoke_tes
     "UC902",
     stage=Stage.HARDWARE,
     severity=Severity.ERROR,
+    runtime="refuses",
     message="the hardware cannot be started: {why}",
     authority="ros2_control resource_manager.cpp and component_parser.cpp; ros_control transmission_parser.cpp",
     options=["--distro=jazzy"],

@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
     "UC957",
     stage=Stage.MOVE,
     severity=Severity.WARNING,
+    runtime="misbehaves",
     message="link '{link}' has about {times} times less inertia than a body of {mass} kg and {size} m",
     authority="the moment of a body of mass m whose mass lies r from its centre is m r²",
     options=["--distro=jazzy"],

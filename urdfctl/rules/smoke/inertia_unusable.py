@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import LIFT, found_by_smoke_test
     "UC910",
     stage=Stage.MOVE,
     severity=Severity.ERROR,
+    runtime="misbehaves",
     message="link '{link}' has a mass or inertia that is {problem}",
     authority="measured: an engine that is given such a body puts nan into every state of the robot",
     options=["--distro=jazzy"],

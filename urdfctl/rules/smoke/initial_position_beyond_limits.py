@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import GRIPPER, GRIPPER_CONTROLLER, found_by_smo
     "UC965",
     stage=Stage.MOVE,
     severity=Severity.WARNING,
+    runtime="misbehaves",
     message="joint '{joint}' starts at {start:g} {unit}, but its limits are {lower:g} to {upper:g} {unit}",
     authority="hardware_interface: <param name='initial_value'> is the first value of an interface",
     options=["--distro=jazzy"],

@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
     "UC932",
     stage=Stage.MOVE,
     severity=Severity.ERROR,
+    runtime="misbehaves",
     message="controller '{controller}': joint '{joint}' should move by {expected:+.3g} {unit}, but moves by "
     "{actual:+.3g} {unit}",
     authority="measured on 35 real robots and 109 hand-made cases, in pybullet and MuJoCo",

@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
     "UC914",
     stage=Stage.MOVE,
     severity=Severity.ERROR,
+    runtime="misbehaves",
     message="joint '{joint}' has a velocity limit of 0, so controller '{controller}' cannot move it. "
     "Set the real limit",
     authority="gazebo_ros_control and gz_ros2_control clamp velocities to the joint's limit",

@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
     "UC936",
     stage=Stage.MOVE,
     severity=Severity.ERROR,
+    runtime="misbehaves",
     message="controller '{controller}': joint '{joint}' moves from {least:.3g} to {most:.3g} {unit}, but its "
     "limits are {lower:g} to {upper:g} {unit}",
     authority="measured on 35 real robots and 109 hand-made cases, in pybullet and MuJoCo",

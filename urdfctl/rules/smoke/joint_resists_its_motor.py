@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
     "UC951",
     stage=Stage.MOVE,
     severity=Severity.ERROR,
+    runtime="misbehaves",
     message="joint '{joint}' has a {what}: with its effort limit of {limit:g} {unit} it moves {how}",
     authority="URDF: the friction of a joint is an effort, and its damping an effort for each unit of speed",
     options=["--distro=jazzy"],

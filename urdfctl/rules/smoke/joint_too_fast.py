@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
     "UC937",
     stage=Stage.MOVE,
     severity=Severity.WARNING,
+    runtime="misbehaves",
     message="controller '{controller}': joint '{joint}' moves at {fastest:.3g} {unit}/s, but its velocity limit "
     "is {limit:g} {unit}/s",
     authority="measured on 35 real robots and 109 hand-made cases, in pybullet and MuJoCo",

@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
     "UC934",
     stage=Stage.MOVE,
     severity=Severity.ERROR,
+    runtime="misbehaves",
     message="controller '{controller}': joint '{joint}' swings by {swing:.3g} {unit} when all control loops run "
     "together",
     authority="measured on 35 real robots and 109 hand-made cases, in pybullet and MuJoCo",

@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
     "UC966",
     stage=Stage.MOVE,
     severity=Severity.WARNING,
+    runtime="misbehaves",
     message="the gains of controller '{controller}' let joint '{joint}' sag by {sag:.2g} {unit} under its weight of {weight:.3g} {effort}",
     authority="a PID loop at rest: the weight is p times the error, plus the integral part",
     options=["--distro=jazzy"],

@@ -18,6 +18,7 @@ from urdfctl.rules.smoke.simulation_explodes import simulation_explodes
     "UC918",
     stage=Stage.MOVE,
     severity=Severity.WARNING,
+    runtime="misbehaves",
     message="the gains of controller '{controller}' are too high for its lightest joint at {rate:g} Hz",
     authority="measured: uniform gains on light wrists, which real motors hold for their rotors' inertia",
     explains=(

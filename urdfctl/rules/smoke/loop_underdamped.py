@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
     "UC917",
     stage=Stage.MOVE,
     severity=Severity.ERROR,
+    runtime="misbehaves",
     message="the gains of controller '{controller}' leave its joints swinging: the damping ratio is {ratio:.2g}, "
     "but should be at least {least:g}",
     authority="the damping ratio of the sampled closed loop is below 0.05; agreed with simulation on 20 of 20 "

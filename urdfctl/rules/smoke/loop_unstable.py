@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
     "UC916",
     stage=Stage.MOVE,
     severity=Severity.ERROR,
+    runtime="misbehaves",
     message="the gains of controller '{controller}' are unstable at {rate:g} Hz: its joints swing more and more",
     authority="the sampled closed loop has an eigenvalue outside the unit circle; agreed with simulation on 20 "
     "of 20 sets of gains",

@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import GRIPPER, GRIPPER_CONTROLLER, found_by_smo
     "UC953",
     stage=Stage.MOVE,
     severity=Severity.WARNING,
+    runtime="misbehaves",
     message="joint '{joint}' mimics joint '{leader}' from {least:.3g} to {most:.3g} {unit}, but its own limits are {lower:.3g} to "
     "{upper:.3g} {unit}",
     authority="URDF: a mimic joint is at multiplier * leader + offset; limits hold for it as for every joint",

@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import CONTROLLERS, HARDWARE, found_by_smoke_tes
     "UC901",
     stage=Stage.SPAWN,
     severity=Severity.ERROR,
+    runtime="refuses",
     message="the robot cannot be spawned: {why}",
     authority="urdfdom: 'Failed to build tree'; Gazebo, robot_state_publisher and the controller manager all "
     "refuse such a description",

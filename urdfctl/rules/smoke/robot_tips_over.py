@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import ROVER, WHEELS, found_by_smoke_test
     "UC931",
     stage=Stage.MOVE,
     severity=Severity.ERROR,
+    runtime="misbehaves",
     message="the robot tips over{when}: roll {roll:.2g} rad, pitch {pitch:.2g} rad",
     authority="measured on 35 real robots and 109 hand-made cases, in pybullet and MuJoCo",
     options=["--distro=jazzy"],

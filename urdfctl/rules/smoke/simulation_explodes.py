@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
     "UC930",
     stage=Stage.MOVE,
     severity=Severity.ERROR,
+    runtime="misbehaves",
     message="the simulation explodes{when}: the robot's positions are not finite, or far too large",
     authority="measured on 35 real robots and 109 hand-made cases, in pybullet and MuJoCo",
     options=["--distro=jazzy"],

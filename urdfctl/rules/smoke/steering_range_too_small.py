@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import TRICYCLE, TRICYCLE_CONTROLLER, found_by_s
     "UC956",
     stage=Stage.MOVE,
     severity=Severity.WARNING,
+    runtime="misbehaves",
     message="steering joint '{joint}' of controller '{controller}' turns only by {reach} rad to one side",
     authority="a base with the wheelbase l drives a circle with the radius l / tan(steering angle)",
     options=["--distro=jazzy"],

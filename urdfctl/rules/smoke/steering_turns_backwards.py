@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import TRICYCLE, TRICYCLE_CONTROLLER, found_by_s
     "UC961",
     stage=Stage.MOVE,
     severity=Severity.ERROR,
+    runtime="misbehaves",
     message="steering joint '{joint}' turns {how} when controller '{controller}' steers left",
     authority="steering_controllers_library: a positive steering angle turns the wheel to the left",
     options=["--distro=jazzy"],

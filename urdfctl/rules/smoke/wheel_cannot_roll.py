@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import ROVER, WHEELS, found_by_smoke_test
     "UC955",
     stage=Stage.MOVE,
     severity=Severity.ERROR,
+    runtime="misbehaves",
     message="wheel '{joint}' of controller '{controller}' is {type} and turns only from {low:.3g} to {high:.3g}; its type should "
     "be continuous",
     authority="URDF: a revolute joint stops at its limits",

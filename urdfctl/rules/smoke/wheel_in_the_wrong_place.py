@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import MECANUM, MECANUM_CONTROLLER, found_by_smo
     "UC960",
     stage=Stage.MOVE,
     severity=Severity.ERROR,
+    runtime="misbehaves",
     message="controller '{controller}' uses '{joint}' as {role}, but it is {actual}",
     authority="the controllers command each wheel for its place: diff_drive_controller, mecanum_drive_controller and "
     "omni_wheel_drive_controller, update()",

@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import ROVER, WHEELS, found_by_smoke_test
     "UC913",
     stage=Stage.MOVE,
     severity=Severity.ERROR,
+    runtime="misbehaves",
     message="controller '{controller}' expects a {measure} of {expected} m, but the robot has {actual} m",
     authority="diff_drive_controller takes wheel_radius and wheel_separation as they are given",
     options=["--distro=jazzy"],

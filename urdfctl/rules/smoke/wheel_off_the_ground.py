@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import ROVER, WHEELS, found_by_smoke_test
     "UC940",
     stage=Stage.MOVE,
     severity=Severity.ERROR,
+    runtime="misbehaves",
     message="wheel '{joint}' of controller '{controller}' does not touch the ground",
     authority="measured on 35 real robots and 109 hand-made cases, in pybullet and MuJoCo",
     options=["--distro=jazzy"],

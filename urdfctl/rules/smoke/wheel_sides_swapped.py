@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import ROVER, WHEELS, found_by_smoke_test
     "UC911",
     stage=Stage.MOVE,
     severity=Severity.ERROR,
+    runtime="misbehaves",
     message="controller '{controller}' has left and right wheels swapped: '{left}' is on the right side and "
     "'{right}' on the left",
     authority="diff_drive_controller: the left wheel's velocity is (linear - angular * separation / 2) / radius",

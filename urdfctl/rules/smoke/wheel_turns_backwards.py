@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import ROVER, WHEELS, found_by_smoke_test
     "UC912",
     stage=Stage.MOVE,
     severity=Severity.ERROR,
+    runtime="misbehaves",
     message="wheel '{joint}' turns {how} when controller '{controller}' drives forward",
     authority="REP 103: x forward, y left; a wheel that rolls forward turns about y",
     options=["--distro=jazzy"],

@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import PLAIN_WHEELS, ROVER, found_by_smoke_test
     "UC959",
     stage=Stage.MOVE,
     severity=Severity.WARNING,
+    runtime="misbehaves",
     message="wheels '{joint}' and '{other}' turn in opposite directions for the same velocity command",
     authority="velocity_controllers forward each command to its joint as it is; a joint turns about its axis",
     options=["--distro=jazzy"],

@@ -12,6 +12,7 @@ from urdfctl.rules.smoke.common import ROVER, WHEELS, found_by_smoke_test
     "UC962",
     stage=Stage.MOVE,
     severity=Severity.ERROR,
+    runtime="misbehaves",
     message="the wheels of controller '{controller}' are too weak: their effort limits allow {thrust} N, with which {mass} kg take {seconds} s to reach {speed} m/s",
     authority="a mass m reaches the speed v in t seconds with the force m v / t; the thrust of a wheel is effort / radius",
     options=["--distro=jazzy"],

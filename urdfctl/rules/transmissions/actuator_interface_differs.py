@@ -15,6 +15,7 @@ from urdfctl.rules.transmissions.facts import PREFIX
 @rule(
     "UC222",
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=since("indigo"),
     authority="ros_control transmission_interface/src/transmission_parser.cpp: the interfaces of <actuator> are "
     "optional and its loaders use those of <joint> ('Optional: No valid hardware interface element found "

@@ -14,6 +14,7 @@ from urdfctl.source.span import Place
 @rule(
     "UC210",
     severity=Severity.WARNING,
+    runtime="misbehaves",
     in_library=False,
     distros=ROS1,
     authority="ros_control transmission_interface/src/transmission_interface_loader.cpp looks up an "

@@ -13,6 +13,7 @@ from urdfctl.rules.transmissions.common import named_joints
 @rule(
     "UC223",
     severity=Severity.WARNING,
+    runtime="ignores",
     distros=since("indigo"),
     authority="ros_control transmission_interface/src/transmission_parser.cpp: 'Skipping empty hardware interface "
     "element in joint'",

@@ -14,6 +14,7 @@ from urdfctl.rules.transmissions.facts import PREFIX
 @rule(
     "UC226",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=until("jade"),
     authority="gazebo_ros_pkgs gazebo_ros_control/src/default_robot_hw_sim.cpp (hydro to jade): 'No matching "
     "hardware interface found for'",

@@ -17,6 +17,7 @@ from urdfctl.rules.transmissions.facts import HARDWARE_INTERFACES, PACKAGE, PREF
 @rule(
     "UC203",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=since("indigo"),
     authority="gazebo_ros_pkgs gazebo_ros_control/src/default_robot_hw_sim.cpp: 'No matching hardware interface "
     "found for'; ros_control transmission_interface/src/transmission_interface_loader.cpp: 'Failed to "

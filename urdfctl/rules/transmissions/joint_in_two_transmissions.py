@@ -14,6 +14,7 @@ from urdfctl.rules.transmissions.facts import PREFIX
 @rule(
     "UC208",
     severity=Severity.WARNING,
+    runtime="misbehaves",
     in_library=False,
     distros=ROS1,
     authority="ros_control hardware_interface/include/hardware_interface/internal/resource_manager.h: 'Replacing "

@@ -12,6 +12,7 @@ from urdfctl.rules.transmissions.common import joints_by_name, known_joints
 @rule(
     "UC224",
     severity=Severity.WARNING,
+    runtime="misbehaves",
     distros=ROS1,
     authority="gazebo_ros_pkgs gazebo_ros_control/src/default_robot_hw_sim.cpp registers each joint of a "
     "transmission separately; neither it nor ros_control reads <mimic>",

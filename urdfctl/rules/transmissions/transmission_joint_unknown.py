@@ -18,6 +18,7 @@ from urdfctl.source.span import Call
 @rule(
     "UC206",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=ROS1,
     authority="gazebo_ros_pkgs gazebo_ros_control/src/default_robot_hw_sim.cpp: 'This robot has a joint named "
     '"<joint>" which is not in the gazebo model.\'',

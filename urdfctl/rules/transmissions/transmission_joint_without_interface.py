@@ -16,6 +16,7 @@ from urdfctl.rules.transmissions.facts import PREFIX
 @rule(
     "UC201",
     severity=Severity.ERROR,
+    runtime="drops",
     distros=since("indigo"),
     authority="ros_control transmission_interface/src/transmission_parser.cpp: 'No valid hardware interface element "
     "found in joint'",

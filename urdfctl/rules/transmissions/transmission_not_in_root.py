@@ -11,6 +11,7 @@ from urdfctl.rule import Finding, Fix, Project, Severity, rule
 @rule(
     "UC221",
     severity=Severity.ERROR,
+    runtime="drops",
     distros=ROS1,
     authority="ros_control transmission_interface/src/transmission_parser.cpp reads "
     'root->FirstChildElement("transmission") and its siblings only',

@@ -15,6 +15,8 @@ from urdfctl.rules.transmissions.facts import NO_PLUGIN_TYPES, PACKAGE, TYPES
 @rule(
     "UC205",
     severity=Severity.WARNING,
+    runtime="refuses",
+    because="only the loader of real hardware does",
     distros=since("indigo"),
     authority="ros_control transmission_interface/src/transmission_interface_loader.cpp: 'Unsupported type'",
     bad={

@@ -13,6 +13,7 @@ from urdfctl.rules.urdf.grammar import ATTRIBUTES, read_tags
 @rule(
     "UC155",
     severity=Severity.WARNING,
+    runtime="ignores",
     authority='urdfdom urdf_parser: Attribute("...") by exact name; unknown attributes are silently ignored',
     bad={
         "robot.urdf": """

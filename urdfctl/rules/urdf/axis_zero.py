@@ -14,6 +14,7 @@ from urdfctl.rules.written import where_written
 @rule(
     "UC126",
     severity=Severity.WARNING,
+    runtime="misbehaves",
     authority="sdformat src/JointAxis.cc: 'The norm of the xyz vector cannot be zero'; urdfdom accepts it",
     bad={
         "robot.urdf": """

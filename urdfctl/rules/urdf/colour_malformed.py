@@ -17,6 +17,7 @@ BYTE = 255
 @rule(
     "UC147",
     severity=Severity.WARNING,
+    runtime="warns",
     authority="urdfdom_headers urdf_model/color.h Color::init(); urdfdom: 'Material [...] has malformed color rgba values'",
     bad={
         "robot.urdf": """

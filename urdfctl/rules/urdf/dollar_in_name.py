@@ -14,6 +14,7 @@ _LITERAL = re.compile(r"\$([A-Za-z]\w*)")
 @rule(
     "UC159",
     severity=Severity.WARNING,
+    runtime="misbehaves",
     authority="xacro/__init__.py LEXER: '$' without a brace is text; urdfdom accepts any name",
     bad={
         "robot.xacro": """

@@ -12,6 +12,7 @@ from urdfctl.rules.urdf.common import duplicates
 @rule(
     "UC110",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="urdfdom urdf_parser/src/model.cpp parseURDF(): \"link '...' is not unique.\"",
     whole_robot=True,
     bad={

@@ -12,6 +12,7 @@ from urdfctl.rules.urdf.common import duplicates
 @rule(
     "UC112",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="urdfdom urdf_parser/src/model.cpp parseURDF(): \"material '...' is not unique.\"",
     whole_robot=True,
     bad={

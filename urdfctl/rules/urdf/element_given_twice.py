@@ -13,6 +13,7 @@ from urdfctl.rules.urdf.grammar import ONCE, read_tags
 @rule(
     "UC153",
     severity=Severity.WARNING,
+    runtime="ignores",
     authority="urdfdom urdf_parser/src/joint.cpp, link.cpp: only FirstChildElement(...) is read",
     whole_robot=True,
     bad={

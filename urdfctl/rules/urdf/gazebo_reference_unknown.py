@@ -11,6 +11,7 @@ from urdfctl.rules.common import Names, is_known, replaced, whole_robot_in
 @rule(
     "UC156",
     severity=Severity.WARNING,
+    runtime="ignores",
     authority="sdformat src/parser_urdf.cc InsertSDFExtensionLink(), InsertSDFExtensionJoint(): looked up by link and joint",
     whole_robot=True,
     bad={

@@ -14,6 +14,7 @@ REQUIRED = {"box": ("size",), "cylinder": ("length", "radius"), "sphere": ("radi
 @rule(
     "UC142",
     severity=Severity.WARNING,
+    runtime="warns",
     authority="urdfdom urdf_parser/src/link.cpp: 'Cylinder shape must have both length and radius attributes', "
     "'Box shape has no size attribute', 'Mesh must contain a filename attribute'",
     bad={

@@ -11,6 +11,7 @@ from urdfctl.rules.common import label, robot_in
 @rule(
     "UC140",
     severity=Severity.WARNING,
+    runtime="warns",
     authority="urdfdom urdf_parser/src/link.cpp parseGeometry(): 'Geometry tag contains no child element.'",
     whole_robot=True,
     bad={

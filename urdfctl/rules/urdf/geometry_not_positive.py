@@ -20,6 +20,7 @@ MEASURES = {
 @rule(
     "UC143",
     severity=Severity.WARNING,
+    runtime="ignores",
     authority="urdfdom urdf_parser/src/link.cpp does not check sizes; sdformat src/Box.cc, src/Sphere.cc: sizes must be positive",
     bad={
         "robot.urdf": """

@@ -14,6 +14,7 @@ SHAPES = ("box", "cylinder", "sphere", "mesh")
 @rule(
     "UC141",
     severity=Severity.WARNING,
+    runtime="warns",
     authority="urdfdom urdf_parser/src/link.cpp parseGeometry(): \"Unknown geometry type '...'\"",
     bad={
         "robot.urdf": """

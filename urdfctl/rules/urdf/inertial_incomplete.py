@@ -13,6 +13,8 @@ from urdfctl.rules.urdf.numbers import MOMENTS
 @rule(
     "UC134",
     severity=Severity.WARNING,
+    runtime="drops",
+    because="only Gazebo does, and the robot may not run there",
     authority="urdfdom urdf_parser/src/link.cpp parseInertial(): 'Inertial element must have a mass element', "
     "'Inertial: inertia element missing ixx attribute'",
     bad={

@@ -12,6 +12,7 @@ from urdfctl.rules.urdf.numbers import Numbers, corrected, fault_of, is_subnorma
 @rule(
     "UC127",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="urdfdom urdf_parser/src/joint.cpp: 'lower value (...) is not a valid float'; "
     "urdfdom_headers urdf_model/pose.h: 'Parser found <n> elements but 3 expected while parsing vector [...]'",
     bad={

@@ -11,6 +11,7 @@ from urdfctl.rules.common import label, robot_in
 @rule(
     "UC122",
     severity=Severity.WARNING,
+    runtime="misbehaves",
     authority="kdl_parser kdl_parser.cpp: \"Converting unknown joint type of joint '...' into a fixed joint\"; "
     "sdformat 12 src/parser_urdf.cc CreateJoint() creates no joint",
     bad={

@@ -21,6 +21,7 @@ OTHER_WORDS = {
 @rule(
     "UC121",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="urdfdom urdf_parser/src/joint.cpp parseJoint(): 'Joint [...] has no known type [...]'",
     bad={
         "robot.urdf": """

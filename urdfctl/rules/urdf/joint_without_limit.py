@@ -11,6 +11,7 @@ from urdfctl.rules.common import label, robot_in
 @rule(
     "UC123",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="urdfdom urdf_parser/src/joint.cpp parseJoint(): 'Joint [...] is of type REVOLUTE but it does not specify limits'",
     whole_robot=True,
     bad={

@@ -11,6 +11,7 @@ from urdfctl.rules.common import robot_in
 @rule(
     "UC109",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="urdfdom urdf_parser/src/joint.cpp parseJoint(): 'unnamed joint found'",
     whole_robot=True,
     bad={

@@ -11,6 +11,7 @@ from urdfctl.rules.common import label, robot_in
 @rule(
     "UC115",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="urdfdom_headers urdf_model/model.h initTree(): 'Joint [...] is missing a parent and/or child link specification.'",
     whole_robot=True,
     bad={

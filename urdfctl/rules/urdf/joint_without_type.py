@@ -11,6 +11,7 @@ from urdfctl.rules.common import label, robot_in
 @rule(
     "UC120",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="urdfdom urdf_parser/src/joint.cpp parseJoint(): 'joint [...] has no type, check to see if it's a reference.'",
     whole_robot=True,
     bad={

@@ -12,6 +12,7 @@ from urdfctl.rules.urdf.common import lacking
 @rule(
     "UC124",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="urdfdom urdf_parser/src/joint.cpp parseJointLimits(): 'joint limit: no effort', 'joint limit: no velocity'",
     bad={
         "robot.urdf": """

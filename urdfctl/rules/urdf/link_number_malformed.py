@@ -12,6 +12,7 @@ from urdfctl.rules.urdf.numbers import Numbers, corrected, fault_of, is_subnorma
 @rule(
     "UC139",
     severity=Severity.WARNING,
+    runtime="warns",
     authority="urdfdom urdf_parser/src/link.cpp: 'Inertial: mass [...] is not a float', "
     "'Could not parse visual element for Link [...]'",
     bad={

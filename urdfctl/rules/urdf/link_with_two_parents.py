@@ -12,6 +12,7 @@ from urdfctl.rules.common import is_known, label, robot_in
 @rule(
     "UC107",
     severity=Severity.WARNING,
+    runtime="ignores",
     authority="urdfdom_headers urdf_model/model.h initTree(): child_link->setParent(parent_link) overwrites an earlier parent",
     whole_robot=True,
     bad={

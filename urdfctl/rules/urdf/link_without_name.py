@@ -11,6 +11,7 @@ from urdfctl.rules.common import robot_in
 @rule(
     "UC108",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="urdfdom urdf_parser/src/link.cpp: 'No name given for the link.', then model.h: 'Two root links found: [] and [a]'",
     whole_robot=True,
     bad={

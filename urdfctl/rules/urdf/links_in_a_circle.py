@@ -12,6 +12,7 @@ from urdfctl.rules.urdf.tree import Tree, parent_of
 @rule(
     "UC106",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="urdfdom_headers urdf_model/model.h initRoot(): 'No root link found. The robot xml is not a valid tree.'",
     whole_robot=True,
     bad={

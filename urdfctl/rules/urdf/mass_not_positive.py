@@ -14,6 +14,8 @@ from urdfctl.rules.written import where_written
 @rule(
     "UC135",
     severity=Severity.WARNING,
+    runtime="drops",
+    because="only Gazebo does, and the robot may not run there",
     authority="sdformat src/parser_urdf.cc CreateSDF(): 'a mass value of less than or equal to zero'; "
     "src/Link.cc: 'A link named ... has invalid inertia.'",
     whole_robot=True,

@@ -13,6 +13,7 @@ from urdfctl.source.span import SourceSpan
 @rule(
     "UC144",
     severity=Severity.WARNING,
+    runtime="warns",
     authority="urdfdom urdf_parser/src/link.cpp: 'Visual material must contain a name attribute', "
     "'Material must contain a name attribute'",
     bad={

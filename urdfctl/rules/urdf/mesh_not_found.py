@@ -12,6 +12,7 @@ from urdfctl.rules.common import is_known, label, robot_in
 @rule(
     "UC149",
     severity=Severity.WARNING,
+    runtime="warns",
     authority="resource_retriever: 'Could not load resource [...]'; urdfdom does not open meshes",
     bad={
         "robot.urdf": """

@@ -11,6 +11,7 @@ from urdfctl.rules.common import is_known, robot_in
 @rule(
     "UC150",
     severity=Severity.WARNING,
+    runtime="warns",
     authority="resource_retriever: 'Package [...] does not exist'; urdfdom does not open meshes",
     bad={
         "robot.urdf": """
@@ -52,7 +53,7 @@ from urdfctl.rules.common import is_known, robot_in
 def mesh_package_not_found(project: Project) -> Iterator[Finding]:
     """Mesh package was not found.
 
-    RViz shows nothing, and Gazebo leaves out the shape. For a package that is installed elsewhere, declare it in
+    RViz and Gazebo print an error and leave out the shape. For a package that is installed elsewhere, declare it in
     package.xml, source its environment or use --package-path.
     """
     robot = robot_in(project)

@@ -12,6 +12,7 @@ from urdfctl.rules.urdf.mesh_addresses import in_packages
 @rule(
     "UC152",
     severity=Severity.WARNING,
+    runtime="warns",
     authority="resource_retriever passes any address but package:// to libcurl: 'Could not load resource [...]'",
     bad={
         "robot.urdf": """
@@ -53,7 +54,8 @@ from urdfctl.rules.urdf.mesh_addresses import in_packages
 def mesh_path_relative(project: Project) -> Iterator[Finding]:
     """Relative mesh path.
 
-    The description is passed on as text, without the folder that it came from, so RViz does not find the mesh.
+    The description is passed on as text, without the folder that it came from, so RViz prints an error and shows no
+    mesh.
     """
     robot = robot_in(project)
     meshes = [

@@ -11,6 +11,7 @@ from urdfctl.rules.common import label, robot_in
 @rule(
     "UC119",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="urdfdom urdf_parser/src/joint.cpp parseJointMimic(): 'joint mimic: no mimic joint specified'",
     whole_robot=True,
     bad={

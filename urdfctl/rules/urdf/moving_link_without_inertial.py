@@ -13,6 +13,8 @@ from urdfctl.rules.urdf.bodies import inertial_of, vanishing
 @rule(
     "UC133",
     severity=Severity.WARNING,
+    runtime="drops",
+    because="only Gazebo does, and the robot may not run there",
     authority="sdformat src/parser_urdf.cc CreateSDF(): 'link[...] has no <inertial> block defined', 'parent joint[...] ignored'",
     whole_robot=True,
     bad={

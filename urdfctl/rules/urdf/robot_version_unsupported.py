@@ -14,6 +14,7 @@ READING = since("galactic")
 @rule(
     "UC103",
     severity=Severity.ERROR,
+    runtime="refuses",
     distros=READING,
     authority="urdfdom 3.0 urdf_parser/src/model.cpp: \"Invalid 'version' specified; only version 1.0 is currently supported\"",
     options=["--distro=jazzy"],

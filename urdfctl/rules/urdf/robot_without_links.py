@@ -11,6 +11,7 @@ from urdfctl.rules.common import whole_robot_in
 @rule(
     "UC104",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="urdfdom urdf_parser/src/model.cpp parseURDF(): 'No link elements found in urdf file'",
     whole_robot=True,
     bad={

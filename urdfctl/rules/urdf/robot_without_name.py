@@ -11,6 +11,7 @@ from urdfctl.rules.common import whole_robot_in
 @rule(
     "UC102",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="urdfdom urdf_parser/src/model.cpp parseURDF(): 'No name given for the robot.'",
     whole_robot=True,
     bad={

@@ -10,6 +10,7 @@ from urdfctl.rule import Finding, Project, Severity, rule
 @rule(
     "UC101",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="urdfdom urdf_parser/src/model.cpp parseURDF(): \"Could not find the 'robot' element in the xml file\"",
     whole_robot=True,
     bad={

@@ -11,6 +11,7 @@ from urdfctl.rules.common import label, robot_in
 @rule(
     "UC130",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="urdfdom urdf_parser/src/joint.cpp parseJointSafety(): 'joint safety: no k_velocity'",
     bad={
         "robot.urdf": """

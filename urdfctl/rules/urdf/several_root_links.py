@@ -12,6 +12,7 @@ from urdfctl.rules.urdf.tree import Tree
 @rule(
     "UC105",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="urdfdom_headers urdf_model/model.h initRoot(): 'Two root links found: [a] and [b]'",
     whole_robot=True,
     bad={

@@ -13,6 +13,7 @@ from urdfctl.rules.written import where_written
 @rule(
     "UC116",
     severity=Severity.ERROR,
+    runtime="refuses",
     authority="urdfdom_headers urdf_model/model.h initTree(): 'parent link [...] of joint [...] not found.'",
     whole_robot=True,
     bad={

@@ -12,6 +12,7 @@ from urdfctl.rules.urdf.common import known_part
 @rule(
     "UC117",
     severity=Severity.WARNING,
+    runtime="ignores",
     authority="urdfdom urdf_parser/src/joint.cpp parseJointMimic() accepts any name; joint_state_publisher and ros2_control look it up",
     bad={
         "robot.urdf": """
