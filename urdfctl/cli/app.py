@@ -18,6 +18,7 @@ from urdfctl.cli.generate_options import (
 )
 from urdfctl.cli.help import GroupedCommand
 from urdfctl.cli.init_options import InitOptions
+from urdfctl.cli.migrate_options import MigrateOptions
 from urdfctl.cli.options import ExpandOptions, ExplainOptions, LintOptions, RulesOptions, ShowOptions, SmokeOptions
 from urdfctl.cli.slips import command_hint
 from urdfctl.errors import UserError
@@ -66,6 +67,12 @@ def _init(options: InitOptions) -> int:
     return run_init(options)
 
 
+def _migrate(options: MigrateOptions) -> int:
+    from urdfctl.cli.migrate_command import run_migrate
+
+    return run_migrate(options)
+
+
 def _generate(options: GenerateOptions) -> int:
     from urdfctl.cli.generate_command import run_generate
 
@@ -87,6 +94,7 @@ _RUN: dict[type, Callable[[Any], int]] = {
     ExplainOptions: _explain,
     CheckGeneratedOptions: _check_generated,
     InitOptions: _init,
+    MigrateOptions: _migrate,
     **dict.fromkeys(GENERATORS.values(), _generate),
 }
 
@@ -144,6 +152,7 @@ _command("expand", short_help="Expand xacro without ROS.")(ExpandOptions)
 _command("rules")(RulesOptions)
 _command("explain", short_help="Explain a rule, an error message, or a whole log.")(ExplainOptions)
 _command("init", short_help="Write a configuration with the robots of a project.")(InitOptions)
+_command("migrate", short_help="Migrate packages to another ROS distro.")(MigrateOptions)
 for name, generator in GENERATORS.items():
     app.command(name, cls=OneDashCommand, short_help=short_help(generator))(generator)
 _command("gen-check", short_help="Check that generated files are up to date.")(CheckGeneratedOptions)

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable
 
 from urdfctl.cli.lint_request import Fixing, LintRequest
 from urdfctl.cli.patch import patch
-from urdfctl.cli.writing import print_bytes, print_message, replace_file
+from urdfctl.cli.writing import print_bytes, print_message
+from urdfctl.cli.writing_all import write_all
 from urdfctl.config.settings import Settings
-from urdfctl.errors import UserError
-from urdfctl.fix.rounds import Change, Wishes, fixed
+from urdfctl.fix.rounds import Wishes, fixed
 from urdfctl.lint.grouping import grouped
 from urdfctl.lint.results import TargetResult
 from urdfctl.load.target import Target
@@ -39,7 +39,8 @@ def fix(
     _print_lines(result.refused)
     _print_lines(result.remarks)
     if not fixing.as_diff:
-        written = _write_all(result.changes)
+        written = not (problems := write_all(result.changes))
+        _print_lines(problems)
         return Done(len(result.changes) if written else 0, result.linted, failed=not written)
     print_bytes(patch(result.changes))
     return Done(len(result.changes), result.linted)
@@ -58,28 +59,6 @@ def report_fixes(
 
 def _counted(number: int, what: str) -> str:
     return f"{number} {what}" if number == 1 else f"{number} {what}s"
-
-
-def _write_all(changes: Sequence[Change]) -> bool:
-    """Write all files or none: they were only tested together."""
-    written: list[Change] = []
-    for change in changes:
-        try:
-            replace_file(change.file, change.before, change.after)
-        except UserError as error:
-            _print_lines([str(error), *_restored(written)])
-            return False
-        written.append(change)
-    return True
-
-
-def _restored(written: Iterable[Change]) -> Iterator[str]:
-    """Restore what was written; yield an error for each file where that fails."""
-    for change in written:
-        try:
-            replace_file(change.file, change.after, change.before)
-        except UserError as error:
-            yield f"{error}, so its fix stays although another file could not be written"
 
 
 def _print_lines(lines: Iterable[str]) -> None:

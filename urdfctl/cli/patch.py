@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator
 
-from urdfctl.fix.rounds import Change
+from urdfctl.fix.edits import Change
 
 _ESCAPES = {"\\": "\\\\", '"': '\\"', "\n": "\\n", "\t": "\\t", "\r": "\\r"}
 
@@ -19,8 +19,14 @@ def _lines(change: Change) -> Iterator[bytes]:
     from difflib import diff_bytes, unified_diff
 
     name = os.path.relpath(change.file, os.path.realpath(os.curdir)).replace(os.sep, "/")
-    old, new = _split(change.before), _split(change.after)
-    for line in diff_bytes(unified_diff, old, new, _header("a", name), _header("b", name)):
+    old, new = _split(change.before or b""), _split(change.after or b"")
+    header, new_header = _header("a", name), _header("b", name)
+    if change.before is None or change.after is None:
+        is_new = change.before is None
+        yield b"diff --git %s %s\n" % (header.rstrip(b"\t"), new_header.rstrip(b"\t"))
+        yield b"new file mode 100644\n" if is_new else b"deleted file mode 100644\n"
+        header, new_header = (b"/dev/null", new_header) if is_new else (header, b"/dev/null")
+    for line in diff_bytes(unified_diff, old, new, header, new_header):
         yield line if line.endswith(b"\n") else line + b"\n\\ No newline at end of file\n"
 
 

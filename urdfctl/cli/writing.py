@@ -61,22 +61,7 @@ def write_file(path: str, text: str, *, force: bool) -> None:
             with open(path, "wb", opener=_without_waiting) as file:
                 file.write(encoded(text))
             return
-        _write_beside(os.path.realpath(path), encoded(text))
-    except OSError as error:
-        raise UserError(f"'{path}' cannot be written: {error.strerror}") from None
-
-
-def replace_file(path: str, before: bytes, after: bytes) -> None:
-    """Replace the content `before` of a file by `after`.
-
-    Raises UserError if the file has other content by now, or cannot be written.
-    """
-    try:
-        with open(path, "rb") as file:
-            current = file.read()
-        if current != before:
-            raise UserError(f"'{path}' was changed by another program; it is not overwritten")
-        _write_beside(path, after)
+        write_beside(os.path.realpath(path), encoded(text))
     except OSError as error:
         raise UserError(f"'{path}' cannot be written: {error.strerror}") from None
 
@@ -100,7 +85,18 @@ def _without_waiting(path: str, flags: int) -> int:
     return handle
 
 
-def _write_beside(path: str, data: bytes) -> None:
+def write_beside(path: str, data: bytes) -> None:
+    """Write data to a temporary file beside a path, then rename it. Raises OSError if it cannot be written."""
+    temporary = temporary_beside(path, data)
+    try:
+        os.replace(temporary, path)
+    except BaseException:
+        os.unlink(temporary)
+        raise
+
+
+def temporary_beside(path: str, data: bytes) -> str:
+    """Write data to a temporary file beside a path, with the rights of the file there, and return its path."""
     import tempfile
 
     handle, temporary = tempfile.mkstemp(prefix=f".{os.path.basename(path)}.", dir=os.path.dirname(path))
@@ -111,10 +107,10 @@ def _write_beside(path: str, data: bytes) -> None:
             os.fsync(file.fileno())
         _keep_owner(path, temporary)
         os.chmod(temporary, _mode(path))
-        os.replace(temporary, path)
     except BaseException:
         os.unlink(temporary)
         raise
+    return temporary
 
 
 def _keep_owner(path: str, temporary: str) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic
-from urdfctl.fix.edits import Splice, Taken, edited
+from urdfctl.fix.edits import Change, Splice, Taken, edited
 from urdfctl.fix.files import EditableFiles
 from urdfctl.fix.trial import TrialResult, splices_of, texts, trial_work
 from urdfctl.lint.job import Workers, run_on_targets, shared_loader
@@ -21,14 +21,6 @@ from urdfctl.startup.records import NamedTuple
 MOST_ROUNDS = 20
 MOST_TRIALS = 400
 _CHANGED = "the file has changed since it was linted"
-
-
-class Change(NamedTuple):
-    """The bytes of a file before and after the fixes. `file` is its real path."""
-
-    file: str
-    before: bytes
-    after: bytes
 
 
 class Fixed(NamedTuple):

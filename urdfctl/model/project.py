@@ -47,6 +47,7 @@ class Project(NamedTuple):
     own: the types that packages of the workspace define themselves, if the catalogue does not have some type.
     absent: the files and folders that the package's CMakeLists.txt installs and that do not exist.
     moveit: MoveIt's configuration of the robot; None if there is none.
+    todos: what a migration left to a person in the files that were read, with the place of the comment.
     """
 
     robot: Robot | None
@@ -70,6 +71,7 @@ class Project(NamedTuple):
     own: OwnTypes = NO_OWN_TYPES
     absent: tuple[tuple[str, Place], ...] = ()
     moveit: MoveIt | None = None
+    todos: tuple[tuple[str, Place], ...] = ()
 
     @property
     def ros(self) -> int | None:

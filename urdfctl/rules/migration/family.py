@@ -8,6 +8,7 @@ from urdfctl.rules.migration.controller_gone_soon import controller_gone_soon
 from urdfctl.rules.migration.gazebo_classic_gone import gazebo_classic_gone
 from urdfctl.rules.migration.hardware_deprecated import hardware_deprecated
 from urdfctl.rules.migration.hardware_gone_soon import hardware_gone_soon
+from urdfctl.rules.migration.migration_todo_left import migration_todo_left
 from urdfctl.rules.migration.plugin_deprecated import plugin_deprecated
 from urdfctl.rules.migration.plugin_gone_soon import plugin_gone_soon
 
@@ -19,4 +20,5 @@ RULES: tuple[Rule, ...] = (
     plugin_gone_soon,
     hardware_gone_soon,
     controller_gone_soon,
+    migration_todo_left,
 )

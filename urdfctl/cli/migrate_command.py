@@ -1,0 +1,159 @@
+"""`urdfctl migrate`."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+from collections.abc import Sequence
+from contextlib import closing
+from functools import partial
+
+from urdfctl.catalog.distros import ALL, ROS2, SIMULATORS
+from urdfctl.cli.lint_request import LintRequest
+from urdfctl.cli.lint_run import lint_files
+from urdfctl.cli.migrate_options import MigrateOptions
+from urdfctl.cli.patch import patch
+from urdfctl.cli.targets import discovered
+from urdfctl.cli.words import configured, settings_from
+from urdfctl.cli.writing import print_bytes, print_message, print_text, write_file
+from urdfctl.cli.writing_all import write_all
+from urdfctl.config.file import config_for
+from urdfctl.config.settings import Settings
+from urdfctl.diagnostic import Severity
+from urdfctl.errors import UserError
+from urdfctl.lint.selection import Selection
+from urdfctl.migrate.engine import Migration, migrate
+from urdfctl.migrate.packages import Linted
+from urdfctl.migrate.report import as_json, as_markdown
+from urdfctl.migrate.scratch import Scratch
+from urdfctl.migrate.step import EntryKind
+from urdfctl.migrate.steps import STEPS
+from urdfctl.migrate.wishes import Part, Wishes
+from urdfctl.names import did_you_mean
+
+REPORT = "MIGRATION.md"
+
+
+def run_migrate(options: MigrateOptions) -> int:
+    """Migrate packages, or show how, and return the exit status."""
+    wishes = _wishes(options)
+    if options.list_changes:
+        from urdfctl.migrate.table import table
+
+        print_text(table(STEPS, wishes))
+        return 0
+    paths = options.paths or [os.curdir]
+    if sum([options.diff, options.in_place, options.output is not None]) > 1:
+        raise UserError("--diff, --in-place and -o exclude each other")
+    with closing(Scratch(paths)) as scratch:
+        real = [scratch.real(folder) for folder in scratch.folders]
+        _check_destination(options, real)
+        settings = settings_from(configured(real, options), options)
+        settings = settings._replace(
+            distro=None,
+            simulator=None,
+            workspace=scratch.root,
+            package_paths=(*settings.package_paths, *scratch.others),
+        )
+        result = migrate(scratch, wishes, settings, partial(lint_folders, scratch.folders), STEPS)
+        return _finish(result, scratch, options, wishes)
+
+
+def _wishes(options: MigrateOptions) -> Wishes:
+    if options.to is None:
+        raise UserError("--to requires the distro to migrate to, e.g. --to jazzy")
+    for name, distro, known in (("--to", options.to, ROS2), ("--from", options.source, ALL)):
+        if distro is not None and distro not in known:
+            raise UserError(
+                f"{name}: unknown distro '{distro}'{did_you_mean(distro, known)}; known are {', '.join(known)}"
+            )
+    if options.simulator is not None and options.simulator not in SIMULATORS:
+        near = did_you_mean(options.simulator, SIMULATORS)
+        raise UserError(f"unknown simulator '{options.simulator}'{near}; known are {', '.join(SIMULATORS)}")
+    if options.launch not in ("py", "xml"):
+        raise UserError(f"--launch must be py or xml, not '{options.launch}'")
+    return Wishes(
+        target=options.to,
+        source=options.source,
+        simulator=options.simulator,
+        hardware=options.hardware,
+        launch=options.launch,
+        keep_classic=options.keep_classic,
+        only=_parts(options.only or ()),
+    )
+
+
+def _parts(texts: Sequence[str]) -> frozenset[Part]:
+    names = [name.strip() for text in texts for name in text.split(",") if name.strip()]
+    known = [part.value for part in Part]
+    for name in names:
+        if name not in known:
+            raise UserError(f"--only: unknown part '{name}'{did_you_mean(name, known)}; known are {', '.join(known)}")
+    return frozenset(map(Part, names))
+
+
+def _check_destination(options: MigrateOptions, folders: Sequence[str]) -> None:
+    """Raise UserError if files would be lost."""
+    if options.force:
+        return
+    if options.output is not None and os.path.isdir(options.output) and os.listdir(options.output):
+        raise UserError(f"folder '{options.output}' is not empty; --force writes to it")
+    if options.in_place and (dirty := [folder for folder in folders if _is_dirty(folder)]):
+        raise UserError(f"'{dirty[0]}' has changes that are not committed; commit them, or use --force")
+
+
+def _is_dirty(folder: str) -> bool:
+    """Return whether git knows of uncommitted changes in a folder; False without git or a repository."""
+    command = ["git", "-c", "core.fsmonitor=false", "-C", folder, "status", "--porcelain", "--", "."]
+    try:
+        status = subprocess.run(command, capture_output=True, check=False, env={**os.environ, "LC_ALL": "C"})  # noqa: S603 (no input of others)
+    except OSError:
+        return False
+    return status.returncode == 0 and bool(status.stdout.strip())
+
+
+def lint_folders(folders: Sequence[str], settings: Settings) -> Linted:
+    """Lint what is in some folders now, with all rules."""
+    config = config_for(tuple(folders), settings.workspace)
+    files = discovered(folders, config)
+    request = LintRequest((), Selection(), (), Severity.ERROR, exit_zero=True, jobs=0, config=config)
+    return lint_files(files, (), settings, request).targets
+
+
+def _finish(result: Migration, scratch: Scratch, options: MigrateOptions, wishes: Wishes) -> int:
+    """Write the result where the user wants it, and return the exit status."""
+    base = os.path.commonpath([scratch.real(folder) for folder in scratch.folders])
+    is_written = options.in_place or options.output is not None
+    if options.output is not None:
+        _write_copy(scratch, options.output, base)
+    elif options.in_place:
+        problems = write_all(result.changes)
+        for problem in problems:
+            print_message(problem)
+        if problems:
+            return 2
+    else:
+        print_bytes(patch(result.changes))
+    report = options.report or (os.path.join(options.output or base, REPORT) if is_written else None)
+    if report is not None and result.changes:
+        render = as_json if report.endswith(".json") else as_markdown
+        write_file(report, render(result.lines, result.source, wishes.target, base), force=True)
+    counts = {kind: sum(line.kind is kind for line in result.lines) for kind in EntryKind}
+    verb = "changed" if is_written else "would change"
+    print_message(
+        f"{verb} {len(result.changes)} file{'s' * (len(result.changes) != 1)}; {counts[EntryKind.DONE]} done, {counts[EntryKind.DECIDED]} decided, "
+        f"{counts[EntryKind.FOR_YOU]} for you{f' (see {report})' if report and result.changes else ''}"
+    )
+    return int(bool(result.changes) and not is_written)
+
+
+def _write_copy(scratch: Scratch, output: str, base: str) -> None:
+    """Write the migrated packages below a folder, in the same places as below `base`."""
+    for path in scratch.files():
+        target = os.path.join(output, os.path.relpath(scratch.real(path), base))
+        os.makedirs(os.path.dirname(target), exist_ok=True)
+        try:
+            shutil.copyfile(path, target)
+        except OSError as error:
+            raise UserError(f"'{target}' cannot be written: {error.strerror}") from None

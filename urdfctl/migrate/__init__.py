@@ -1,0 +1,19 @@
+"""Migrate packages to another ROS distro.
+
+A migration is made in a copy of the packages (`Scratch`), judged there, and written only as a whole.
+
+- A `Step` (`step.py`) is a name, a part for `--only`, rows for `--list`, and a function `propose(packages)` that yields
+  `Proposal`s. A proposal is made as a whole or not at all: edits of existing files as `Edit(SourceSpan, text)`, new
+  files, files to delete, and the entries of the report. A proposal must not be made again once it is applied, because
+  a step is called until it proposes no more changes. That also makes a migration idempotent.
+- `Packages` (`packages.py`) is what a step sees: `files(".xacro")` and `read(path)` for texts, `loaded(distro)` for
+  robots, controllers and launch files with their places, `wishes`, `source`, `is_ros1`, `simulator`,
+  `crosses("jazzy")`. All paths are of the copy; the report shows the real ones. A created launch file is linted, too.
+- Entries: `Entry(EntryKind.DONE | DECIDED | FOR_YOU, message, place, authority=, option=)`. What a person must decide
+  is `todo.for_you(place, text)`: a TODO comment in the line above, and its entry. UC708 finds the TODOs.
+- The engine (`engine.py`) applies the steps in the order of `steps.py` and lints the result for the target. A step is
+  left out of a file if otherwise a finding that it claims (`Proposal.fixes`) stays there, an error or warning of a new
+  kind appears, or the kinematics of a robot change without being listed in `Proposal.moves`.
+
+Steps are in `ros1/`, `classic/` and `distro/`; each of these lists its own in `STEPS`.
+"""

@@ -1,0 +1,109 @@
+"""Judge a migration: reasons against it, from the findings and the robots before and after."""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+
+from urdfctl.diagnostic import Diagnostic, Severity
+from urdfctl.load.loader import LoadedTarget
+from urdfctl.migrate.kinematics import differences, kinematics
+from urdfctl.migrate.packages import Linted
+from urdfctl.startup.records import NamedTuple
+
+TODO_CODE = "UC708"
+"""The rule that finds what a migration leaves to a person, which is new by intention."""
+
+Kinematics = Mapping[tuple[str, tuple[tuple[str, str], ...]], Mapping[str, object]]
+"""The kinematics of each whole robot, by its file and arguments."""
+
+
+class Objection(NamedTuple):
+    """A reason against a migration.
+
+    message: what would be wrong.
+    files: the files that it is about; the steps that changed them are responsible.
+    """
+
+    message: str
+    files: frozenset[str]
+
+
+class Before(NamedTuple):
+    """The state before a migration.
+
+    codes: the findings' codes for the distro to migrate from, and for the target.
+    by_file: how many findings of a code each file has for the target.
+    kinematics: those of the robots.
+    """
+
+    codes: frozenset[str]
+    by_file: Counter[tuple[str, str]]
+    kinematics: Kinematics
+
+
+def findings_by_file(linted: Linted) -> Counter[tuple[str, str]]:
+    """Return how many different findings of a code there are in each file, by code and real path."""
+    found = {
+        (finding.code, os.path.realpath(finding.at.file), finding.at.start)
+        for _, result in linted
+        for finding in result.outcome.diagnostics
+    }
+    return Counter((code, file) for code, file, _ in found)
+
+
+def before(source: Linted, target: Linted, robots: Sequence[LoadedTarget]) -> Before:
+    """Return the state before a migration, from its findings for the distro to migrate from and for the target."""
+    codes = {finding.code for _, result in (*source, *target) for finding in result.outcome.diagnostics}
+    return Before(frozenset(codes), findings_by_file(target), kinematics_of(robots))
+
+
+def kinematics_of(robots: Sequence[LoadedTarget]) -> Kinematics:
+    """Return the kinematics of those robots that are complete."""
+    return {
+        (loaded.project.path, loaded.arguments): kinematics(loaded.project.robot)
+        for loaded in robots
+        if loaded.project.robot is not None and loaded.project.complete and not loaded.project.library
+    }
+
+
+def objections(
+    state: Before,
+    linted: Linted,
+    robots: Sequence[LoadedTarget],
+    claims: Mapping[str, frozenset[str]],
+    moved: frozenset[str],
+) -> Iterator[Objection]:
+    """Yield the reasons against a migration.
+
+    linted: the findings after it, for the target.
+    robots: those after it.
+    claims: the codes of which each edited file must have fewer findings.
+    moved: the links and joints whose kinematics the report says to change.
+    """
+    yield from _of_findings(state, linted)
+    after = findings_by_file(linted)
+    for file, codes in claims.items():
+        for code in codes:
+            known = state.by_file[code, os.path.realpath(file)]
+            if known and after[code, os.path.realpath(file)] >= known:
+                yield Objection(f"{code} would not be gone", frozenset({file}))
+    now = kinematics_of(robots)
+    for key, old in state.kinematics.items():
+        changed = [name for name in differences(old, now.get(key, old)) if name.partition(" ")[2] not in moved]
+        if changed:
+            read = next(loaded.sources for loaded in robots if (loaded.project.path, loaded.arguments) == key)
+            yield Objection(f"{changed[0]} of the robot would change", frozenset(read))
+
+
+def _of_findings(state: Before, linted: Linted) -> Iterator[Objection]:
+    """No kind of error or warning may be new."""
+    for _, result in linted:
+        for finding in result.outcome.diagnostics:
+            if finding.code not in state.codes and finding.code != TODO_CODE and finding.severity is not Severity.INFO:
+                yield Objection(_said(finding), frozenset({finding.at.file, *result.files}))
+
+
+def _said(finding: Diagnostic) -> str:
+    return f"it would cause {finding.code} at {finding.at.file}:{finding.at.line} ({finding.message})"

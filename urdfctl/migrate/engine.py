@@ -1,0 +1,203 @@
+"""Apply the steps of a migration to a copy of the packages, and keep what stands the test."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Sequence
+
+from urdfctl.config.settings import Settings
+from urdfctl.fix.edits import Change, Shift, Splice, Taken, edited
+from urdfctl.migrate.acceptance import Before, Objection, before, objections
+from urdfctl.migrate.packages import Lint, Packages
+from urdfctl.migrate.report import ReportLine
+from urdfctl.migrate.scratch import Scratch, bytes_of
+from urdfctl.migrate.step import Entry, EntryKind, Proposal, Step
+from urdfctl.migrate.wishes import Wishes
+from urdfctl.startup.records import NamedTuple
+
+MOST_ROUNDS = 12
+MOST_ATTEMPTS = 24
+
+
+class Migration(NamedTuple):
+    """The result of a migration; nothing is written yet.
+
+    changes: the files to change, create or delete.
+    lines: the report.
+    source: the distro to migrate from; None if it is unknown.
+    """
+
+    changes: tuple[Change, ...]
+    lines: tuple[ReportLine, ...]
+    source: str | None
+
+
+def migrate(scratch: Scratch, wishes: Wishes, settings: Settings, lint: Lint, steps: Sequence[Step]) -> Migration:
+    """Return the migration of the packages in a copy.
+
+    The steps are applied in order, then the whole is judged. If there are objections, the step that is responsible is
+    left out in the files concerned, and all is done again.
+
+    settings: without a distro.
+    """
+    source = lint(settings._replace(distro=wishes.source))
+    target = lint(settings._replace(distro=wishes.target))
+    packages = Packages(scratch, wishes, settings, source)
+    wanted = [step for step in steps if _is_wanted(step, packages)]
+    state = before(source, target, packages.loaded())
+    barred: dict[tuple[str, str], str] = {}
+    for _ in range(MOST_ATTEMPTS):
+        attempt = _Attempt(packages, barred)
+        attempt.run(wanted)
+        found = attempt.judged(state, lint, settings) if scratch.changes() else []
+        if not _bar(barred, attempt, found):
+            break
+        scratch.reset()
+        packages.forget()
+    lines = attempt.lines(found) if scratch.changes() or barred else ()
+    return Migration(scratch.changes(), tuple(lines), packages.source)
+
+
+def _is_wanted(step: Step, packages: Packages) -> bool:
+    only = packages.wishes.only
+    return (not only or step.part in only) and (step.generation != 1 or packages.is_ros1)
+
+
+def _bar(barred: dict[tuple[str, str], str], attempt: _Attempt, found: Sequence[Objection]) -> bool:
+    """Bar the last step that changed a file of an objection from that file; return whether there is any."""
+    for objection in found:
+        files = {os.path.realpath(file) for file in objection.files}
+        responsible = [key for key in attempt.touched if key[1] in files]
+        if responsible:
+            barred[responsible[-1]] = objection.message
+            return True
+    return False
+
+
+class _Noted:
+    """An entry for the report, and the offset of its place in the file as it is now."""
+
+    __slots__ = ("entry", "offset", "step")
+
+    def __init__(self, step: str, entry: Entry) -> None:
+        self.step, self.entry = step, entry
+        self.offset = entry.at.span.start if entry.at else 0
+
+    @property
+    def file(self) -> str:
+        """The path of the file; empty if it is about no file."""
+        return self.entry.at.source.path if self.entry.at else self.entry.file
+
+    @property
+    def key(self) -> tuple[EntryKind, str, str, int]:
+        """What makes an entry the same as another."""
+        return self.entry.kind, self.entry.message, self.file, self.offset
+
+
+class _Attempt:
+    """One application of all steps.
+
+    touched: the steps with the files that they changed, in order, by name and real path.
+    """
+
+    def __init__(self, packages: Packages, barred: dict[tuple[str, str], str]) -> None:
+        self.packages = packages
+        self.barred = barred
+        self.touched: dict[tuple[str, str], None] = {}
+        self._claims: dict[str, frozenset[str]] = {}
+        self._moved: frozenset[str] = frozenset()
+        self._noted: list[_Noted] = []
+
+    def run(self, steps: Iterable[Step]) -> None:
+        """Apply steps, each until it proposes no more changes."""
+        for step in steps:
+            for _ in range(MOST_ROUNDS):
+                if not self._round(step):
+                    break
+
+    def _round(self, step: Step) -> bool:
+        taken = Taken()
+        chosen = [
+            proposal
+            for proposal in step.propose(self.packages)
+            if self._is_admitted(step, proposal) and taken.take(_splices(proposal))
+        ]
+        splices: dict[str, set[Splice]] = {}
+        for proposal in chosen:
+            self._note(step, proposal)
+            for splice in _splices(proposal):
+                splices.setdefault(splice.file, set()).add(splice)
+        effective = [*self._edit(splices), *self._create(chosen)]
+        if effective:
+            self.packages.forget()
+        return bool(effective)
+
+    def _is_admitted(self, step: Step, proposal: Proposal) -> bool:
+        files = [os.path.realpath(file) for file in proposal.files]
+        return all(self.packages.may_change(file) and (step.name, file) not in self.barred for file in files)
+
+    def _note(self, step: Step, proposal: Proposal) -> None:
+        for file in sorted(proposal.files):
+            real = os.path.realpath(file)
+            self.touched[step.name, real] = None
+            self._claims[real] = self._claims.get(real, frozenset()) | set(proposal.fixes)
+        self._moved |= proposal.moves
+        known = {noted.key for noted in self._noted}
+        new = (_Noted(step.name, entry) for entry in proposal.entries)
+        self._noted += [noted for noted in new if noted.key not in known]
+
+    def _edit(self, splices: dict[str, set[Splice]]) -> Iterator[str]:
+        for file, own in splices.items():
+            old = bytes_of(file) or b""
+            new = edited(old, own)
+            if new != old:
+                self.packages.scratch.write(file, new)
+                shift = Shift(own)
+                for noted in self._noted:
+                    if noted.file and os.path.realpath(noted.file) == file:
+                        noted.offset = shift.near(noted.offset)
+                yield file
+
+    def _create(self, proposals: Sequence[Proposal]) -> Iterator[str]:
+        for proposal in proposals:
+            for path in proposal.deleted:
+                if os.path.lexists(path):
+                    self.packages.scratch.write(path, None)
+                    yield path
+            for path, text in proposal.created:
+                data = text.encode("utf-8", "surrogateescape")
+                if not os.path.lexists(path) and bytes_of(path) != data:
+                    self.packages.scratch.write(path, data)
+                    yield path
+
+    def judged(self, state: Before, lint: Lint, settings: Settings) -> list[Objection]:
+        """Return the objections to what was applied."""
+        linted = lint(settings._replace(distro=self.packages.wishes.target))
+        return list(objections(state, linted, self.packages.loaded(), self._claims, self._moved))
+
+    def lines(self, left: Sequence[Objection]) -> Iterator[ReportLine]:
+        """Yield the report's lines, with real paths and the lines of the migrated files.
+
+        left: the objections that no step is responsible for.
+        """
+        scratch = self.packages.scratch
+        for noted in self._noted:
+            entry, file = noted.entry, scratch.real(noted.file) if noted.file else ""
+            line = _line(noted.file, noted.offset) if entry.at and os.path.exists(noted.file) else 0
+            message, more = scratch.shown(entry.message), (entry.authority, entry.option)
+            yield ReportLine(entry.kind, message, noted.step, file, line, *more)
+        for (step, file), why in self.barred.items():
+            message = scratch.shown(f"not changed by step '{step}': {why}")
+            yield ReportLine(EntryKind.FOR_YOU, message, step, scratch.real(file))
+        for objection in left:
+            yield ReportLine(EntryKind.FOR_YOU, scratch.shown(objection.message))
+
+
+def _splices(proposal: Proposal) -> list[Splice]:
+    return [
+        Splice(os.path.realpath(edit.span.file), edit.span.start, edit.span.end, edit.text) for edit in proposal.edits
+    ]
+
+
+def _line(path: str, offset: int) -> int:
+    return (bytes_of(path) or b"")[:offset].count(b"\n") + 1

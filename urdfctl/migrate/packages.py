@@ -1,0 +1,118 @@
+"""The packages of a migration, as steps see them."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Sequence
+
+from urdfctl.catalog.distros import ALL, ROS2, generation
+from urdfctl.config.settings import Settings
+from urdfctl.lint.results import TargetResult
+from urdfctl.load.loader import LoadedTarget, Loader
+from urdfctl.load.target import Target
+from urdfctl.migrate.scratch import Scratch
+from urdfctl.migrate.wishes import Wishes
+from urdfctl.source.budget import OverBudget
+from urdfctl.source.files import MAX_BYTES
+from urdfctl.source.span import SourceText
+
+Linted = Sequence[tuple[Target, TargetResult]]
+Lint = Callable[[Settings], Linted]
+"""Lints the packages as they are now, as `urdfctl lint` does, and returns every target with its result."""
+
+
+class Packages:
+    """The packages to migrate, as they are after the proposals so far. All paths are of the copy that is migrated.
+
+    wishes: what the user wants.
+    settings: the settings of the run, with the distro to migrate from if the user names it.
+    linted: the targets before the migration, with their results.
+    """
+
+    def __init__(self, scratch: Scratch, wishes: Wishes, settings: Settings, linted: Linted) -> None:
+        self.scratch = scratch
+        self.wishes = wishes
+        self.settings = settings
+        self.linted = linted
+        self._sources: dict[str, SourceText] = {}
+        self._loaded: dict[str | None, list[LoadedTarget]] = {}
+
+    @property
+    def source(self) -> str | None:
+        """The distro to migrate from: the one that the user names, or the earliest that all targets may be for."""
+        if self.wishes.source:
+            return self.wishes.source
+        possible = [result.distros for _, result in self.linted if 0 < len(result.distros) < len(ALL)]
+        return min((distros[0] for distros in possible), key=ALL.index, default=None)
+
+    @property
+    def is_ros1(self) -> bool:
+        """Whether a part of the packages is for ROS 1."""
+        if self.wishes.source:
+            return generation(self.wishes.source) == 1
+        return any(result.ros == 1 for _, result in self.linted)
+
+    def crosses(self, since: str) -> bool:
+        """Return whether the migration leads from a distro before `since` to it or a later one."""
+        return self.wishes.crosses(since, self.source)
+
+    @property
+    def simulator(self) -> str | None:
+        """The simulator after the migration: gz, gazebo-classic, mujoco or none; None if the robot has none now."""
+        if self.wishes.simulator:
+            return self.wishes.simulator
+        now = {result.simulator for _, result in self.linted} - {None}
+        if now <= {"none"}:
+            return None
+        if "gazebo-classic" not in now or ROS2.index(self.wishes.target) < ROS2.index("jazzy"):
+            return min(filter(None, now))
+        return "gz"
+
+    def files(self, *endings: str) -> Iterator[str]:
+        """Yield the files to migrate whose names end so, in order; without endings, all of them."""
+        for path in self.scratch.files():
+            if not endings or path.endswith(endings):
+                yield path
+
+    def read(self, path: str) -> SourceText:
+        """Return the content of a file; empty if it does not exist or is too large. Each state is read once."""
+        if path not in self._sources:
+            is_small = os.path.isfile(path) and os.path.getsize(path) <= MAX_BYTES
+            data = b""
+            if is_small:
+                with open(path, "rb") as file:
+                    data = file.read()
+            self._sources[path] = SourceText(path, data)
+        return self._sources[path]
+
+    def targets(self) -> list[Target]:
+        """Return the targets before the migration whose files still exist."""
+        return [target for target, _ in self.linted if os.path.exists(target.path)]
+
+    def loaded(self, distro: str | None = None) -> list[LoadedTarget]:
+        """Return all targets as they are read now: robot, controllers and launch file, each part with its place.
+
+        distro: read them for this distro; None for the distro to migrate from, or the one that the files indicate.
+        """
+        if distro not in self._loaded:
+            settings = self.settings._replace(distro=distro or self.wishes.source)
+            loader = Loader(settings)
+            self._loaded[distro] = [one for target in self.targets() if (one := _load(loader, target)) is not None]
+        return self._loaded[distro]
+
+    def forget(self) -> None:
+        """Forget what was read, because files were changed."""
+        self._sources.clear()
+        self._loaded.clear()
+
+    def may_change(self, path: str) -> bool:
+        """Return whether a file is among those to migrate; others, as of /opt/ros, are never changed."""
+        return self.scratch.may_write(path)
+
+
+def _load(loader: Loader, target: Target) -> LoadedTarget | None:
+    """The target, None if it exceeds the limits of reading."""
+    try:
+        return loader.load(target)
+    except (OverBudget, MemoryError):
+        return None

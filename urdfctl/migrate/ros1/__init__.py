@@ -1,0 +1,7 @@
+"""Steps from ROS 1 to ROS 2."""
+
+from __future__ import annotations
+
+from urdfctl.migrate.step import Step
+
+STEPS: tuple[Step, ...] = ()

@@ -1,0 +1,173 @@
+"""A copy of packages in a temporary folder, in which a migration is made and judged before anything is written."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import stat
+import tempfile
+from collections.abc import Iterator, Sequence
+
+from urdfctl.errors import UserError
+from urdfctl.fix.edits import Change
+from urdfctl.source.files import folders_upwards
+from urdfctl.source.packages import package_around, package_folders
+from urdfctl.source.workspace import workspace_of
+
+_PRUNED = frozenset({".git", "build", "install", "log", "devel", "node_modules", "__pycache__"})
+_COPIED = 1 << 20
+"""Larger files are linked: only texts are edited."""
+
+
+class Scratch:
+    """A copy of some packages, below a folder that stands for their workspace.
+
+    root: the copy of the workspace.
+    folders: the copies of the folders to migrate.
+    others: the folders of the workspace's other packages, which are not copied.
+    """
+
+    def __init__(self, paths: Sequence[str]) -> None:
+        real = _folders(paths)
+        self._workspace = os.path.realpath(workspace_of(os.path.join(real[0], "package.xml")))
+        if not all(_is_below(folder, self._workspace) for folder in real):
+            self._workspace = os.path.commonpath(real)
+        self._temporary = tempfile.TemporaryDirectory(prefix="urdfctl-migrate-")
+        self.root = os.path.join(os.path.realpath(self._temporary.name), os.path.basename(self._workspace) or "ws")
+        self.folders = [self.of(folder) for folder in real]
+        for folder, copy in zip(real, self.folders, strict=True):
+            _copy(folder, copy)
+        self._copy_settings(real)
+        self.others = [
+            folder
+            for folder in package_folders(self._workspace)
+            if not any(_is_below(os.path.realpath(folder), mine) for mine in real)
+        ]
+        self._originals: dict[str, bytes | None] = {}
+
+    def close(self) -> None:
+        """Delete the copy."""
+        self._temporary.cleanup()
+
+    def of(self, real: str) -> str:
+        """Return the path in the copy that stands for a real path."""
+        return os.path.normpath(os.path.join(self.root, os.path.relpath(real, self._workspace)))
+
+    def real(self, path: str) -> str:
+        """Return the real path that a path in the copy stands for; other paths unchanged."""
+        return (
+            os.path.normpath(os.path.join(self._workspace, os.path.relpath(path, self.root)))
+            if self.has(path)
+            else path
+        )
+
+    def has(self, path: str) -> bool:
+        """Return whether a path is in the copy."""
+        return _is_below(os.path.normpath(path), self.root)
+
+    def shown(self, text: str) -> str:
+        """Return a text with the real paths instead of those in the copy."""
+        return text.replace(self.root, self._workspace)
+
+    def may_write(self, path: str) -> bool:
+        """Return whether a migration may change, create or delete a file: it is in a folder to migrate."""
+        return any(_is_below(os.path.realpath(path), folder) for folder in self.folders)
+
+    def write(self, path: str, data: bytes | None) -> None:
+        """Write a file in the copy, or delete it if `data` is None."""
+        path = os.path.normpath(path)
+        self._originals.setdefault(path, bytes_of(path))
+        if data is None:
+            if os.path.lexists(path):
+                os.unlink(path)
+            return
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        if os.path.lexists(path):
+            os.unlink(path)  # it may be a link to the user's file
+        with open(path, "wb") as file:
+            file.write(data)
+
+    def reset(self) -> None:
+        """Undo everything that was written."""
+        for path, data in list(self._originals.items()):
+            self.write(path, data)
+        self._originals.clear()
+
+    def changes(self) -> tuple[Change, ...]:
+        """Return what was written, with real paths; `before` is None for a new file, `after` for a deleted one."""
+        found = ((path, before, bytes_of(path)) for path, before in self._originals.items())
+        return tuple(sorted(Change(self.real(path), old, new) for path, old, new in found if old != new))
+
+    def files(self) -> Iterator[str]:
+        """Yield the files in the folders to migrate, in order."""
+        for folder in self.folders:
+            for current, folders, names in os.walk(folder):
+                folders[:] = sorted(name for name in folders if name not in _PRUNED)
+                yield from (os.path.join(current, name) for name in sorted(names))
+
+    def _copy_settings(self, real: Sequence[str]) -> None:
+        """Copy the configuration files above the folders to migrate, and the .gitignore files."""
+        above = {one for folder in real for one in folders_upwards(os.path.dirname(folder))}
+        for folder in sorted(above):
+            for name in ("urdfctl.toml", "pyproject.toml", ".gitignore"):
+                if _is_below(folder, self._workspace) and os.path.isfile(os.path.join(folder, name)):
+                    os.makedirs(self.of(folder), exist_ok=True)
+                    shutil.copyfile(os.path.join(folder, name), os.path.join(self.of(folder), name))
+
+
+def bytes_of(path: str) -> bytes | None:
+    """Return the content of a file, None if it does not exist."""
+    try:
+        with open(path, "rb") as file:
+            return file.read()
+    except FileNotFoundError:
+        return None
+
+
+def _folders(paths: Sequence[str]) -> list[str]:
+    """The folders that paths mean, by real path: the package around a file, or around a folder in a package."""
+    found = []
+    for path in paths:
+        if not os.path.exists(path):
+            raise UserError(f"file or folder '{path}' does not exist")
+        folder = path if os.path.isdir(path) else os.path.dirname(os.path.abspath(path))
+        found.append(os.path.realpath(package_around(os.path.abspath(folder)) or folder))
+    return [
+        folder for folder in dict.fromkeys(found) if not any(folder != one and _is_below(folder, one) for one in found)
+    ]
+
+
+def _is_below(path: str, folder: str) -> bool:
+    return (path + os.sep).startswith(folder.rstrip(os.sep) + os.sep)
+
+
+def _copy(folder: str, copy: str) -> None:
+    for current, folders, names in os.walk(folder):
+        folders[:] = [name for name in folders if name not in _PRUNED]
+        target = os.path.normpath(os.path.join(copy, os.path.relpath(current, folder)))
+        os.makedirs(target, exist_ok=True)
+        for name in (*names, *(name for name in folders if os.path.islink(os.path.join(current, name)))):
+            path = os.path.join(current, name)
+            if os.path.islink(path):
+                real = os.path.realpath(path)
+                inside = _is_below(real, folder)
+                os.symlink(
+                    os.path.join(copy, os.path.relpath(real, folder)) if inside else real, os.path.join(target, name)
+                )
+            else:
+                _copy_file(path, os.path.join(target, name))
+
+
+def _copy_file(path: str, copy: str) -> None:
+    try:
+        if not stat.S_ISREG(os.stat(path).st_mode):
+            return
+        if os.path.getsize(path) <= _COPIED:
+            shutil.copy(path, copy)
+            return
+        try:
+            os.link(path, copy)
+        except OSError:  # on another device
+            os.symlink(path, copy)
+    except OSError as error:
+        raise UserError(f"'{path}' cannot be copied: {error.strerror}") from None

@@ -1,0 +1,48 @@
+"""Comments in migrated files that say what a person must decide."""
+
+from __future__ import annotations
+
+from urdfctl.diagnostic import Edit
+from urdfctl.migrate.step import Entry, EntryKind, Proposal
+from urdfctl.source.span import Place, SourceSpan
+from urdfctl.source.todo import MARK
+
+_OF_XML = (".xacro", ".urdf", ".xml", ".launch", ".srdf", ".sdf", ".world", ".gazebo", ".inc")
+
+
+def todo_line(path: str, text: str) -> str:
+    """Return a TODO as a comment in the syntax of a file, without line end."""
+    if path.endswith(_OF_XML) and not path.endswith((".yaml", ".py")):
+        return f"<!-- {MARK} {text.replace('--', '- -')} -->"
+    return f"# {MARK} {text}"
+
+
+def for_you(at: Place, text: str, *, authority: str = "") -> Proposal:
+    """Return the proposal to leave a decision to a person: a TODO in the line above a place, and its report line.
+
+    It has no edits if the TODO is there already. The place must begin after the first element of its line at the
+    earliest; a TODO is never put inside a start tag.
+    """
+    source = at.source
+    start = source.line_starts()[source.position(_tag_start(at)).line - 1]
+    line_end = source.data.find(b"\n", start)
+    line = source.data[start : line_end if line_end >= 0 else len(source.data)]
+    indent = line[: len(line) - len(line.lstrip())].decode("utf-8", "surrogateescape")
+    comment = todo_line(source.path, text)
+    entry = Entry(EntryKind.FOR_YOU, text, at, authority=authority)
+    if source.data[:start].rstrip().endswith(comment.encode()):
+        return Proposal(entries=(entry,))
+    newline = "\r\n" if b"\r\n" in source.data[:4096] else "\n"
+    edit = Edit(SourceSpan(source, start, start), f"{indent}{comment}{newline}")
+    return Proposal(edits=(edit,), entries=(entry,))
+
+
+def _tag_start(at: Place) -> int:
+    """The offset of the place, or of the start tag that it is in: a comment inside of a tag is an error."""
+    start = at.span.start
+    data = at.source.data
+    if not at.source.path.endswith(_OF_XML):
+        return start
+    opened = data.rfind(b"<", 0, start + 1)
+    closed = data.rfind(b">", 0, start)
+    return opened if opened > closed else start
