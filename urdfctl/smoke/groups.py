@@ -34,7 +34,7 @@ def groups_of(tasks: Sequence[Task], mechanism: Mechanism, *, fixed: bool) -> li
 def _alone(task: Task) -> bool:
     """Whether a controller is tested alone: it moves nothing, drives a base, or pushes one joint after the other."""
     pushes = task.family is Family.FORWARD and task.interface == "effort"
-    return task.drive is not None or pushes or task.family in _ALONE
+    return task.base is not None or pushes or task.family in _ALONE
 
 
 def _moved(task: Task, mechanism: Mechanism) -> set[str]:

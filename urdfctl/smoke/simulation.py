@@ -7,7 +7,8 @@ import time
 from collections.abc import Sequence
 
 from urdfctl.smoke.checks import Track
-from urdfctl.smoke.engines import STEP, Engine
+from urdfctl.smoke.engines import STEP, Engine, Standing
+from urdfctl.smoke.ground import TIPPED
 from urdfctl.smoke.mechanism import Hinge
 from urdfctl.smoke.motions import FREELY, Goal, Motion
 from urdfctl.smoke.plan import Plan
@@ -23,6 +24,14 @@ class Exploded(Exception):
     """A position is not a finite number, or far too large."""
 
 
+class Tipped(Exception):
+    """The robot, which stood before, tips over; its roll and pitch are in rad."""
+
+    def __init__(self, roll: float, pitch: float) -> None:
+        super().__init__(roll, pitch)
+        self.roll, self.pitch = roll, pitch
+
+
 class OutOfTime(Exception):
     """The engine has used the processor time that it may use."""
 
@@ -30,7 +39,8 @@ class OutOfTime(Exception):
 class Simulation:
     """A robot in an engine, whose controllers are updated at their rate.
 
-    `hinges` holds the joints that can move, by name, and `claimed` the names of those that controllers move.
+    `hinges` holds the joints that can move, by name, and `claimed` the names of those that controllers move. Once it is
+    told how the robot stands at rest, it watches that the robot does not tip over.
     """
 
     def __init__(self, plan: Plan, engine: Engine, began: float) -> None:
@@ -38,6 +48,7 @@ class Simulation:
         self.hinges = {hinge.name: hinge for hinge in plan.mechanism.hinges if hinge.moves}
         self.claimed = {joint for task in plan.tasks for joint in task.joints}
         self._deadline = began + plan.budget
+        self.at_rest: Standing | None = None
         self.every(max(1, round(1 / plan.rate / STEP)))
 
     def every(self, steps: int) -> None:
@@ -63,6 +74,9 @@ class Simulation:
         watched = [*place, *(engine.position(name) for name in self.hinges)]
         if not all(math.isfinite(value) and abs(value) < _EXPLODED for value in watched):
             raise Exploded
+        rest = self.at_rest
+        if rest and max(abs(place.roll - rest.roll), abs(place.pitch - rest.pitch)) > TIPPED:
+            raise Tipped(place.roll, place.pitch)
 
     def follows(self, hinge: Hinge) -> bool:
         """Whether a joint mimics another one, and no controller moves it directly."""

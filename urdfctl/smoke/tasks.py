@@ -26,6 +26,7 @@ class Family(Enum):
     TRAJECTORY = "follows a trajectory, with PID loops unless it commands positions"
     DIFFERENTIAL = "drives wheels on the left and right"
     STEERED = "drives wheels and steers wheels"
+    ROLLERS = "turns wheels with rollers"
     STRUCTURAL = "is not simulated"
 
 
@@ -98,7 +99,7 @@ class Task(NamedTuple):
     """The joints and wheels that one controller should move.
 
     `interface` is the command interface of its joints, with its name in ROS 2. `why` is the reason why the controller
-    is not simulated. `rolling` holds the wheels of a drive that is not simulated, but whose wheels must turn forward.
+    is not simulated. `rolling` holds the wheels of a drive on rollers, which engines do not model.
     """
 
     controller: str
@@ -205,7 +206,7 @@ def task_of(configured: Configured) -> Task:
 
 
 def _rolling(configured: Configured, class_name: str) -> Task:
-    """A controller of wheels with rollers: what its wheels do is checked by formula, not in an engine."""
+    """A controller of wheels with rollers: what they make of the base is computed, not simulated."""
     joints = tuple(dict.fromkeys(claim.component for claim in configured.claims.command))
     kind = configured.type
     values = Values(kind, configured.values) if kind else configured.values
@@ -213,8 +214,8 @@ def _rolling(configured: Configured, class_name: str) -> Task:
     if class_name.startswith("Omni"):
         count, offset = max(1, len(joints)), _float(values.get("wheel_offset"))
         angles = tuple(offset + 2 * math.pi * n / count for n in range(count))
-        measures = _float(values.get("wheel_radius")), _float(values.get("robot_radius"))
-        drive = Drive(driven=joints, base=base, radius=measures[0], arm=measures[1], angles=angles)
+        radius, arm = _float(values.get("wheel_radius")), _float(values.get("robot_radius"))
+        drive = Drive(driven=joints, base=base, radius=radius, arm=arm, angles=angles)
     else:
         named = [(values.get(f"{role}_wheel_command_joint_name"), ahead, aside) for role, ahead, aside in _ROLES]
         drive = Drive(
@@ -224,8 +225,11 @@ def _rolling(configured: Configured, class_name: str) -> Task:
             reach=_float(values.get("kinematics.sum_of_robot_center_projection_on_X_Y_axis")),
             roles=tuple((_text(name), ahead, aside) for name, ahead, aside in named if _text(name)),
         )
-    why = f"the rollers of the wheels of a {class_name} are not modelled; their axes, places and measures were checked"
-    return Task(configured.name, Family.STRUCTURAL, joints, "velocity", why=why, rolling=drive)
+    offset = any(_float(values.get(f"kinematics.base_frame_offset.{name}")) for name in ("x", "y", "theta"))
+    known = drive.radius and (drive.arm or drive.reach) and len(drive.roles or drive.angles) == len(joints)
+    why = "its base_frame_offset is not modelled" if offset else "" if known else "its measures are unknown"
+    family = Family.STRUCTURAL if why else Family.ROLLERS
+    return Task(configured.name, family, joints, "velocity", why=why, rolling=drive)
 
 
 def _not_simulated(name: str, why: str) -> Task:

@@ -4,33 +4,23 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Sequence
 
 from urdfctl.rules.smoke.mimic_not_kept import mimic_not_kept
 from urdfctl.rules.smoke.robot_tips_over import robot_tips_over
 from urdfctl.rules.smoke.simulation_explodes import simulation_explodes
 from urdfctl.rules.smoke.wheel_off_the_ground import wheel_off_the_ground
-from urdfctl.smoke.checks import (
-    MIMIC,
-    SLIPPING,
-    Journey,
-    Track,
-    forward_troubles,
-    joint_troubles,
-    together_troubles,
-    turn_troubles,
-)
-from urdfctl.smoke.drives import assumed_sides
+from urdfctl.smoke.checks import MIMIC, Track, joint_troubles, together_troubles
+from urdfctl.smoke.driving import driven, rolled, wheels_of_drives
 from urdfctl.smoke.engines import STEP, Engine, Refused, Setup, open_engine
 from urdfctl.smoke.ground import TIPPED
 from urdfctl.smoke.groups import groups_of
 from urdfctl.smoke.loads import gravity_load, moved_inertias
-from urdfctl.smoke.mechanism import Mechanism
-from urdfctl.smoke.motions import FREELY, Goal, Loop, Wheels, goal_of, hold, motion_of, speed_of, turning_of
+from urdfctl.smoke.motions import FREELY, Goal, Loop, goal_of, hold, motion_of
 from urdfctl.smoke.plan import Plan, Tried
 from urdfctl.smoke.results import ROBOT, Curve, Trouble, trouble_of
-from urdfctl.smoke.simulation import Exploded, OutOfTime, Simulation
-from urdfctl.smoke.tasks import Drive, Family, Task, is_loop, is_skidding
+from urdfctl.smoke.simulation import Exploded, OutOfTime, Simulation, Tipped
+from urdfctl.smoke.tasks import Family, Task, is_loop, is_skidding
 
 SETTLING = 0.5
 """The time in which a robot comes to rest, in s."""
@@ -48,6 +38,7 @@ ACTS = {
     "moves": ("started", "moved"),
     "follows": ("started", "moved", "followed", "held"),
     "drives": ("started", "drove", "turned"),
+    "rolls": ("started", "turned its wheels"),
 }
 """What a controller was seen to do."""
 
@@ -57,7 +48,7 @@ def tried(plan: Plan) -> Tried:
     began = time.process_time()
     mechanism = plan.mechanism
     weightless = [body.name for body in mechanism.bodies.values() if not body.falls]
-    rolling = {name for task in plan.tasks if task.drive for name in (*_driven(task.drive), *task.drive.steered)}
+    rolling = {name for task in plan.tasks if task.drive for name in (*task.drive.wheels, *task.drive.steered)}
     wheels = [hinge.child for hinge in mechanism.hinges if hinge.name in rolling]
     setup = Setup(
         urdf=plan.urdf,
@@ -99,6 +90,8 @@ def _untested(plan: Plan, task: Task) -> dict[str, str]:
     """What was not modelled while a controller was tested, with the reason."""
     if task.family is Family.NOTHING:
         return {}
+    if task.rolling:
+        return {"contact": "its wheels turned in the air; their rollers are not modelled"}
     if task.drive is None:
         standing = {} if not plan.fixed or plan.mechanism.is_fixed else {"standing": "the base is held in the air"}
         return {**standing, "contact": "links do not collide"}
@@ -131,7 +124,7 @@ class Trial:
     def __init__(self, plan: Plan, engine: Engine, stiff: Collection[str], began: float) -> None:
         self._simulation, self._stiff = Simulation(plan, engine, began), stiff
         self._plan, self._engine, self._hinges = plan, engine, self._simulation.hinges
-        self._wheels = {name for task in plan.tasks for name in _wheels(task)}
+        self._wheels = set(wheels_of_drives(plan.tasks))
         self.troubles: list[Trouble] = []
         self.moved: list[str] = []
         self.unjudged: dict[str, str] = {}
@@ -150,14 +143,17 @@ class Trial:
             self._together()
             self._mimics()
         except OutOfTime:
-            done = sum(task.controller in self.acts for task in self._plan.tasks)
-            why = (
-                f"not tested: too slow: {done} of {len(self._plan.tasks)} controllers tested in {self._plan.budget:g} s"
-            )
-            self.unjudged |= {task.controller: why for task in self._plan.tasks if task.controller not in self.acts}
+            done, everyone = sum(task.controller in self.acts for task in self._plan.tasks), len(self._plan.tasks)
+            self._leave(f"not tested: too slow: {done} of {everyone} controllers tested in {self._plan.budget:g} s")
         except Exploded:
             if not any(trouble.code == simulation_explodes.code for trouble in self.troubles):
                 self.troubles.append(trouble_of(simulation_explodes, ROBOT, when=""))
+        except Tipped:
+            self._leave("not simulated: the robot tipped over")
+
+    def _leave(self, why: str) -> None:
+        """Note why the controllers that were not tested so far are left."""
+        self.unjudged |= {task.controller: why for task in self._plan.tasks if task.controller not in self.acts}
 
     # -- at rest -----------------------------------------------------------------------------------------------------
 
@@ -174,8 +170,8 @@ class Trial:
         standing = self._engine.standing()
         tipped = max(abs(standing.roll), abs(standing.pitch)) > TIPPED
         touching = self._engine.touching()
-        driven = (name for task in self._plan.tasks if task.drive for name in _driven(task.drive))
-        lifted = [name for name in dict.fromkeys(driven) if self._hinges[name].child not in touching]
+        wheels = dict.fromkeys(wheels_of_drives(self._plan.tasks))
+        lifted = [name for name in wheels if self._hinges[name].child not in touching]
         if self._plan.shapeless and (tipped or lifted):
             for task in self._plan.tasks:
                 self.unjudged[task.controller] = "not simulated: collision geometry under the robot is missing"
@@ -189,6 +185,7 @@ class Trial:
         for name in lifted:
             owner = next(task.controller for task in self._plan.tasks if name in task.joints)
             self.troubles.append(trouble_of(wheel_off_the_ground, f"joint:{name}", owner, joint=name))
+        self._simulation.at_rest = standing
         return not tipped
 
     # -- controllers -------------------------------------------------------------------------------------------------
@@ -211,16 +208,32 @@ class Trial:
         if not tasks:
             return
         try:
-            judged = self._drive(tasks[0], tasks[0].drive) if tasks[0].drive else self._move(tasks)
+            judged = self._drive(tasks[0]) if tasks[0].base else self._move(tasks)
         except Exploded:
             for name in (task.controller for task in tasks):
                 when = f" while controller '{name}' moves its joints"
                 self.troubles.append(trouble_of(simulation_explodes, f"controller:{name}", name, when=when))
             raise
+        except Tipped as tipped:
+            name, act = tasks[0].controller, "drives it" if tasks[0].drive else "moves its joints"
+            angles = {"roll": tipped.roll, "pitch": tipped.pitch}
+            when = f" while controller '{name}' {act}"
+            self.troubles.append(trouble_of(robot_tips_over, ROBOT, name, (), when=when, **angles))
+            raise
         for task in tasks if judged else ():
             self.moved.append(task.controller)
             loop = task.family in (Family.POSITION_PID, Family.TRAJECTORY) or task.interface == "position"
-            self.acts[task.controller] = "drives" if task.drive else "follows" if loop else "moves"
+            of_base = "drives" if task.drive else "rolls" if task.rolling else ""
+            self.acts[task.controller] = of_base or ("follows" if loop else "moves")
+
+    def _drive(self, task: Task) -> bool:
+        """Drive a mobile base."""
+        result = driven(self._simulation, task) if task.drive else rolled(self._simulation, task)
+        self.troubles += result.troubles
+        self.curves += result.curves
+        if result.why_not:
+            self.unjudged[task.controller] = result.why_not
+        return not result.why_not
 
     def _why_not(self, task: Task) -> str:
         """Why the joints of a controller cannot be simulated, or an empty text."""
@@ -307,85 +320,3 @@ class Trial:
                 if apart > MIMIC:
                     fields = {"joint": hinge.name, "distance": apart, "unit": hinge.unit, "leader": hinge.mimic[0]}
                     self.troubles.append(trouble_of(mimic_not_kept, f"joint:{hinge.name}", None, (), **fields))
-
-    # -- mobile bases ------------------------------------------------------------------------------------------------
-
-    def _drive(self, task: Task, given: Drive) -> bool:
-        drive = measured(self._simulation.mechanism, given)
-        if not drive.radius or (drive.left and not drive.separation) or (drive.steered and not drive.wheelbase):
-            self.unjudged[task.controller] = "not simulated: the radius or separation of its wheels is unknown"
-            return False
-        seconds = self._plan.duration
-        slipping = SLIPPING if self._plan.engine == "mujoco" else 0.0
-        sides = assumed_sides(self._simulation.mechanism, task, drive)
-        speed = speed_of(drive, (self._hinges.get(name) for name in drive.wheels))
-        straight = Wheels(self._engine, self._hinges, drive, speed, 0.0, sides=sides)
-        troubles = list(forward_troubles(task, self._journey(straight, task, "ahead", seconds), slipping))
-        forward = speed if drive.steered else 0.0
-        turning = Wheels(self._engine, self._hinges, drive, forward, turning_of(drive, speed), sides=sides)
-        if not troubles:
-            troubles += turn_troubles(task, drive, self._journey(turning, task, "yaw", seconds), slipping)
-        self.troubles += troubles
-        for name in _driven(drive):
-            self._engine.at_velocity(name, 0.0, FREELY)
-        self._simulation.run_for(0.1)
-        return True
-
-    def _journey(self, wheels: Wheels, task: Task, quantity: str, seconds: float) -> Journey:
-        before = now = self._engine.standing()
-        start = self._turned(task)
-        facing = _facing(self._simulation.mechanism, task)
-        yaw, yaws, ahead, wanted = 0.0, [], [], []
-        tilt = 0.0
-        for update in range(round(seconds / self._simulation.period)):
-            wheels.update(update * self._simulation.period, self._simulation.period)
-            self._simulation.update()
-            last, now = now, self._engine.standing()
-            yaw += (now.yaw - last.yaw + math.pi) % (2 * math.pi) - math.pi
-            tilt = max(tilt, abs(now.roll - before.roll), abs(now.pitch - before.pitch))
-            yaws.append(yaw)
-            ahead.append(Journey(before, now, yaw, wheels.distance, wheels.angle, facing=facing).ahead)
-            wanted.append(wheels.distance if quantity == "ahead" else wheels.angle)
-        if tilt > TIPPED:
-            fields = {"when": f" while controller '{task.controller}' drives it", "roll": now.roll, "pitch": now.pitch}
-            self.troubles.append(trouble_of(robot_tips_over, ROBOT, task.controller, (), **fields))
-        driven = ahead if quantity == "ahead" else yaws
-        self.curves.append(self._simulation.curve(task.controller, "base", quantity, wanted, driven))
-        rolled = (self._turned(task) - start) / wheels.distance if wheels.distance else 1.0
-        return Journey(before, now, yaw, wheels.distance, wheels.angle, facing=facing, rolled=rolled)
-
-    def _turned(self, task: Task) -> float:
-        """How far the driven wheels of a base have rolled on average by their controller's radius, in m."""
-        if task.drive is None:
-            return 0.0
-        drive = measured(self._plan.mechanism, task.drive)
-        return sum(self._engine.position(name) * drive.radius_of(name) for name in drive.wheels) / len(drive.wheels)
-
-
-def _facing(mechanism: Mechanism, task: Task) -> float:
-    """The direction of the frame that a controller drives, from the root's x axis, in rad."""
-    pose = mechanism.poses(mechanism.start()).get(task.drive.base) if task.drive else None
-    return math.atan2(pose.turn[1][0], pose.turn[0][0]) if pose else 0.0
-
-
-def _wheels(task: Task) -> Iterator[str]:
-    if task.drive:
-        yield from _driven(task.drive)
-
-
-def _driven(drive: Drive) -> tuple[str, ...]:
-    return (*drive.left, *drive.right, *drive.driven)
-
-
-def measured(mechanism: Mechanism, drive: Drive) -> Drive:
-    """Return a drive with the measures that its controller lacks taken from the robot, as in ROS 1."""
-    poses = mechanism.poses(mechanism.start())
-    wheels = [hinge for name in _driven(drive) if (hinge := mechanism.hinge(name)) is not None]
-    radius = drive.radius or next((r for hinge in wheels if (r := mechanism.bodies[hinge.child].radius)), 0.0)
-    separation, wheelbase = drive.separation, drive.wheelbase
-    if drive.left and drive.right and not separation:
-        sides = [
-            poses[hinge.child].place[1] for name in (drive.left[0], drive.right[0]) if (hinge := mechanism.hinge(name))
-        ]
-        separation = abs(sides[0] - sides[-1])
-    return drive._replace(radius=radius, separation=separation, wheelbase=wheelbase)
