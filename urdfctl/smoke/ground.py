@@ -135,10 +135,7 @@ def _lifted(joint: str, controller: str) -> Trouble:
 
 def _base(mechanism: Mechanism, shapes: Shapes) -> Iterator[Trouble]:
     """The largest part of a robot's base must have a mass."""
-    rigid = {mechanism.root}
-    for hinge in mechanism.hinges:
-        if hinge.parent in rigid and not hinge.moves:
-            rigid.add(hinge.child)
+    rigid = mechanism.body_of(mechanism.root)
     volumes = {name: sum(shape.volume for shape in shapes.known.get(name, ())) for name in rigid}
     largest = max(volumes, key=volumes.__getitem__)
     if volumes[largest] > 0 and not mechanism.bodies[largest].mass:

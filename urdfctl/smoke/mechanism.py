@@ -161,6 +161,14 @@ class Mechanism(NamedTuple):
                 links.add(hinge.child)
         return links
 
+    def body_of(self, link: str) -> set[str]:
+        """Return a link and all links below it that are fixed to it."""
+        links = {link}
+        for hinge in self.hinges:
+            if hinge.parent in links and not hinge.moves:
+                links.add(hinge.child)
+        return links
+
     def above(self, link: str) -> list[Hinge]:
         """Return the hinges from a link up to the root."""
         by_child = {hinge.child: hinge for hinge in self.hinges}

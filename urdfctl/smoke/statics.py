@@ -11,6 +11,7 @@ from urdfctl.rules.smoke.inertia_too_small import inertia_too_small
 from urdfctl.rules.smoke.inertia_unusable import inertia_unusable
 from urdfctl.rules.smoke.initial_position_beyond_limits import initial_position_beyond_limits
 from urdfctl.rules.smoke.joint_held_still import joint_held_still
+from urdfctl.rules.smoke.joint_without_range import joint_without_range
 from urdfctl.rules.smoke.mimic_beyond_limits import mimic_beyond_limits
 from urdfctl.rules.urdf.inertia_out_of_proportion import size_of
 from urdfctl.smoke.drives import drive_troubles
@@ -85,6 +86,11 @@ def _limits(mechanism: Mechanism, task: Task) -> Iterator[Trouble]:
     for hinge in filter(None, map(mechanism.hinge, task.joints)):
         if hinge.velocity == 0 and hinge.moves:
             yield trouble_of(joint_held_still, f"joint:{hinge.name}", task.controller, joint=hinge.name)
+        elif hinge.moves and hinge.span[0] == hinge.span[1]:
+            limits = {"lower": hinge.lower, "upper": hinge.upper}
+            yield trouble_of(
+                joint_without_range, f"joint:{hinge.name}", task.controller, (), joint=hinge.name, **limits
+            )
         elif hinge.moves:
             yield from _ranges(hinge, task)
 

@@ -90,6 +90,14 @@ def _untested(plan: Plan, task: Task) -> dict[str, str]:
     """What was not modelled while a controller was tested, with the reason."""
     if task.family is Family.NOTHING:
         return {}
+    mechanism = plan.mechanism
+    moved = (hinge.child for hinge in mechanism.hinges if hinge.name in task.joints)
+    empty = (name for name in moved if not any(mechanism.bodies[part].mass for part in mechanism.body_of(name)))
+    masses = {"mass": f"link '{name}' has none; 1 g was taken" for name in (next(empty, ""),) if name}
+    return {**masses, **_not_modelled(plan, task)}
+
+
+def _not_modelled(plan: Plan, task: Task) -> dict[str, str]:
     if task.rolling:
         return {"contact": "its wheels turned in the air; their rollers are not modelled"}
     if task.drive is None:

@@ -33,6 +33,7 @@ from urdfctl.rules.smoke.joint_moves_wrong_way import joint_moves_wrong_way
 from urdfctl.rules.smoke.joint_oscillates import joint_oscillates
 from urdfctl.rules.smoke.joint_resists_its_motor import joint_resists_its_motor
 from urdfctl.rules.smoke.joint_too_fast import joint_too_fast
+from urdfctl.rules.smoke.joint_without_range import joint_without_range
 from urdfctl.rules.smoke.joints_oscillate_together import joints_oscillate_together
 from urdfctl.rules.smoke.loop_too_soft import loop_too_soft
 from urdfctl.rules.smoke.loop_too_stiff_without_rotor import loop_too_stiff_without_rotor
@@ -101,4 +102,5 @@ RULES: tuple[Rule, ...] = (
     base_too_slow,
     initial_position_beyond_limits,
     loop_too_soft,
+    joint_without_range,
 )

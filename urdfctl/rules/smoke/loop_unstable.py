@@ -6,6 +6,12 @@ from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, Stage, rule
 from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
+from urdfctl.rules.smoke.joint_does_not_follow import joint_does_not_follow
+from urdfctl.rules.smoke.joint_leaves_limits import joint_leaves_limits
+from urdfctl.rules.smoke.joint_oscillates import joint_oscillates
+from urdfctl.rules.smoke.joint_too_fast import joint_too_fast
+from urdfctl.rules.smoke.joints_oscillate_together import joints_oscillate_together
+from urdfctl.rules.smoke.simulation_explodes import simulation_explodes
 
 
 @rule(
@@ -16,6 +22,14 @@ from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
     message="the gains of controller '{controller}' are unstable at {rate:g} Hz: its joints swing more and more",
     authority="the sampled closed loop has an eigenvalue outside the unit circle; agreed with simulation on 20 "
     "of 20 sets of gains",
+    explains=(
+        simulation_explodes,
+        joint_does_not_follow,
+        joint_oscillates,
+        joints_oscillate_together,
+        joint_leaves_limits,
+        joint_too_fast,
+    ),
     options=["--distro=jazzy"],
     bad={
         "robot.urdf": LIFT,
