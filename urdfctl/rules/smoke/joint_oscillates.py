@@ -17,8 +17,13 @@ from urdfctl.rules.smoke.common import GAINS, LIFT, found_by_smoke_test
     authority="measured on 35 real robots and 109 hand-made cases, in pybullet and MuJoCo",
     options=["--distro=jazzy"],
     bad={
-        "robot.urdf": LIFT.replace('<joint name="lift" type="prismatic">', '«<joint name="lift" type="prismatic">»'),
-        "controllers.yaml": (GAINS % "mover").replace("d: 400.0", "d: 0.0"),
+        "robot.urdf": LIFT.replace(
+            '<joint name="lift" type="prismatic">', '«<joint name="lift" type="prismatic">»'
+        ).replace('<command_interface name="effort"/>', '<command_interface name="velocity"/>'),
+        "controllers.yaml": (GAINS % "mover")
+        .replace("[effort]", "[velocity]")
+        .replace("update_rate: 500", "update_rate: 10")
+        .replace("p: 4000.0, i: 100.0, d: 400.0", "p: 30.0"),
     },
     good={"robot.urdf": LIFT, "controllers.yaml": GAINS % "mover"},
 )

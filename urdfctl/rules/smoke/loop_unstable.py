@@ -10,7 +10,6 @@ from urdfctl.rules.smoke.joint_does_not_follow import joint_does_not_follow
 from urdfctl.rules.smoke.joint_leaves_limits import joint_leaves_limits
 from urdfctl.rules.smoke.joint_oscillates import joint_oscillates
 from urdfctl.rules.smoke.joint_too_fast import joint_too_fast
-from urdfctl.rules.smoke.joints_oscillate_together import joints_oscillate_together
 from urdfctl.rules.smoke.simulation_explodes import simulation_explodes
 
 
@@ -26,7 +25,6 @@ from urdfctl.rules.smoke.simulation_explodes import simulation_explodes
         simulation_explodes,
         joint_does_not_follow,
         joint_oscillates,
-        joints_oscillate_together,
         joint_leaves_limits,
         joint_too_fast,
     ),
