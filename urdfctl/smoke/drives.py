@@ -47,14 +47,17 @@ class Wheel(NamedTuple):
 
 def drive_troubles(mechanism: Mechanism, tasks: Sequence[Task]) -> Iterator[Trouble]:
     """Yield what is wrong with the wheels of mobile bases."""
+    plain: set[Drive] = set()
     for task in tasks:
         drive = task.base
-        if drive is not None:
+        if drive is not None and drive not in plain:
             everyone = wheels_of(mechanism, driven_of(task), drive.base)
             yield from _sides(mechanism, task, drive)
             yield from _places(mechanism, task, drive)
             yield from _order(mechanism, task, drive)
-            if drive.angles:
+            if drive.plain:
+                plain.add(drive)
+            elif drive.angles:
                 yield from _around(task, drive, everyone)
             else:
                 yield from _axes(task, everyone)
@@ -184,7 +187,7 @@ def _mirrored(mechanism: Mechanism, tasks: Sequence[Task]) -> Iterator[Trouble]:
         if task.family is Family.FORWARD and task.interface == "velocity"
         for name in task.joints
     }
-    wheels = [wheel for wheel in wheels_of(mechanism, list(owners), "") if _is_wheel(mechanism, wheel)]
+    wheels = [wheel for wheel in wheels_of(mechanism, list(owners), "") if is_wheel(mechanism, wheel)]
     bottoms = [wheel.place[2] - (mechanism.bodies[wheel.hinge.child].radius or 0.0) for wheel in wheels]
     lowest = min(bottoms, default=0.0)
     standing = [wheel for wheel, bottom in zip(wheels, bottoms, strict=True) if bottom < lowest + LEVEL]
@@ -197,7 +200,8 @@ def _mirrored(mechanism: Mechanism, tasks: Sequence[Task]) -> Iterator[Trouble]:
         yield trouble_of(wheels_mirrored, f"joint:{odd}", owners[odd], (), joint=odd, other=other)
 
 
-def _is_wheel(mechanism: Mechanism, wheel: Wheel) -> bool:
+def is_wheel(mechanism: Mechanism, wheel: Wheel) -> bool:
+    """Return whether a joint and its link look like a wheel that rolls forward or backward."""
     radius = mechanism.bodies[wheel.hinge.child].radius
     return wheel.hinge.type == "continuous" and abs(wheel.axis[1]) >= LATERAL and bool(radius)
 
@@ -288,12 +292,12 @@ def _rolling(mechanism: Mechanism, task: Task, drive: Drive, wheels: Sequence[Wh
         yield trouble_of(base_too_slow, subject, task.controller, (), speed=shown, why=why)
     for wheel in wheels:
         hinge = wheel.hinge
-        radius = drive.radius_of(hinge.name) or mechanism.bodies[hinge.child].radius
+        radius = abs(drive.radius_of(hinge.name)) or mechanism.bodies[hinge.child].radius
         low, high = hinge.span
         if hinge.type != "continuous" and (hinge.type == "prismatic" or high - low < LEAST_ROLL):
             fields = {"joint": hinge.name, "type": hinge.type, "low": low, "high": high}
             yield trouble_of(wheel_cannot_roll, f"joint:{hinge.name}", task.controller, (), **fields)
-        if not hinge.effort or not radius or radius < 0:
+        if not hinge.effort or not radius:
             known = False
             continue
         left = hinge.effort - hinge.friction

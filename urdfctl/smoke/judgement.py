@@ -15,6 +15,7 @@ from urdfctl.rules.smoke.robot_not_spawned import robot_not_spawned
 from urdfctl.smoke.anchors import anchors_of, diagnostics_of, silenced
 from urdfctl.smoke.manager import Cycle, life_cycle
 from urdfctl.smoke.mechanism import Mechanism, mechanism_of
+from urdfctl.smoke.plain import with_plain_drives
 from urdfctl.smoke.results import ROBOT, ControllerResult, Smoked, Trouble, Verdict, trouble_of
 from urdfctl.smoke.shapes import shapes_of, with_rims
 from urdfctl.smoke.stability import loop_troubles
@@ -93,6 +94,7 @@ def judged(
     if robot and mechanism is not None:
         shapes = shapes_of(robot, find_mesh)
         mechanism = with_rims(mechanism, shapes)
+        tasks = with_plain_drives(mechanism, shapes, tasks)
         troubles += static_troubles(mechanism, tasks, robot, shapes)
         troubles += loop_troubles(mechanism, tasks, rate)
     return Judgement(

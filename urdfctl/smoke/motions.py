@@ -59,7 +59,7 @@ def goal_of(hinge: Hinge, start: float, weight: float, seconds: float) -> Goal:
 
 def fastest(drive: Drive, hinges: Iterable[Hinge | None]) -> float:
     """Return the highest speed of a base that the velocity limits of its wheels allow, in m/s."""
-    limits = (h.velocity * drive.radius_of(h.name) for h in hinges if h and h.velocity)
+    limits = (h.velocity * abs(drive.radius_of(h.name)) for h in hinges if h and h.velocity)
     return min((limit for limit in limits if limit), default=math.inf)
 
 

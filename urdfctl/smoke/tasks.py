@@ -52,7 +52,8 @@ class Drive(NamedTuple):
     the wheels for which the controller has names, each with 1 for front or -1 for rear, and 1 for left or -1 for right;
     `reach` is half their wheelbase plus half their track. `angles` holds the directions from the centre to the wheels
     of an omnidirectional base, in rad, and `arm` their distance. `speed`, `turning` and `acceleration` are the
-    controller's own limits, in m/s, rad/s and m/s².
+    controller's own limits, in m/s, rad/s and m/s². `plain` drives have no controller that knows the base: velocity
+    controllers turn the wheels.
     """
 
     left: tuple[str, ...] = ()
@@ -74,9 +75,10 @@ class Drive(NamedTuple):
     speed: float = FREE
     turning: float = FREE
     acceleration: float = FREE
+    plain: bool = False
 
     def radius_of(self, name: str) -> float:
-        """Return the radius that the controller uses for a wheel, in m."""
+        """Return the radius that the controller uses for a wheel, in m; less than 0 if it turns the other way round."""
         scale = self.left_scale if name in self.left else self.right_scale if name in self.right else 1.0
         return self.radius * scale
 

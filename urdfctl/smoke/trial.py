@@ -20,7 +20,7 @@ from urdfctl.smoke.motions import FREELY, Goal, Loop, goal_of, hold, motion_of
 from urdfctl.smoke.plan import Plan, Tried
 from urdfctl.smoke.results import ROBOT, Curve, Trouble, trouble_of
 from urdfctl.smoke.simulation import Exploded, OutOfTime, Simulation, Tipped
-from urdfctl.smoke.tasks import Family, Task, is_loop, is_skidding
+from urdfctl.smoke.tasks import Drive, Family, Task, is_loop, is_skidding
 
 SETTLING = 0.5
 """The time in which a robot comes to rest, in s."""
@@ -138,6 +138,7 @@ class Trial:
         self.unjudged: dict[str, str] = {}
         self.acts: dict[str, str] = {}
         self.curves: list[Curve] = []
+        self._bases: dict[Drive, tuple[str, bool]] = {}
 
     def run(self) -> None:
         """Simulate the whole plan; an explosion ends it."""
@@ -236,7 +237,14 @@ class Trial:
 
     def _drive(self, task: Task) -> bool:
         """Drive a mobile base."""
+        before = self._bases.get(task.drive) if task.drive else None
+        if before:
+            whose = f"not simulated: controller '{before[0]}' cannot drive the base with its wheels"
+            self.unjudged[task.controller] = whose
+            return not before[1]
         result = driven(self._simulation, task) if task.drive else rolled(self._simulation, task)
+        if task.drive:
+            self._bases[task.drive] = task.controller, bool(result.why_not or result.troubles)
         self.troubles += result.troubles
         self.curves += result.curves
         if result.why_not:
