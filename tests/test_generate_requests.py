@@ -103,6 +103,22 @@ def test_a_controller_without_joints_gets_those_that_remain_and_fit_it(folder: F
     assert found["diff_drive_controller"]["right_wheel_names"] == ["right_wheel"]
 
 
+def test_each_controller_commands_the_interfaces_that_it_names(folder: Folder) -> None:
+    words = ("arm=trajectory[effort]:shoulder,elbow", "wrist=trajectory[position,velocity]:wrist", "base=diff_drive")
+    text = robot(*ARM, *WHEELS)
+    found = written(folder, text, *(word for one in words for word in ("--controller", one)), "--interface", "velocity")
+    assert found["arm"]["command_interfaces"] == ["effort"]
+    assert list(found["arm"]["gains"]) == ["shoulder", "elbow"]
+    assert found["wrist"]["command_interfaces"] == ["position", "velocity"]
+    folder.write({"list.csv": "name,interface\nelbow,velocity\n"})
+    found = written(folder, text, "list.csv", "--controller", "arm=trajectory[effort]", distro="noetic")
+    assert found["arm"]["type"] == "effort_controllers/JointTrajectoryController"
+    component = """<ros2_control name="hw" type="system"><hardware><plugin>mock_components/GenericSystem</plugin>
+        </hardware><joint name="elbow"><command_interface name="velocity"/></joint></ros2_control>"""
+    line = refused(folder, robot(*ARM, component), "--controller", "arm=trajectory[effort]:elbow")
+    assert "which has only 'velocity' in <ros2_control>: use --controller arm=trajectory[velocity], or add" in line
+
+
 def test_two_controllers_of_the_same_joints_are_refused_unless_both_name_them(folder: Folder) -> None:
     arm = robot(*ARM)
     line = refused(folder, arm, "--type", "trajectory", "--type", "position")
@@ -123,7 +139,10 @@ def test_two_controllers_of_the_same_joints_are_refused_unless_both_name_them(fo
 @pytest.mark.parametrize(
     ("words", "line"),
     [
-        (("arm",), "'arm' is not a controller: write --controller NAME=TYPE or NAME=TYPE:JOINTS"),
+        (("arm",), "'arm' is not a controller: write --controller NAME=TYPE or NAME=TYPE[INTERFACE]:JOINTS"),
+        (("a=trajectory[]:elbow",), "'a=trajectory[]:elbow' is not a controller: write --controller NAME=TYPE or"),
+        (("a=trajectory[effort:elbow",), "'a=trajectory[effort:elbow' is not a controller: write --controller"),
+        (("a=gripper[velocity]:finger",), "no 'gripper' controller commands 'velocity' in jazzy; choose from: pos"),
         (("a=trajectroy",), "unknown type 'trajectroy'; did you mean 'trajectory'?"),
         (("a b=trajectory",), "'a b' cannot be a controller's name: use letters, digits and underscores"),
         (("a=trajectory:elbw",), "controller 'a': no joint matches 'elbw'; did you mean 'elbow'?"),

@@ -25,7 +25,8 @@ _TYPES = (
 
 _CONTROLLER = (
     "A controller and its joints: NAME=TYPE or NAME=TYPE:JOINTS, where JOINTS are names or regular expressions with "
-    "commas between them. Repeatable. Without this and --type, controllers are proposed from the robot."
+    "commas between them; with its command interfaces, NAME=TYPE[effort]:JOINTS. Repeatable. Without this and --type, "
+    "controllers are proposed from the robot."
 )
 
 

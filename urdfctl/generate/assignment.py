@@ -70,7 +70,10 @@ def assigned(
         if not members:
             members = _fitting(wish, free, parts, rest, options)
         roles = wish.request.roles or options.roles
-        yield index, Assignment(wish.request, wish.kind, members, options._replace(roles=roles), robot)
+        its = options._replace(roles=roles, interfaces=wish.request.interfaces or options.interfaces)
+        if wish.request.interfaces:
+            members = tuple(joint._replace(interface=None) for joint in members)
+        yield index, Assignment(wish.request, wish.kind, members, its, robot)
         if parts and not wish.names_joints:
             free = _without(free, wish, members, parts)
 
@@ -110,7 +113,7 @@ def _fitting(
 
 
 def _interface(wish: Wish, options: Options) -> str | None:
-    asked = options.interface
+    asked = wish.request.interfaces[0] if wish.request.interfaces else options.interface
     return asked if asked in wish.kind.fit else wish.kind.interface
 
 

@@ -48,7 +48,8 @@ def _side_by_side(
     named: set[str] = set()
     for index, job in assigned(wishes, joints, options, robot):
         kind, request, its = job.kind, job.request, job.options
-        if len(wishes) > 1 and its.interface and only_deprecated(kind, its.interface, catalog, its):
+        asked = bool(request.interfaces)
+        if len(wishes) > 1 and its.interface and not asked and only_deprecated(kind, its.interface, catalog, its):
             its = its._replace(interfaces=())
         tasks = list(tasks_of(kind, job.joints, its, job.robot))
         created = [one for task in tasks for one in _of_task(kind, task, catalog)]

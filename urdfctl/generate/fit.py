@@ -48,7 +48,9 @@ def _plain(interface: str, options: Options) -> str | None:
 def _message(controller: Controller, joint: str, interface: str, there: tuple[str, ...], options: Options) -> str:
     has = " and ".join(there)
     title = f"'{controller.name}' ({controller.type.type}) commands '{interface}' of joint '{joint}'"
-    other = f"use --interface {there[0]}" if there[0] in _choices(controller) else f"choose a type that commands {has}"
+    use = f"--controller {controller.name}={controller.task.kind}[{there[0]}]" if options.requests else ""
+    use = use or f"--interface {there[0]}"
+    other = f"use {use}" if there[0] in _choices(controller) else f"choose a type that commands {has}"
     if options.ros == 1:
         change = f"change it (gen-transmissions --interface {interface} --joint {joint})"
         return f"{title}, whose transmission has '{has}': {other}, or {change}"

@@ -27,12 +27,14 @@ class Request(NamedTuple):
 
     `name` is its name, empty for that of its type; `type` a short name or a full one. `patterns` name its joints, or
     the sensors or gpios that it reads; without any, it gets those that fit. `roles` are the joints of a drive by role.
+    `interfaces` are those that it commands, () for those of the other options, of its joints or of its type.
     """
 
     name: str
     type: str
     patterns: tuple[str, ...] = ()
     roles: Roles | None = None
+    interfaces: tuple[str, ...] = ()
 
 
 class Options(NamedTuple):

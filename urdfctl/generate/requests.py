@@ -1,4 +1,4 @@
-"""Read which controllers the user asks for, and for which joints: NAME=TYPE or NAME=TYPE:JOINTS."""
+"""Read which controllers the user asks for, and for which joints: NAME=TYPE[INTERFACES]:JOINTS."""
 
 from __future__ import annotations
 
@@ -10,8 +10,9 @@ from urdfctl.generate.choice import no_match, regex_of
 from urdfctl.generate.facts import JointFacts, RobotFacts
 from urdfctl.generate.options import Request
 
-_FORM = "--controller NAME=TYPE or NAME=TYPE:JOINTS, e.g. arm=trajectory:'joint_.*'"
+_FORM = "--controller NAME=TYPE or NAME=TYPE[INTERFACE]:JOINTS, e.g. arm=trajectory:'joint_.*'"
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+_KIND = re.compile(r"([^\[\]]+?)\s*(?:\[([^\[\]]*)\])?")
 
 
 def requested(texts: Iterable[str]) -> tuple[Request, ...]:
@@ -28,11 +29,13 @@ def requested(texts: Iterable[str]) -> tuple[Request, ...]:
 def _request(text: str) -> Request:
     name, equals, rest = text.partition("=")
     kind, _, joints = _at_first_colon(rest)
-    if not equals or not kind.strip():
+    read = _KIND.fullmatch(kind.strip())
+    interfaces = tuple(_parts(read[2] or "")) if read else ()
+    if not equals or read is None or (read[2] is not None and not interfaces):
         raise UserError(f"'{text}' is not a controller: write {_FORM}")
     if not _NAME.fullmatch(name.strip()):
         raise UserError(f"'{name}' cannot be a controller's name: use letters, digits and underscores")
-    return Request(name.strip(), kind.strip(), tuple(_parts(joints)))
+    return Request(name.strip(), read[1], tuple(_parts(joints)), interfaces=interfaces)
 
 
 def _at_first_colon(text: str) -> tuple[str, str, str]:
