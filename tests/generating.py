@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
+import yaml
 from typer.testing import CliRunner
 
 from urdfctl.catalog.catalog import CATALOG
@@ -65,6 +66,11 @@ def made(
 ) -> list[File]:
     """Return the files that a generate command makes."""
     return files(command, Order(joints, options, CATALOG, robot, TEMPLATES))
+
+
+def read(text: str) -> dict[str, Any]:
+    """Return the content of a controller file; `/**/NAME`, a name in any namespace, is NAME."""
+    return {name.removeprefix("/**/"): part for name, part in yaml.safe_load(text).items()}
 
 
 def told(folder: Path, texts: Mapping[str, str], distro: str, simulator: str | None = None) -> list[str]:

@@ -9,7 +9,7 @@ import xml.etree.ElementTree as ET
 import pytest
 import yaml
 from folder import Folder
-from generating import command, made
+from generating import command, made, read
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from sampling import examples
@@ -69,7 +69,7 @@ def test_transmissions_name_the_joints(names: list[str], interface: str, macro: 
 def test_a_trajectory_controller_names_the_joints(names: list[str], interface: str, distro: str) -> None:
     options = Options(distro, types=("trajectory",), interfaces=(interface,))
     [file] = made("gen-controllers", options, joints_of(names), RobotFacts())
-    of_arm = yaml.safe_load(file.text)["joint_trajectory_controller"]["ros__parameters"]
+    of_arm = read(file.text)["joint_trajectory_controller"]["ros__parameters"]
     assert of_arm["joints"] == names
     assert of_arm["command_interfaces"] == [interface]
 

@@ -6,9 +6,8 @@ import re
 from typing import Any
 
 import pytest
-import yaml
 from folder import Folder
-from generating import command
+from generating import command, read
 
 WEIGHT = '<inertial><mass value="1"/><inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/></inertial>'
 LIMIT = '<limit lower="-1" upper="1" effort="50" velocity="2"/>'
@@ -67,7 +66,7 @@ def written(folder: Folder, text: str, *words: str, distro: str = "jazzy") -> di
     folder.write({"r.urdf": text})
     ran = command("gen-controllers", "r.urdf", "--distro", distro, "--no-broadcaster", *words)
     assert ran.returncode == 0, ran.stderr
-    plain = yaml.safe_load(ran.stdout)
+    plain = read(ran.stdout)
     types = plain.pop("controller_manager", {}).get("ros__parameters", {})
     parameters = {name: part.get("ros__parameters", part) for name, part in plain.items()}
     named = [name for name, part in types.items() if isinstance(part, dict)] or list(plain)
@@ -166,7 +165,7 @@ def test_a_list_says_which_controller_has_which_joint(folder: Folder) -> None:
             "joints.csv": "name,controller,type\nshoulder,arm,trajectory\nelbow,arm,trajectory\nfinger,hand,gripper\n",
         }
     )
-    plain = yaml.safe_load(command("gen-controllers", "r.urdf", "joints.csv", "--distro", "jazzy").stdout)
+    plain = read(command("gen-controllers", "r.urdf", "joints.csv", "--distro", "jazzy").stdout)
     assert plain["arm"]["ros__parameters"]["joints"] == ["shoulder", "elbow"]
     assert plain["hand"]["ros__parameters"]["joint"] == "finger"
     folder.write({"joints.csv": "name,controller\nshoulder,arm\n"})

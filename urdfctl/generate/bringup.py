@@ -9,9 +9,17 @@ from urdfctl.catalog.distros import since
 from urdfctl.errors import UserError
 from urdfctl.generate.facts import RobotFacts
 from urdfctl.generate.hardware import hardware, host
-from urdfctl.generate.launch_arguments import arguments_of_robot, arguments_of_simulator, passed
+from urdfctl.generate.launch_arguments import (
+    NAMESPACE,
+    Argument,
+    arguments_of_robot,
+    arguments_of_simulator,
+    namespace_argument,
+    passed,
+)
 from urdfctl.generate.options import File, Options
 from urdfctl.generate.parameters import Controller
+from urdfctl.generate.scalars import python_text, xml_text
 from urdfctl.generate.templates import Templates
 from urdfctl.startup.records import NamedTuple
 
@@ -27,12 +35,20 @@ FORMS = {"python": "launch.py", "xml": "launch.xml", "yaml": "launch.yaml"}
 _ONE_A_SPAWNER = ("foxy", "galactic")
 
 
-def launch_file(made: Sequence[Controller], options: Options, templates: Templates, robot: RobotFacts) -> File:
-    """Return the launch file that starts the controllers, in this order. UserError if the options do not fit."""
+def launch_file(
+    made: Sequence[Controller], options: Options, templates: Templates, robot: RobotFacts, *, movable: bool
+) -> File:
+    """Return the launch file that starts the controllers, in this order. UserError if the options do not fit.
+
+    movable: True if the namespace is an argument of the launch file.
+    """
     if options.form not in FORMS:
         raise UserError(f"--form must be one of {', '.join(FORMS)}, not '{options.form}'")
     name, space = launch_name(options), options.namespace
     of_robot = arguments_of_robot(options, robot)
+    own = [namespace_argument(options, robot)] if movable else []
+    hosted = options.simulator in ("gz", "gazebo-classic")
+    to_xacro = [*of_robot, *(own if hosted or NAMESPACE in robot.arguments else ())]
     names = [controller.name for controller in made if not controller.waits]
     text = templates.render(
         f"launch/ros{options.ros}.{name.partition('.')[2]}",
@@ -40,27 +56,60 @@ def launch_file(made: Sequence[Controller], options: Options, templates: Templat
         file=name,
         package=options.package or "my_robot_control",
         robot_file=options.description or "urdf/robot.urdf.xacro",
-        arguments=[*of_robot, *arguments_of_simulator(options)],
-        of_robot=of_robot,
-        passed_xml=passed(of_robot, "var"),
-        passed_ros1=passed(of_robot, "arg"),
+        arguments=[
+            *of_robot,
+            *own,
+            *_model_argument(options, robot),
+            *arguments_of_simulator(options, movable=movable),
+        ],
+        of_robot=to_xacro,
+        passed_xml=passed(to_xacro, "var"),
+        passed_ros1=passed(to_xacro, "arg"),
         controllers_file=options.controllers_file,
         simulated=options.simulated,
         simulator=options.simulator,
-        namespace=space,
-        prefix=f"/{space}/" if space else "",
-        model=space or robot.name or "robot",  # two robots in one world have different names
+        movable=movable,
+        space=space,
+        **_namespaces(options, robot, movable=movable),
         controllers=names,
         spawned=[*_spawned(names, options), *_waiting(made, options)],
         waiting=[controller.name for controller in made if controller.waits],
         spawner=spawner(options.distro),
         manager_option="--controller-manager",
-        manager=f"/{space}/controller_manager" if space else "/controller_manager",
+        manager="controller_manager" if movable else f"{'/' * bool(space)}{space}/controller_manager",
         param_file=takes_param_file(options.distro),
         description=_description(options.distro),
         gz=_gz(options.distro),
     )
     return File(f"launch/{name}", text)
+
+
+def _model_argument(options: Options, robot: RobotFacts) -> list[Argument]:
+    """ROS 1 has no expression for the robot's name in the simulator that all of its distros read: it is an argument."""
+    if options.ros == 2 or not options.simulated:  # noqa: PLR2004
+        return []
+    name = options.namespace or robot.name or "robot"
+    return [Argument("model", name, "name of the robot in the simulator; another one for a second robot")]
+
+
+def _namespaces(options: Options, robot: RobotFacts, *, movable: bool) -> dict[str, str]:
+    """The namespace of nodes, and the name of the robot in the simulator, in each form of launch file.
+
+    Two robots in one world have different names: those of their namespaces.
+    """
+    space, name = options.namespace, robot.name or "robot"
+    fixed = python_text(space or name)
+    by_space = f"""PythonExpression(["'", namespace, "' or {name!r}"])"""
+    expression = f"$(eval \"'$(var namespace)' or {name!r}\")" if movable else space or name
+    text = "$(var namespace)" if movable else space
+    return {
+        "namespace": "namespace" if movable else python_text(space) if space else "",
+        "namespaced": f' namespace="{xml_text(text)}"' if text else "",
+        "space_text": text,
+        "model": by_space if movable else fixed,
+        "model_text": "$(arg model)" if options.ros == 1 else expression,
+        "description_topic": "robot_description" if movable else f"{'/' * bool(space)}{space}/robot_description",
+    }
 
 
 def launch_name(options: Options) -> str:

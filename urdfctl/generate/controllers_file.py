@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from urdfctl.generate.bringup import spawner, takes_param_file
+from urdfctl.generate.hardware import ANY_NAMESPACE
 from urdfctl.generate.options import File, Options
 from urdfctl.generate.parameters import Controller
 from urdfctl.generate.scalars import one_line
@@ -16,8 +17,8 @@ from urdfctl.startup.hints import Any
 
 def controllers_file(made: Sequence[Controller], options: Options, templates: Templates, title: str = "") -> File:
     """Return the parameter file of the controllers."""
-    space = options.namespace.strip("/")
-    shown = [_shown(controller, space) for controller in made]
+    space, movable = options.namespace.strip("/"), options.distro in ANY_NAMESPACE
+    shown = [_shown(controller, space, "/**" if movable else f"/{space}" * bool(space)) for controller in made]
     text = templates.render(
         f"controllers/ros{options.ros}.yaml",
         command=one_line(options.command),
@@ -25,9 +26,8 @@ def controllers_file(made: Sequence[Controller], options: Options, templates: Te
         distro=options.distro,
         rate=options.rate or max((rate_of(controller.task) for controller in made), default=_USUAL),
         simulated=options.simulated,
-        namespace=space,
-        indent="  " if space else "",
-        manager=f"/{space}/controller_manager" if space else "controller_manager",
+        movable=movable,
+        manager="/**/controller_manager" if movable else f"/{space}/controller_manager" if space else _MANAGER,
         controllers=shown,
         start=_start(made, options),
         todos=any(TODO in line for values in shown for line in values["lines"]),
@@ -41,19 +41,19 @@ def _start(made: Sequence[Controller], options: Options) -> str:
     shown = " ".join(names if len(names) <= _FEW else [*names[:_FEW], "..."])
     space = options.namespace.strip("/")
     if options.ros == 1:
-        named = f" __ns:=/{space}" if space else ""
-        return f"rosparam load {options.controllers_file} && rosrun controller_manager spawner {shown}{named}"
+        into, named = (f" /{space}", f" __ns:=/{space}") if space else ("", "")
+        return f"rosparam load {options.controllers_file}{into} && rosrun controller_manager spawner {shown}{named}"
     words = [f"ros2 run controller_manager {spawner(options.distro)} {shown}"]
     words += [f"-c /{space}/controller_manager"] if space else []
     words += [f"--param-file {options.controllers_file}"] if takes_param_file(options.distro) else []
     return one_line(" ".join(words))
 
 
-def _shown(controller: Controller, space: str) -> dict[str, Any]:
+def _shown(controller: Controller, space: str, above: str) -> dict[str, Any]:
     key = f"/{space}/{controller.name}" if space else controller.name
     return {
         "name": controller.name,
-        "key": key,
+        "key": f"{above}/{controller.name}" if above else controller.name,
         "type": controller.type.type,
         "lines": lines_of(controller.settings),
         "about": one_line(_about(controller, key)),
@@ -62,6 +62,7 @@ def _shown(controller: Controller, space: str) -> dict[str, Any]:
 
 _FEW = 6
 _USUAL = 100
+_MANAGER = "controller_manager"
 _ABOUT = {
     "effort": "efforts, in N or Nm",
     "velocity": "velocities, in rad/s or m/s",

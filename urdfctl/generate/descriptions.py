@@ -11,7 +11,7 @@ from urdfctl.catalog.hardware import HardwareType
 from urdfctl.control.claims import claims
 from urdfctl.errors import UserError
 from urdfctl.generate.facts import NO_ROBOT, JointFacts, RobotFacts
-from urdfctl.generate.hardware import hardware, host
+from urdfctl.generate.hardware import hardware, host, takes_namespace
 from urdfctl.generate.options import Options
 from urdfctl.generate.parameters import Controller
 from urdfctl.generate.scalars import yaml_float
@@ -127,13 +127,14 @@ def _check(parts: Sequence[Part], plugin: HardwareType) -> None:
 
 
 def simulator_plugin(options: Options, catalog: Catalog, templates: Templates) -> str:
-    """Return the plugin that runs the controllers in the simulator."""
+    """Return the plugin that runs the controllers in the simulator. Its namespace is an argument of the robot."""
     plugin = host(options, catalog)
     return templates.render(
         f"gazebo/ros{options.ros}.xacro",
         filename=plugin.filenames[0],
         name=plugin.names[0] if plugin.names else plugin.package or plugin.id,
         namespace=options.namespace,
+        movable=takes_namespace(NO_ROBOT, options, catalog),
         legacy=options.distro == "kinetic",
         package=options.package or "my_robot_control",
         controllers_file=options.controllers_file,

@@ -20,6 +20,7 @@ from urdfctl.generate.descriptions import (
 )
 from urdfctl.generate.facts import JointFacts, RobotFacts
 from urdfctl.generate.fit import check_fit
+from urdfctl.generate.hardware import has_host, takes_namespace
 from urdfctl.generate.mjcf import MODEL, commanded, mjcf_file
 from urdfctl.generate.moveit import moveit_file
 from urdfctl.generate.options import File, Options
@@ -112,7 +113,8 @@ def _launch_file(order: Order, made: Sequence[Controller]) -> File:
     options = order.options
     if options.ros == 1 or options.form == "xml":
         options = options._replace(command=_one_dash(options.command))
-    return launch_file(made, options, order.templates, order.robot)
+    movable = takes_namespace(order.robot, options, order.catalog)
+    return launch_file(made, options, order.templates, order.robot, movable=movable)
 
 
 def _typed(order: Order) -> tuple[Controller, ...]:
@@ -159,10 +161,11 @@ def _all(order: Order) -> list[File]:
     if options.ros == 2:  # noqa: PLR2004
         block = _component(order, made)
         blocks += [block] if block else []
-    hosted = options.simulator in ("gz", "gazebo-classic")
-    known = (order.catalog.simulator_plugin(name, options.distro) for name in robot.hosts)
-    if hosted and not any(plugin and plugin.hosts_control for plugin in known):
-        blocks.append(simulator_plugin(options, order.catalog, order.templates))
+    if options.simulator in ("gz", "gazebo-classic") and not has_host(robot, options, order.catalog):
+        # the launch file passes the namespace; xacro takes an empty argument for a missing one
+        movable = takes_namespace(robot, options, order.catalog)
+        hosting = options._replace(namespace="") if movable else options
+        blocks.append(simulator_plugin(hosting, order.catalog, order.templates))
     includes = [order.options.robot_file]
     includes += [f"$(find {options.package})/urdf/control.xacro"] if blocks else []
     depends = dependencies(made, options, order.catalog, robot.package)

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from urdfctl.catalog.catalog import Catalog
+from urdfctl.catalog.distros import since
 from urdfctl.catalog.hardware import HardwareType, SimulatorPlugin
 from urdfctl.errors import UserError
+from urdfctl.generate.facts import RobotFacts
 from urdfctl.generate.options import Options
 from urdfctl.names import did_you_mean
 
 _PREFERRED = ("mujoco_ros2_control/MujocoSystemInterface",)
 """Of several hardware plugins for one simulator, the one whose node the launch files start."""
+ANY_NAMESPACE = since("humble")
+"""The distros of ROS 2 in which `/**/NAME` in a parameter file names a node in any namespace."""
 _SHORT = {"mock": "mock", "topic-based": "topic", "mujoco": "mujoco", "gz": "gz", "gazebo-classic": "gazebo-classic"}
 
 
@@ -20,6 +24,24 @@ def host(options: Options, catalog: Catalog) -> SimulatorPlugin:
     if not fit:
         raise UserError(f"{options.distro} has no plugin that runs controllers in '{options.simulator}'")
     return min(fit, key=lambda plugin: (plugin.deprecated, plugin.id != options.simulator))  # not a manufacturer's
+
+
+def has_host(robot: RobotFacts, options: Options, catalog: Catalog) -> bool:
+    """Return whether a robot has a simulator plugin that runs controllers in a distro."""
+    known = (catalog.simulator_plugin(name, options.distro) for name in robot.hosts)
+    return any(plugin and plugin.hosts_control for plugin in known)
+
+
+def takes_namespace(robot: RobotFacts, options: Options, catalog: Catalog) -> bool:
+    """Return whether the namespace of a robot can be chosen when it is started.
+
+    Since humble, `/**/` in a controller file stands for any namespace (rclcpp #1839). The simulator plugin of the robot
+    must take the namespace from an argument, as the generated ones do.
+    """
+    if options.ros == 2 and options.distro not in ANY_NAMESPACE:  # noqa: PLR2004
+        return False
+    hosted = options.simulator in ("gz", "gazebo-classic")
+    return not hosted or "namespace" in robot.arguments or not has_host(robot, options, catalog)
 
 
 def hardware(options: Options, catalog: Catalog) -> HardwareType:

@@ -1,4 +1,4 @@
-"""The arguments of generated launch files: those of the robot, and the world, window and pose of a simulator."""
+"""The arguments of generated launch files: those of the robot, its namespace, and those of a simulator."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from urdfctl.generate.facts import RobotFacts
 from urdfctl.generate.options import Options
 from urdfctl.startup.records import NamedTuple
 
+NAMESPACE = "namespace"
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 _POSE = {"x": "0.0", "y": "0.0", "z": "0.1", "yaw": "0.0"}
 
@@ -31,24 +32,36 @@ def arguments_of_robot(options: Options, robot: RobotFacts) -> tuple[Argument, .
     given = dict(options.arguments)
     own = {name: value for name, value in robot.arguments.items() if _is_plain(name, value)}
     found = {**own, **given}
-    taken = {argument.name for argument in arguments_of_simulator(options)}
+    taken = {argument.name for argument in arguments_of_simulator(options, movable=True)}
     python = options.ros == 2 and options.form == "python"  # noqa: PLR2004
     odd = next((f"{name}:={value}" for name, value in given.items() if shlex.quote(value) != value and value), None)
     if odd and not python and options.ros == 2:  # noqa: PLR2004
         raise UserError(f"a launch file in {options.form} cannot pass '{odd}'; use --form python")
-    return tuple(Argument(name, value) for name, value in found.items() if name not in taken)
+    return tuple(Argument(name, value) for name, value in found.items() if name not in (*taken, NAMESPACE))
 
 
 def _is_plain(name: str, value: str) -> bool:
     return bool(_NAME.fullmatch(name)) and value != "" and shlex.quote(value) == value and "$" not in value
 
 
-def arguments_of_simulator(options: Options) -> tuple[Argument, ...]:
-    """Return the arguments of a simulator: its world, its window, and the pose of the robot in it."""
-    return tuple(_of_simulator(options))
+def arguments_of_simulator(options: Options, *, movable: bool) -> tuple[Argument, ...]:
+    """Return the arguments of a simulator: whether to start it, its world, its window, and the pose of the robot in it.
+
+    movable: True if several robots can be in it, each in a namespace of its own.
+    """
+    return tuple(_of_simulator(options, movable=movable))
 
 
-def _of_simulator(options: Options) -> Iterator[Argument]:
+def namespace_argument(options: Options, robot: RobotFacts) -> Argument:
+    """Return the argument with the namespace of the robot."""
+    given = {**robot.arguments, **dict(options.arguments)}.get(NAMESPACE, "")
+    plain = given.strip("/") if _is_plain(NAMESPACE, given) else ""
+    return Argument(NAMESPACE, options.namespace or plain, "namespace of the robot; empty for none")
+
+
+def _of_simulator(options: Options, *, movable: bool) -> Iterator[Argument]:
+    if movable and options.simulator in ("gz", "gazebo-classic"):
+        yield Argument("simulator", "true", "false: it runs already")
     if options.simulator == "gz":
         yield Argument("world", "empty.sdf", "world of the simulator")
         yield Argument("headless", "false", "true: without a window")
