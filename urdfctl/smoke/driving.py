@@ -37,12 +37,17 @@ def driven(simulation: Simulation, task: Task) -> Driven:
     hinges, engine = simulation.hinges, simulation.engine
     sides = assumed_sides(mechanism, task, drive)
     speed = speed_of(drive, (hinges.get(name) for name in drive.wheels))
+    loops = {name: gains for name, gains in zip(task.joints, task.gains, strict=False) if name in drive.wheels}
     straight = Wheels(engine, hinges, drive, speed, 0.0, sides=sides)
+    if loops:
+        straight.close_loops(loops, task.interface)
     journey, curve = _journey(simulation, straight, task, drive, "ahead")
     troubles, curves = list(forward_troubles(task, journey, slipping)), [curve]
     if not troubles:
         forward = speed if drive.steered else 0.0
         turning = Wheels(engine, hinges, drive, forward, turning_of(drive, speed), sides=sides)
+        if loops:
+            turning.close_loops(loops, task.interface)
         journey, curve = _journey(simulation, turning, task, drive, "yaw")
         troubles += turn_troubles(task, drive, journey, slipping)
         curves.append(curve)

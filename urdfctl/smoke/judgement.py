@@ -16,11 +16,12 @@ from urdfctl.smoke.anchors import anchors_of, diagnostics_of, silenced
 from urdfctl.smoke.manager import Cycle, life_cycle
 from urdfctl.smoke.mechanism import Mechanism, mechanism_of
 from urdfctl.smoke.plain import with_plain_drives
+from urdfctl.smoke.reading import tasks_of
 from urdfctl.smoke.results import ROBOT, ControllerResult, Smoked, Trouble, Verdict, trouble_of
 from urdfctl.smoke.shapes import shapes_of, with_rims
 from urdfctl.smoke.stability import loop_troubles
 from urdfctl.smoke.statics import static_troubles
-from urdfctl.smoke.tasks import Task, task_of
+from urdfctl.smoke.tasks import Task
 from urdfctl.startup.records import NamedTuple
 
 RATES = {1: 1000.0, 2: 100.0}
@@ -86,7 +87,7 @@ def judged(
     rate = _rate(project, cycle.ros)
     robot = project.robot if cycle.spawned and project.complete and not project.library else None
     mechanism = mechanism_of(robot) if robot else None
-    tasks = tuple(task_of(way.configured) for way in cycle.ways if not way.refusal)
+    tasks = tasks_of([way.configured for way in cycle.ways if not way.refusal])
     troubles = list(cycle.troubles)
     if robot and robot.links and mechanism is None:
         why = "its links must form one tree, in which each link but the root is the child of exactly one joint"

@@ -54,7 +54,10 @@ def gravity_load(mechanism: Mechanism, positions: Mapping[str, float]) -> dict[s
 
 def effort_troubles(mechanism: Mechanism, tasks: Sequence[Task]) -> Iterator[Trouble]:
     """Yield the joints whose effort limit is too low: for the weight on them, for their friction, or to move at all."""
-    owners = {joint: task for task in reversed(tasks) if task.drive is None for joint in task.joints}
+    owners: dict[str, Task] = {}
+    for task in sorted(tasks, key=lambda task: bool(task.through)):
+        for joint in task.joints if task.drive is None else ():
+            owners.setdefault(joint, task)
     hinges = {name: hinge for name in owners if (hinge := mechanism.hinge(name)) and hinge.moves and not hinge.mimic}
     at_spawn = gravity_load(mechanism, mechanism.start())
     heavy = set()

@@ -207,6 +207,8 @@ class Wheels:
     ) -> None:
         self._engine, self._hinges, self._drive, self._sides = engine, hinges, drive, sides
         self._forward, self._turning = forward, turning
+        self._speeds: dict[str, float] = {}
+        self._loop: Loop | None = None
         self.distance = self.angle = 0.0
         if drive.steered and forward and turning:
             steering = math.atan(turning * drive.wheelbase / forward)
@@ -227,12 +229,24 @@ class Wheels:
             **dict.fromkeys(drive.right, forward + aside),
             **{name: forward - turning * self._sides.get(name, 0.0) for name in drive.driven},
         }
-        for name, speed in speeds.items():
-            self._engine.at_velocity(name, speed / drive.radius_of(name), effort_of(self._hinges[name]))
+        self._speeds = {name: speed / drive.radius_of(name) for name, speed in speeds.items()}
+        if self._loop:
+            self._loop.update(seconds, period)
+        for name, rate in self._speeds.items() if not self._loop else ():
+            self._engine.at_velocity(name, rate, effort_of(self._hinges[name]))
         for name in drive.steered:
             ahead = self._forward - self._turning * self._sides.get(name, 0.0)
             steering = math.atan(self._turning * drive.wheelbase / ahead) if self._turning else 0.0
             self._engine.to_position(name, steering, effort_of(self._hinges[name]), FREELY)
+
+    def close_loops(self, gains: Mapping[str, Gains], interface: str) -> None:
+        """Turn wheels by a loop each, which holds their velocity by commanding an interface."""
+        goals = [Goal(self._hinges[name], 0.0, 0.0) for name in gains]
+        loops = list(gains.values())
+        self._loop = Loop(self._engine, goals, loops, interface, self._reference, of_velocity=True)
+
+    def _reference(self, goal: Goal, _: float) -> tuple[float, float]:
+        return 0.0, self._speeds[goal.hinge.name]
 
 
 def motion_of(engine: Engine, task: Task, goals: Sequence[Goal], duration: float) -> Motion:

@@ -37,7 +37,12 @@ def loop_troubles(mechanism: Mechanism, tasks: Sequence[Task], rate: float) -> I
     """Yield the control loops that are not stable or not damped, at an update rate in Hz."""
     for task in tasks:
         hinges = [mechanism.hinge(name) for name in task.joints]
-        if not is_loop(task) or task.family is Family.VELOCITY_PID or not all(h and h.moves for h in hinges):
+        if (
+            not is_loop(task)
+            or task.through
+            or task.family is Family.VELOCITY_PID
+            or not all(h and h.moves for h in hinges)
+        ):
             continue
         known = [hinge for hinge in hinges if hinge]
         groups = [range(len(known))] if len(known) <= MOST_JOINTS else [range(n, n + 1) for n in range(len(known))]

@@ -38,7 +38,8 @@ def static_troubles(mechanism: Mechanism, tasks: Sequence[Task], robot: Robot, s
     yield from unusable
     yield from drive_troubles(mechanism, tasks)
     for task in tasks:
-        yield from _limits(mechanism, task)
+        if not task.through:  # the controllers that it commands are checked
+            yield from _limits(mechanism, task)
     yield from _mimics(mechanism)
     yield from _starts(mechanism)
     if not unusable:

@@ -94,7 +94,7 @@ def _untested(plan: Plan, task: Task) -> dict[str, str]:
     moved = (hinge.child for hinge in mechanism.hinges if hinge.name in task.joints)
     empty = [name for name in moved if not any(mechanism.bodies[part].mass for part in mechanism.body_of(name))]
     masses = {"mass": f"link '{empty[0]}' has none; 1 g was taken"} if empty else {}
-    return {**masses, **_not_modelled(plan, task)}
+    return {**masses, **dict(task.left_out), **_not_modelled(plan, task)}
 
 
 def _not_modelled(plan: Plan, task: Task) -> dict[str, str]:
