@@ -20,6 +20,7 @@ from urdfctl.cli.help import GroupedCommand
 from urdfctl.cli.init_options import InitOptions
 from urdfctl.cli.migrate_options import MigrateOptions
 from urdfctl.cli.options import ExpandOptions, ExplainOptions, LintOptions, RulesOptions, ShowOptions, SmokeOptions
+from urdfctl.cli.see_options import WhyOptions
 from urdfctl.cli.slips import command_hint
 from urdfctl.errors import UserError
 
@@ -46,6 +47,12 @@ def _expand(options: ExpandOptions) -> int:
     from urdfctl.cli.expand_command import run_expand
 
     return run_expand(options)
+
+
+def _why(options: WhyOptions) -> int:
+    from urdfctl.cli.why_command import run_why
+
+    return run_why(options)
 
 
 def _rules(options: RulesOptions) -> int:
@@ -90,6 +97,7 @@ _RUN: dict[type, Callable[[Any], int]] = {
     SmokeOptions: _smoke,
     ShowOptions: _show,
     ExpandOptions: _expand,
+    WhyOptions: _why,
     RulesOptions: _rules,
     ExplainOptions: _explain,
     CheckGeneratedOptions: _check_generated,
@@ -149,6 +157,7 @@ _command("lint", short_help="Find what keeps a robot from starting and moving.")
 _command("smoke", short_help="Load, start and move each controller, without ROS.")(SmokeOptions)
 _command("show", short_help="Show what is started together.")(ShowOptions)
 _command("expand", short_help="Expand xacro without ROS.")(ExpandOptions)
+_command("why", short_help="Show where a value of a robot comes from, and what uses it.")(WhyOptions)
 _command("rules")(RulesOptions)
 _command("explain", short_help="Explain a rule, an error message, or a whole log.")(ExplainOptions)
 _command("init", short_help="Write a configuration with the robots of a project.")(InitOptions)

@@ -107,6 +107,10 @@ class Files:
             self._texts[resolved] = SourceText(_shown(resolved), _bytes_of(resolved) if held is None else held)
         return self._texts[resolved]
 
+    def exchange(self, source: SourceText, other: SourceText) -> None:
+        """Read another text instead of one of the sources from now on."""
+        self._read.update({path: other for path, known in self._read.items() if known is source})
+
     def may_read(self, path: str) -> bool:
         """Return whether a path, with all links followed, is within the bounds."""
         if self.bounds is None:

@@ -139,8 +139,11 @@ class Expander:
             self._keep(blame_of(error), error)
             document = None if self.strict else document
         finally:
-            private_module.release(module)
+            self._release()
         return Expansion(document, self.found.all)
+
+    def _release(self) -> None:
+        private_module.release(self.module)
 
     def _tree(self, path: str, include: Call | None = None) -> Document:
         document = parse(self.files.read(path), self.cloning, include, declarations=self.trust)

@@ -1,4 +1,8 @@
-"""Trace values in a source text: the YAML files that they were read from, and the arguments that chose the files."""
+"""Trace values in a source text: the YAML files that they were read from, and the arguments that chose the files.
+
+It reads only texts, after the expansion, so that it costs nothing where nobody asks: it names no more than what each
+possible order of evaluation has in common. `tracing` knows the rest, properties and parameters of macros as they were.
+"""
 
 from __future__ import annotations
 

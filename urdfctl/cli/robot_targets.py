@@ -1,0 +1,52 @@
+"""Find the robot that a command is about, with what lint would check it with: its controllers, its launch file."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from urdfctl.cli.lint_request import LintRequest
+from urdfctl.cli.lint_run import lint_files
+from urdfctl.cli.targets import discovered
+from urdfctl.cli.words import split_arguments
+from urdfctl.config.file import Config
+from urdfctl.config.settings import Settings
+from urdfctl.diagnostic import Severity
+from urdfctl.lint.results import TargetResult
+from urdfctl.lint.selection import Selection
+from urdfctl.load.target import Target
+from urdfctl.report.common import is_robot
+
+NO_RULE = Selection(select=("UC000",))
+
+Pair = tuple[Target, TargetResult]
+
+
+def robots_of(words: Sequence[str], config: Config, settings: Settings, selection: Selection = NO_RULE) -> list[Pair]:
+    """Return the robots that lint checks for these paths and arguments, each with its result.
+
+    Raises UserError if a path does not exist.
+    """
+    paths, arguments = split_arguments(words)
+    request = LintRequest(
+        words=tuple(words),
+        selection=selection,
+        outputs=(),
+        fail_on=Severity.ERROR,
+        exit_zero=True,
+        jobs=0,
+        config=config,
+    )
+    run = lint_files(discovered(paths, config), tuple(arguments.items()), settings, request)
+    known = {id(result) for result in run.robots}
+    return [pair for pair in run.targets if id(pair[1]) in known and is_robot(pair[1])]
+
+
+def best_of(pairs: Sequence[Pair], wanted: Callable[[TargetResult], bool] = lambda _: True) -> Pair | None:
+    """Return the robot that says most: complete, with controllers and a launch file; None if none is wanted."""
+    found = [pair for pair in pairs if wanted(pair[1])]
+    return max(found, key=lambda pair: _weight(pair[1]), default=None)
+
+
+def _weight(result: TargetResult) -> tuple[bool, ...]:
+    started = result.bringup is not None and bool(result.bringup.spawned)
+    return not result.library, result.complete, bool(result.controllers), started, result.launch is not None

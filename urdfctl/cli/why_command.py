@@ -1,0 +1,63 @@
+"""`urdfctl why`: where a value comes from, and what uses it."""
+
+from __future__ import annotations
+
+import os
+
+from urdfctl.cli.robot_targets import best_of, robots_of
+from urdfctl.cli.words import configured, output_of, settings_from, split_arguments
+from urdfctl.cli.writing import print_text, write_file
+from urdfctl.config.file import Config
+from urdfctl.config.settings import Settings
+from urdfctl.errors import UserError
+from urdfctl.load.target import Target
+from urdfctl.report.common import as_json
+from urdfctl.source.packages import package_around
+from urdfctl.startup.hints import TYPE_CHECKING, Any
+from urdfctl.trace.address import HOW, Line, line_named
+from urdfctl.trace.job import why
+from urdfctl.trace.text import render
+
+if TYPE_CHECKING:
+    from urdfctl.cli.see_options import WhyOptions
+
+FORMATS = ("text", "json")
+
+
+def run_why(options: WhyOptions) -> int:
+    """Print where a value comes from, and return the exit status 0."""
+    paths, arguments = split_arguments(options.words)
+    output, file = output_of(options.output_format, FORMATS)
+    if len(paths) not in {1, 2}:
+        raise UserError(f"why needs one robot and one value: urdfctl why robot.xacro VALUE; {HOW}")
+    what = line_named(paths[-1])
+    if what is None and len(paths) == 1:
+        raise UserError(f"why needs a value: urdfctl why {paths[0]} VALUE; {HOW}")
+    config = configured(paths[: len(paths) - 1] or [os.path.dirname(paths[0]) or os.curdir], options)
+    settings = settings_from(config, options, distro=options.distro, simulator=options.simulator, named=paths[:1])
+    given = [f"{name}:={value}" for name, value in arguments.items()]
+    target = _named(paths[0], given, config, settings) if len(paths) > 1 else _around(what, given, config, settings)
+    answer = why(target, settings, what or paths[-1])
+    text = as_json(answer, 1) + "\n" if output == "json" else render(answer)
+    if file is not None:
+        write_file(file, text, force=True)
+    else:
+        print_text(text)
+    return 0
+
+
+def _named(path: str, given: list[str], config: Config, settings: Settings) -> Target:
+    """The robot that the user names, as it is launched."""
+    found = best_of(robots_of([path, *given], config, settings))
+    return found[0] if found else Target(path, tuple(split_arguments(given)[1].items()))
+
+
+def _around(line: Any, given: list[str], config: Config, settings: Settings) -> Target:
+    """The robot that a file is read for: itself, or one of its package."""
+    assert isinstance(line, Line)  # noqa: S101 (for mypy)
+    folder = package_around(os.path.dirname(line.file)) or os.path.dirname(line.file)
+    for word in (line.file, folder):
+        found = best_of(robots_of([word, *given], config, settings), lambda result: line.file in result.files)
+        if found is not None and found[1].links:
+            return found[0]
+    raise UserError(f"no robot reads '{line.file}'; name one: urdfctl why robot.xacro {line.file}:{line.line}")

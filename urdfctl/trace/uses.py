@@ -1,0 +1,128 @@
+"""What uses the joint or link that a value belongs to: controllers, limits, transmissions, hardware and MoveIt."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.control.groups import Groups
+from urdfctl.control.hardware import Kind
+from urdfctl.control.session import session_of
+from urdfctl.diagnostic import located
+from urdfctl.model.project import Project
+from urdfctl.source.dom import Element
+from urdfctl.source.span import Place
+from urdfctl.startup.hints import Any
+from urdfctl.startup.records import NamedTuple
+from urdfctl.trace.address import parts_of
+
+
+class Use(NamedTuple):
+    """Something that uses a joint or link.
+
+    kind: controller, limits, hardware, transmission, mimic, group or moveit.
+    name: its name.
+    how: how it uses it.
+    at: where it names it; None if it does so by a rule, as a broadcaster of all joints does.
+    """
+
+    kind: str
+    name: str
+    how: str
+    at: Place | None
+
+    def as_json(self) -> dict[str, Any]:
+        """Return it as plain data."""
+        found: dict[str, Any] = {"kind": self.kind, "name": self.name, "how": self.how}
+        if self.at is not None:
+            at = located(self.at.span)
+            found.update(file=at.file, line=at.line, column=at.column)
+        return found
+
+
+def uses_of(project: Project, element: Element) -> list[Use]:
+    """Return what uses the joint that an element is of, or is in; of a link, the joints at it."""
+    parts = parts_of(element)
+    joint = next((part.attrs.get("name", "") for part in parts if part.tagName == "joint"), "")
+    if joint:
+        found = [
+            *_controllers(project, joint),
+            *_limits(project, joint),
+            *_parts(project, joint),
+            *_moveit(project, joint),
+        ]
+    else:
+        link = next((part.attrs.get("name", "") for part in parts if part.tagName == "link"), "")
+        found = [*_joints_at(project, link)] if link else []
+    return list(dict.fromkeys(found))
+
+
+def _controllers(project: Project, joint: str) -> Iterator[Use]:
+    if project.controllers is None or not project.distros:
+        return
+    for each in session_of(project, project.distro or project.distros[-1]).controllers:
+        for kind in Kind:
+            for claim in each.claimed(kind):
+                if claim.component == joint:
+                    at = _parameter(each.controller.parameters, claim.parameter, joint)
+                    yield Use("controller", each.name, f"{kind.value} interface {claim.interface}".strip(), at)
+        for parameter in each.controller.parameters.leaves:
+            places = [at for text, at in parameter.value.strings if text == joint]
+            if places or f".{joint}." in f".{parameter.name}.":
+                yield Use(
+                    "controller", each.name, f"parameter {parameter.name}", places[0] if places else parameter.key
+                )
+
+
+def _parameter(parameters: Any, name: str | None, joint: str) -> Place | None:
+    value = parameters.value(name) if name else None
+    return next((at for text, at in value.strings if text == joint), None) if value else None
+
+
+def _limits(project: Project, joint: str) -> Iterator[Use]:
+    for limits in project.moveit.limits if project.moveit else ():
+        if limits.joint.text == joint:
+            yield Use("limits", "joint_limits.yaml", ", ".join(key.text for key, _ in limits.values), limits.joint.at)
+
+
+def _parts(project: Project, joint: str) -> Iterator[Use]:
+    robot = project.robot
+    if robot is None:
+        return
+    for component in robot.ros2_controls:
+        for own in component.of_kind("joint"):
+            if own.name == joint:
+                yield Use("hardware", component.name or "", "ros2_control", own.at)
+    for transmission in robot.transmissions:
+        for used in transmission.joints:
+            if used.name == joint:
+                yield Use(
+                    "transmission",
+                    transmission.name or "",
+                    transmission.type.value if transmission.type else "",
+                    used.at,
+                )
+    for other in robot.joints:
+        if other.mimic is not None and other.mimic.joint == joint:
+            yield Use("mimic", other.name or "", "follows it", other.mimic.at)
+
+
+def _moveit(project: Project, joint: str) -> Iterator[Use]:
+    moveit, robot = project.moveit, project.robot
+    if moveit is None or robot is None:
+        return
+    if moveit.semantic is not None:
+        groups = Groups(robot, moveit.semantic)
+        for group in moveit.semantic.groups:
+            if joint in groups.members(group):
+                yield Use("group", group.name.text, "plans for it", group.name.at)
+    for controller in moveit.controllers:
+        for key in controller.joints:
+            if key.text == joint:
+                yield Use("moveit", controller.name.text, "MoveIt sends trajectories to it", key.at)
+
+
+def _joints_at(project: Project, link: str) -> Iterator[Use]:
+    for joint in project.robot.joints if project.robot else ():
+        for role, reference in (("parent", joint.parent), ("child", joint.child)):
+            if reference is not None and reference.name == link:
+                yield Use("joint", joint.name or "", f"has it as its {role}", reference.at)
