@@ -37,7 +37,8 @@ def driven(simulation: Simulation, task: Task) -> Driven:
     hinges, engine = simulation.hinges, simulation.engine
     sides = assumed_sides(mechanism, task, drive)
     speed = speed_of(drive, (hinges.get(name) for name in drive.wheels))
-    loops = {name: gains for name, gains in zip(task.joints, task.gains, strict=False) if name in drive.wheels}
+    gains = dict(zip(task.joints, task.gains, strict=False)) if not drive.plain else {}
+    loops = {name: gain for name, gain in gains.items() if name in drive.wheels}
     straight = Wheels(engine, hinges, drive, speed, 0.0, sides=sides)
     if loops:
         straight.close_loops(loops, task.interface)
