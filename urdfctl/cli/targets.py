@@ -13,6 +13,7 @@ from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.discover.robots import DiscoveredFiles, discover_files
 from urdfctl.lint.results import TargetResult, among
 from urdfctl.load.target import Target
+from urdfctl.source.files import is_launch
 from urdfctl.startup.hints import TYPE_CHECKING
 from urdfctl.startup.records import NamedTuple
 
@@ -72,8 +73,8 @@ class PlannedTarget(NamedTuple):
 
 
 def _is_own(finding: Diagnostic) -> bool:
-    """Whether a finding belongs to a launch file: it is about launching, or stops the robot that the file starts."""
-    return finding.code.startswith("UC6") or finding.severity == Severity.ERROR
+    """Whether a finding belongs to a launch file: it is in one, is about launching, or stops the started robot."""
+    return finding.code.startswith("UC6") or finding.severity == Severity.ERROR or is_launch(finding.at.file)
 
 
 _COMMON = (".urdf", ".xacro", ".yaml")
