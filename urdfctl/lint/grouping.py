@@ -78,7 +78,7 @@ def _copy(finding: Diagnostic) -> object:
 
     Each error keeps its place: all must be repaired.
     """
-    if finding.severity is Severity.ERROR or not finding.excerpt:
+    if finding.severity is Severity.ERROR or finding.code in _MISSING or not finding.excerpt:
         return finding.order
     text = "".join(finding.excerpt.split())
     return finding.code, finding.severity, shape(finding.message), _kind(finding), text
