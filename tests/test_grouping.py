@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Replacement, Severity
 from urdfctl.lint.grouping import grouped
 from urdfctl.lint.likeness import difference
@@ -111,6 +113,14 @@ def test_errors_of_copied_files_and_findings_on_other_lines_of_text_stay_apart()
     assert len(grouped([in_file(name, "<a/>", Severity.ERROR) for name in "ab"])) == 2
     assert len(grouped([in_file(name, f"<a b='{name}'/>", Severity.WARNING) for name in "ab"])) == 2
     assert len(grouped([in_file(name, "", Severity.WARNING) for name in "ab"])) == 2
+
+
+def test_what_a_fix_repairs_stays_apart_for_each_file(tmp_path: Path) -> None:
+    one, other = (
+        found("setting 'a' is ignored", 1, file=f"{tmp_path}/{name}")._replace(excerpt="<a/>") for name in "ab"
+    )
+    assert len(grouped([fixed(one, "b"), fixed(other, "b")])) == 2
+    assert len(grouped([one, other])) == 1
 
 
 def test_meshes_that_are_missing_in_one_folder_are_one_fault_and_in_two_folders_two() -> None:

@@ -76,9 +76,10 @@ def _likeness(finding: Diagnostic) -> object:
 def _copy(finding: Diagnostic) -> object:
     """What findings in files that were copied from each other have in common: also the line of text, but for blanks.
 
-    Each error keeps its place: all must be repaired.
+    Each error keeps its place, because all must be repaired, and so does what a fix repairs file by file.
     """
-    if finding.severity is Severity.ERROR or finding.code in _MISSING or not finding.excerpt:
+    has_edits = finding.fix is not None and finding.fix.edits
+    if finding.severity is Severity.ERROR or has_edits or finding.code in _MISSING or not finding.excerpt:
         return finding.order
     text = "".join(finding.excerpt.split())
     return finding.code, finding.severity, shape(finding.message), _kind(finding), text
