@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from urdfctl.migrate.distro.old_names import OLD_NAMES
+from urdfctl.migrate.distro.parameters import PARAMETERS
 from urdfctl.migrate.step import Step
 
-STEPS: tuple[Step, ...] = (OLD_NAMES,)
+STEPS: tuple[Step, ...] = (OLD_NAMES, PARAMETERS)
