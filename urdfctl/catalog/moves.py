@@ -17,7 +17,7 @@ class Names(NamedTuple):
     parts: the parts of a package that may have them: urdf, yaml, launch, manifest.
     names: the new name of each old one.
     is_pattern: whether the old names are regular expressions for a part of a value.
-    of_elements: whether they are names of XML elements.
+    element: the XML element whose attributes have them; `*` if they are names of elements; empty for any value.
     """
 
     since: str
@@ -25,7 +25,7 @@ class Names(NamedTuple):
     parts: tuple[str, ...]
     names: Mapping[str, str]
     is_pattern: bool = False
-    of_elements: bool = False
+    element: str = ""
 
 
 class When(NamedTuple):
@@ -76,7 +76,7 @@ def name_moves() -> tuple[Names, ...]:
             parts=tuple(entry["in"]),
             names=entry["names"],
             is_pattern=entry.get("pattern", False),
-            of_elements=entry.get("elements", False),
+            element=entry.get("element", ""),
         )
         for entry in moves_data()["names"]
     )
