@@ -62,6 +62,7 @@ class _Moving:
         self.section, self.moves = section, moves
         self.source = packages.read(section.path)
         self.all = [_Parameter(name, path) for name, path in leaves(section.parameters)]
+        self.given = {one.name: one.text for one in self.all}
         self.entries: list[Entry] = []
 
     def proposals(self) -> Iterator[Proposal]:
@@ -83,12 +84,14 @@ class _Moving:
         return next((one for one in self.all if one.name == name), None)
 
     def _holds(self, when: When | None, parameter: _Parameter) -> bool:
+        """Whether a condition holds for the parameters as they are in the file."""
         if when is None:
             return True
-        other = self._find(when.param) if when.param else parameter
-        if other is None:
+        name = when.param or parameter.name
+        if name not in self.given:
             return when.or_absent
-        return when.is_set or (other.text or "").strip("'\"").lower() == str(when.value).lower()
+        text = (self.given[name] or "") if when.param else (parameter.text or "")
+        return when.is_set or text.strip("'\"").lower() == str(when.value).lower()
 
     def _make(self, move: Move, parameter: _Parameter, element: str) -> None:
         becomes = {re.sub("<[^>]*>", lambda _: element, name): value for name, value in move.becomes.items()}
