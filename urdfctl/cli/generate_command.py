@@ -215,6 +215,7 @@ def _options(command: str, given: Mapping[str, Any], robot: RobotFacts | None, d
         macro=bool(given.get("macro")),
         form=given.get("form") or defaults.form,
         chain=bool(given.get("chain")),
+        base=given.get("base"),
         command=_repeatable_command(command, given, distro, simulator),
     )
 

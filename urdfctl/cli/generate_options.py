@@ -131,6 +131,16 @@ class PlaceOptions(GenerateOptions):
 
 
 @dataclass(kw_only=True)
+class BaseOption(GenerateOptions):
+    """How the robot stands in a simulator."""
+
+    base: Annotated[
+        _Text,
+        _option("--base", "fixed or free: whether the robot is fixed to the world. Default: free with wheels or legs."),
+    ] = None
+
+
+@dataclass(kw_only=True)
 class LaunchFormOption(GenerateOptions):
     """The form of the launch file."""
 
@@ -186,7 +196,7 @@ class GenerateGazebo(PlaceOptions, InsertOption):
 
 
 @dataclass(kw_only=True)
-class GenerateLaunch(ControllerOptions, InterfaceOption, PlaceOptions, LaunchFormOption):
+class GenerateLaunch(ControllerOptions, InterfaceOption, PlaceOptions, BaseOption, LaunchFormOption):
     """Write a launch file that starts the robot and its controllers.
 
     \b
@@ -197,7 +207,9 @@ class GenerateLaunch(ControllerOptions, InterfaceOption, PlaceOptions, LaunchFor
 
 
 @dataclass(kw_only=True)
-class GenerateAll(ControllerOptions, InterfaceOption, HardwareOption, PlaceOptions, LaunchFormOption, MacroOption):
+class GenerateAll(
+    ControllerOptions, InterfaceOption, HardwareOption, PlaceOptions, BaseOption, LaunchFormOption, MacroOption
+):
     """Write a package with all of it: robot, controllers, launch file and dependencies.
 
     \b
@@ -208,7 +220,7 @@ class GenerateAll(ControllerOptions, InterfaceOption, HardwareOption, PlaceOptio
 
 
 @dataclass(kw_only=True)
-class ConvertRobot(InterfaceOption):
+class ConvertRobot(InterfaceOption, BaseOption):
     """Convert a robot to MuJoCo's own format: meshes, an actuator for each commanded joint, mimic joints and sensors.
 
     \b

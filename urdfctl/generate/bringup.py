@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.distros import since
@@ -21,6 +21,7 @@ from urdfctl.generate.options import File, Options
 from urdfctl.generate.parameters import Controller
 from urdfctl.generate.scalars import python_text, xml_text
 from urdfctl.generate.templates import Templates
+from urdfctl.startup.patterns import lazy_pattern
 from urdfctl.startup.records import NamedTuple
 
 
@@ -33,6 +34,10 @@ class Spawner(NamedTuple):
 
 FORMS = {"python": "launch.py", "xml": "launch.xml", "yaml": "launch.yaml"}
 _ONE_A_SPAWNER = ("foxy", "galactic")
+_PACKAGES = {"control_filters": "control_toolbox"}
+"""The packages of plugins whose names begin with something else."""
+_NAMED = lazy_pattern(r"(?:package://|\$\(find )\s*([A-Za-z0-9_-]+)")
+"""A package whose files a robot uses."""
 
 
 def launch_file(
@@ -60,7 +65,7 @@ def launch_file(
             *of_robot,
             *own,
             *_model_argument(options, robot),
-            *arguments_of_simulator(options, movable=movable),
+            *arguments_of_simulator(options, robot, movable=movable),
         ],
         of_robot=to_xacro,
         passed_xml=passed(to_xacro, "var"),
@@ -165,7 +170,8 @@ def dependencies(
 ) -> list[str]:
     """Return the packages that are required to start the robot, sorted."""
     packages = {"controller_manager", "robot_state_publisher", "xacro"}
-    packages |= {controller.type.package for controller in made}
+    packages |= {package for controller in made for package in _packages_of(controller)}
+    packages |= {*_NAMED.findall(options.robot_text[1])} if options.robot_text else set()
     if robot_package:
         packages.add(robot_package)
     if options.simulator in ("gz", "gazebo-classic"):
@@ -175,7 +181,19 @@ def dependencies(
     if options.ros == 2:  # noqa: PLR2004
         package = hardware(options, catalog).package
         packages.add("hardware_interface" if package in ("mock_components", "fake_components") else package)
+        packages |= {"launch_ros", {"python": "launch"}.get(options.form, f"launch_{options.form}")}
     return sorted(name for name in packages if name and name != options.package)
+
+
+def _packages_of(controller: Controller) -> Iterator[str]:
+    """The package of a controller, and those of the plugins and filters that its parameters name."""
+    yield controller.type.package
+    for setting in controller.settings:
+        filters = setting.value.values() if isinstance(setting.value, Mapping) else ()
+        named = [setting.value] if setting.name.endswith("plugin_name") else [one["type"] for one in filters]
+        for name in named:
+            package = str(name).partition("/")[0]
+            yield _PACKAGES.get(package, package)
 
 
 def package_files(

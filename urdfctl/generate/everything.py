@@ -26,6 +26,7 @@ from urdfctl.generate.moveit import moveit_file
 from urdfctl.generate.options import File, Options
 from urdfctl.generate.parameters import Controller
 from urdfctl.generate.parse_again import checked
+from urdfctl.generate.stance import needs_world
 from urdfctl.generate.templates import Templates
 from urdfctl.source.files import named_bytes
 from urdfctl.startup.records import NamedTuple
@@ -174,13 +175,20 @@ def _all(order: Order) -> list[File]:
         controllers_file(made, options, order.templates, order.title),
         *([moveit] if moveit else []),
         *([_wrapped(order, "urdf/control.xacro", *blocks)] if blocks else []),
-        _wrapped(order, "urdf/robot.urdf.xacro", includes=includes, robot=robot.name or "robot"),
+        _wrapped(order, "urdf/robot.urdf.xacro", *_world(order), includes=includes, robot=robot.name or "robot"),
         _launch_file(order, made),
         *([File(*options.robot_text)] if options.robot_text else []),
         _settings(order),
         *_mujoco(order, made),
         *package_files(depends, options, order.templates, order.title, _one_dash(options.command)),
     ]
+
+
+def _world(order: Order) -> list[str]:
+    """What fixes a robot without wheels and legs to the world of a simulator, as a block of its description."""
+    if not needs_world(order.robot, order.options):
+        return []
+    return [order.templates.render("xacro/world.xacro", root=order.robot.root)]
 
 
 def _settings(order: Order) -> File:

@@ -97,7 +97,8 @@ class RobotFacts(NamedTuple):
     tags. `hosts` are the file names of its simulator plugins. `sensor_links` are the links of its sensors by name.
     `distro` is that of the robot, None if several `distros` are possible. `arguments` are its xacro arguments with
     their defaults. `skeleton` is there if the simulator is MuJoCo. `generated` are the components that
-    gen-ros2-control wrote, and their parts.
+    gen-ros2-control wrote, and their parts. `lowest` is the height of the lowest point in the frame of the root, in m,
+    with all joints at zero.
     """
 
     name: str | None = None
@@ -119,6 +120,7 @@ class RobotFacts(NamedTuple):
     arguments: Mapping[str, str] = {}
     skeleton: Skeleton | None = None
     generated: tuple[str, ...] = ()
+    lowest: float | None = None
 
     def of_kind(self, kind: str) -> tuple[PartFacts, ...]:
         """Return the joints, sensors or gpios of its `<ros2_control>` tags."""

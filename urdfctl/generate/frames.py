@@ -20,7 +20,7 @@ from urdfctl.model.geometry import (
     turned,
 )
 from urdfctl.model.parts import Tag
-from urdfctl.model.robot import Joint, Link, Robot
+from urdfctl.model.robot import Geometry, Joint, Link, Robot
 from urdfctl.startup.records import NamedTuple
 
 
@@ -58,17 +58,11 @@ class Measured(NamedTuple):
 def measured(robot: Robot) -> dict[str, Measured]:
     """Return the measurements of each joint below the root, by name."""
     links = {link.name: link for link in robot.links if link.name}
-    order = list(outwards(robot))
-    frames: dict[str, Pose] = {}
-    placed: list[tuple[Joint, str, str, Pose]] = []
-    for joint, parent, child in order:
-        above = frames.setdefault(parent, Pose())
-        frames[child] = above.then(origin_of(next(joint.tag.named("origin"), None)))
-        placed.append((joint, parent, child, frames[child]))
+    frames = frames_of(robot)
     bulks = {name: bulk_of(links.get(name), frame) for name, frame in frames.items()}
     measurements: dict[str, Measured] = {}
-    for joint, parent, child, frame in reversed(placed):
-        carried = bulks[child]
+    for joint, parent, child in reversed(list(outwards(robot))):
+        carried, frame = bulks[child], frames[child]
         axis = axis_of(joint, frame)
         inertia = carried.mass if joint.type == "prismatic" else carried.about(frame.place, axis)
         if joint.name:
@@ -76,6 +70,24 @@ def measured(robot: Robot) -> dict[str, Measured]:
             measurements[joint.name] = Measured(frame.place, axis, inertia if inertia > 0 else None, radius)
         bulks[parent] = bulks[parent].plus(carried)
     return measurements
+
+
+def frames_of(robot: Robot) -> dict[str, Pose]:
+    """Return the pose of each link that the root reaches, in the root's frame, with all joints at zero."""
+    root = root_of(robot)
+    frames = {root: Pose()} if root else {}
+    for joint, parent, child in outwards(robot):
+        frames[child] = frames[parent].then(origin_of(next(joint.tag.named("origin"), None)))
+    return frames
+
+
+def geometries_of(link: Link | None) -> Iterator[tuple[Geometry, Tag]]:
+    """Yield the geometry of a link, with the elements that contain it."""
+    if link is None:
+        return
+    for role in ("visual", "collision"):
+        of_role = [geometry for geometry in link.geometries if geometry.role == role]
+        yield from zip(of_role, link.tag.named(role), strict=False)
 
 
 def root_of(robot: Robot) -> str | None:

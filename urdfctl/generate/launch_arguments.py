@@ -9,11 +9,11 @@ from collections.abc import Iterator, Sequence
 from urdfctl.errors import UserError
 from urdfctl.generate.facts import RobotFacts
 from urdfctl.generate.options import Options
+from urdfctl.generate.stance import spawn_height
 from urdfctl.startup.records import NamedTuple
 
 NAMESPACE = "namespace"
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
-_POSE = {"x": "0.0", "y": "0.0", "z": "0.1", "yaw": "0.0"}
 
 
 class Argument(NamedTuple):
@@ -32,7 +32,7 @@ def arguments_of_robot(options: Options, robot: RobotFacts) -> tuple[Argument, .
     given = dict(options.arguments)
     own = {name: value for name, value in robot.arguments.items() if _is_plain(name, value)}
     found = {**own, **given}
-    taken = {argument.name for argument in arguments_of_simulator(options, movable=True)}
+    taken = {argument.name for argument in arguments_of_simulator(options, robot, movable=True)}
     python = options.ros == 2 and options.form == "python"  # noqa: PLR2004
     odd = next((f"{name}:={value}" for name, value in given.items() if shlex.quote(value) != value and value), None)
     if odd and not python and options.ros == 2:  # noqa: PLR2004
@@ -44,12 +44,12 @@ def _is_plain(name: str, value: str) -> bool:
     return bool(_NAME.fullmatch(name)) and value != "" and shlex.quote(value) == value and "$" not in value
 
 
-def arguments_of_simulator(options: Options, *, movable: bool) -> tuple[Argument, ...]:
+def arguments_of_simulator(options: Options, robot: RobotFacts, *, movable: bool) -> tuple[Argument, ...]:
     """Return the arguments of a simulator: whether to start it, its world, its window, and the pose of the robot in it.
 
     movable: True if several robots can be in it, each in a namespace of its own.
     """
-    return tuple(_of_simulator(options, movable=movable))
+    return tuple(_of_simulator(options, spawn_height(robot, options), movable=movable))
 
 
 def namespace_argument(options: Options, robot: RobotFacts) -> Argument:
@@ -59,7 +59,7 @@ def namespace_argument(options: Options, robot: RobotFacts) -> Argument:
     return Argument(NAMESPACE, options.namespace or plain, "namespace of the robot; empty for none")
 
 
-def _of_simulator(options: Options, *, movable: bool) -> Iterator[Argument]:
+def _of_simulator(options: Options, height: float, *, movable: bool) -> Iterator[Argument]:
     if movable and options.simulator in ("gz", "gazebo-classic"):
         yield Argument("simulator", "true", "false: it runs already")
     if options.simulator == "gz":
@@ -69,7 +69,8 @@ def _of_simulator(options: Options, *, movable: bool) -> Iterator[Argument]:
         yield Argument("world", "worlds/empty.world", "world of the simulator")
         yield Argument("gui", "true", "false: without a window")
     if options.simulator in ("gz", "gazebo-classic"):
-        for name, value in _POSE.items():
+        for name in ("x", "y", "z", "yaw"):
+            value = str(height) if name == "z" else "0.0"
             yield Argument(name, value, f"{name} of the robot in the world, in {'rad' if name == 'yaw' else 'm'}")
 
 

@@ -8,11 +8,11 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.control.claims import claims
 from urdfctl.errors import UserError
-from urdfctl.generate.anatomy import anatomy_of
 from urdfctl.generate.facts import JointFacts, RobotFacts
 from urdfctl.generate.options import File, Options
 from urdfctl.generate.parameters import Controller
 from urdfctl.generate.scalars import xml_text
+from urdfctl.generate.stance import is_fixed
 from urdfctl.generate.templates import Templates
 from urdfctl.startup.records import NamedTuple
 
@@ -63,7 +63,7 @@ def mjcf_file(
     skeleton = robot.skeleton
     if skeleton is None:
         raise UserError("a model for MuJoCo requires a robot, not a list of joints")
-    free = anatomy_of(robot, robot.joints).base is not None
+    free = not is_fixed(robot, options)
     joints = {joint.name: joint for joint in robot.joints}
     meshes = [
         {"name": mesh, "file": _from(options.model_path, path), "scale": scale} for mesh, path, scale in skeleton.meshes
@@ -78,6 +78,7 @@ def mjcf_file(
         actuators=[_actuator(joints[joint], interface) for joint, interface in interfaces.items()],
         sensors=list(_sensors(robot)),
         notes=skeleton.notes,
+        ground=min(0.0, robot.lowest or 0.0) if free else 0.0,
         balance=any("is impossible" in note for note in skeleton.notes),
     )
     return File(name, _with_sites(text, robot))

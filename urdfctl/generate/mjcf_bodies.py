@@ -10,7 +10,7 @@ import os
 from collections.abc import Callable, Iterator, Sequence
 
 from urdfctl.generate.facts import JointFacts, Skeleton
-from urdfctl.generate.frames import axis_of, number_of, origin_of, outwards, root_of
+from urdfctl.generate.frames import axis_of, geometries_of, number_of, origin_of, outwards, root_of
 from urdfctl.generate.scalars import xml_text
 from urdfctl.model.geometry import Pose, Rotation, Vector, product, transposed
 from urdfctl.model.parts import Tag
@@ -73,7 +73,7 @@ class _Writer:
             self.notes[f"the inertia of link '{one.name}' is impossible for a solid; MuJoCo balances it"] = None
         if inertial:
             yield inside + inertial
-        for geometry, tag in _geometries(one.link):
+        for geometry, tag in geometries_of(one.link):
             line = self._geom(one.name, geometry, tag)
             if line:
                 yield inside + line
@@ -150,15 +150,6 @@ def skeleton_of(robot: Robot, joints: Sequence[JointFacts], mesh_path: MeshPath)
     bodies = fixed.bodies(free=False)
     free = _Writer(robot, joints, mesh_path).bodies(free=True)
     return Skeleton("\n".join(bodies), "\n".join(free), fixed.assets(), tuple(fixed.notes))
-
-
-def _geometries(link: Link | None) -> Iterator[tuple[Geometry, Tag]]:
-    """The geometry of a link, with the elements that contain it."""
-    if link is None:
-        return
-    for role in ("visual", "collision"):
-        of_role = [geometry for geometry in link.geometries if geometry.role == role]
-        yield from zip(of_role, link.tag.named(role), strict=False)
 
 
 def _origin(tag: Tag) -> Pose:

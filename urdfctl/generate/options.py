@@ -44,7 +44,7 @@ class Options(NamedTuple):
     `interfaces` are the interfaces that they command, `states` those that they read: () for none. If `states` or
     `hardware` is None, it is derived from the other options.
     With `chain`, each type commands the next. `rate` is the update rate of the controller manager, in Hz;
-    None for the one that the controllers need.
+    None for the one that the controllers need. `base` is `fixed` or `free`; None for what the robot looks like.
 
     `controllers_file`, `description` and `package` are the places of the installed files. `robot_file` is the path by
     which a generated xacro file includes the robot, `arguments` are its xacro arguments, and `robot_text` is the
@@ -77,6 +77,7 @@ class Options(NamedTuple):
     macro: bool = False
     form: str = "python"
     chain: bool = False
+    base: str | None = None
     requests: tuple[Request, ...] = ()
     command: str = "urdfctl"
 

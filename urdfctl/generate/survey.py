@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from urdfctl.generate.facts import JointFacts, Load, PartFacts, RobotFacts
 from urdfctl.generate.frames import Measured, measured, number_of, root_of
 from urdfctl.generate.loads import loads_of
+from urdfctl.generate.stance import lowest_of
 from urdfctl.model.parts import Number
 from urdfctl.model.robot import Joint, Robot
 
@@ -39,6 +40,7 @@ def facts_of(robot: Robot) -> RobotFacts:
         hosts=tuple(plugin.filename for plugin in robot.plugins if plugin.filename),
         sensor_links=_sensor_links(robot),
         generated=tuple(_generated(robot)),
+        lowest=lowest_of(robot),
     )
 
 
