@@ -255,6 +255,23 @@ def test_what_is_proposed_fits_the_interfaces_that_the_robot_has(folder: Folder)
     assert written(folder, robot(*WHEELS, component))["wheel_controller"]["interface_name"] == "effort"
 
 
+def test_casters_alone_get_no_controller(folder: Folder) -> None:
+    casters = [part.replace("caster", "front_caster").replace("swivel", "front_swivel") for part in CASTER]
+    folder.write({"r.urdf": robot(*ARM, *CASTER, *casters)})
+    line = command("gen-controllers", "r.urdf", "--distro", "jazzy").stderr
+    assert line.endswith("robot: --controller arm_controller=trajectory:shoulder,elbow,wrist\n")
+
+
+def test_the_fingers_of_two_arms_get_two_grippers(folder: Folder) -> None:
+    arms = [
+        re.sub('"(shoulder|elbow|wrist|finger)', rf'"{side}_\1', part)
+        for side in ("l", "r")
+        for part in (*ARM, HAND[0])
+    ]
+    found = written(folder, robot(*arms))
+    assert [one["joint"] for one in found.values() if "gripper" in one["type"]] == ["l_finger", "r_finger"]
+
+
 def test_an_unclear_drive_is_asked_for(folder: Folder) -> None:
     line = refused(folder, robot(wheel("left_wheel", 0, 0.2), wheel("right_1", 0, -0.2), wheel("right_2", -1, -0.2)))
     assert line.startswith(

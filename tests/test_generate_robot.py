@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from itertools import product
 from pathlib import Path
 
 import pytest
 import yaml
 from folder import Folder
-from generating import JOINTS, ROBOT, command, made, roles_of, told
+from generating import JOINTS, ROBOT, command, made, read, roles_of, told
 from sampling import sample
 
 from urdfctl.catalog.catalog import CATALOG
@@ -153,6 +154,55 @@ def test_transmissions_that_the_robot_has_are_not_written_again() -> None:
     assert '<joint name="arm">' not in control
 
 
+def two_arms(transmission: str) -> str:
+    """Two arms from a macro; each shoulder has a transmission, which is in the macro too."""
+    links = "".join(f'<link name="${{prefix}}{name}"/>' for name in ("upper", "fore"))
+    joints = "".join(
+        f"""<joint name="${{prefix}}{name}" type="revolute"><parent link="{parent}"/><child link="${{prefix}}{child}"/>
+        <axis xyz="0 1 0"/><limit lower="-1" upper="1" effort="50" velocity="2"/></joint>"""
+        for name, parent, child in (("shoulder", "base", "upper"), ("elbow", "${prefix}upper", "fore"))
+    )
+    return f"""<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="base"/>
+        <xacro:macro name="arm" params="prefix">{links}{joints}{transmission}</xacro:macro>
+        <xacro:arm prefix="left_"/><xacro:arm prefix="right_"/></robot>"""
+
+
+IN_MACRO = """<transmission name="${prefix}t"><type>transmission_interface/SimpleTransmission</type>
+    <joint name="${prefix}shoulder">
+    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>
+    <actuator name="${prefix}m"/></transmission>"""
+
+
+def test_joints_whose_transmissions_come_from_a_macro_are_left_out(folder: Folder) -> None:
+    folder.write({"r.xacro": two_arms(IN_MACRO)})
+    made = command("gen-transmissions", "r.xacro", "--type", "trajectory", "--distro", "noetic").stdout
+    assert re.findall(r'<joint name="(.*)">', made) == ["left_elbow", "right_elbow"]
+    assert made.count("hardware_interface/EffortJointInterface") == 2
+    assert command("gen-all", "r.xacro", "--distro", "noetic", "-o", "made").returncode == 0
+    plain = read((folder.path / "made/config/controllers.yaml").read_text())
+    assert [one["joints"] for one in plain.values() if "joints" in one] == [
+        ["left_shoulder", "left_elbow"],
+        ["right_shoulder", "right_elbow"],
+    ]
+    expanded = command("expand", "made/urdf/robot.urdf.xacro").stdout
+    assert len(re.findall("<transmission", expanded)) == 4
+    folder.write({"r.xacro": two_arms(IN_MACRO + IN_MACRO.replace("shoulder", "elbow").replace("}t", "}t2"))})
+    ran = command("gen-transmissions", "r.xacro", "--distro", "noetic")
+    assert (ran.returncode, ran.stderr) == (
+        2,
+        "urdfctl: the robot already has transmissions for all of these joints; change their <hardwareInterface>\n",
+    )
+
+
+def test_generated_transmissions_are_written_again_although_the_robot_includes_them(folder: Folder) -> None:
+    folder.write({"r.xacro": two_arms("").replace("</robot>", '<xacro:include filename="t.xacro"/></robot>')})
+    folder.write({"t.xacro": "<robot/>"})
+    words = ("gen-transmissions", "r.xacro", "--distro", "noetic", "-o", "t.xacro")
+    assert command(*words, "--force").returncode == 0
+    assert (folder.path / "t.xacro").read_text().count("<transmission") == 4
+    assert command(*words, "--check").returncode == 0
+
+
 def test_a_controller_of_joints_that_are_not_there_is_refused() -> None:
     options = Options("noetic", types=("franka_gazebo/FrankaGripperSim",))
     with pytest.raises(UserError, match="requires joint 'front_left_finger_joint1', which the robot does not have"):
@@ -204,7 +254,7 @@ REFUSALS = {
         position, or add <command_interface name="velocity"/> to the joint""",
     ("noetic", "diff_drive"): """'diff_drive_controller' (diff_drive_controller/DiffDriveController) commands
         'velocity' of joint 'front_left', whose transmission has 'position': choose a type that commands position,
-        or change it (gen-transmissions --interface velocity --joint front_left)""",
+        or change its <hardwareInterface> to hardware_interface/VelocityJointInterface""",
     ("jazzy", "effort"): """'effort_controller' (forward_command_controller/ForwardCommandController) commands
         'effort' of joint 'front_left', which has only 'position' in <ros2_control>: choose a type that commands
         position, or add <command_interface name="effort"/> to the joint""",

@@ -24,6 +24,27 @@ ROBOT = """<robot name="r">
 EFFORT = ("--type", "effort", "--distro", "jazzy")
 
 
+def test_what_the_robot_itself_cannot_do_is_said_after_writing(folder: Folder) -> None:
+    weight = '<inertial><mass value="9"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
+    arm = """<robot name="r"><link name="a"/><link name="b">{}</link><link name="c"/>
+        <joint name="lift" type="prismatic"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/>
+        <limit lower="0" upper="1" effort="20" velocity="1"/></joint>
+        <joint name="other" type="prismatic"><parent link="b"/><child link="c"/><axis xyz="0 0 1"/>
+        <limit lower="0" upper="1" effort="20" velocity="1"/><mimic joint="lift"/></joint></robot>"""
+    folder.write({"heavy.urdf": arm.format(weight), "light.urdf": arm.format("")})
+    said = {
+        name: command("gen-all", name, "--distro", "noetic", "--simulator", "gazebo-classic", "-o", name[:5]).stderr
+        for name in ("heavy.urdf", "light.urdf")
+    }
+    assert (
+        "joint 'lift' cannot hold the weight in every pose: 'lift' needs 88.3 N, and its <limit> has effort 20\n"
+        in said["heavy.urdf"]
+    )
+    assert "joint 'other' will hang: Gazebo Classic moves no mimic joints in ROS 1" in said["heavy.urdf"]
+    assert "the robot has no masses, and a simulator drops moving links without them" in said["light.urdf"]
+    assert "no masses" not in said["heavy.urdf"]
+
+
 @pytest.mark.parametrize(
     ("words", "message"),
     [

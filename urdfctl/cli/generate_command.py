@@ -20,6 +20,7 @@ from urdfctl.cli.writing import print_message, print_text
 from urdfctl.config.file import Config
 from urdfctl.config.settings import Settings
 from urdfctl.errors import UserError
+from urdfctl.generate.cautions import cautions
 from urdfctl.generate.choice import chosen, stuck
 from urdfctl.generate.everything import Order, files
 from urdfctl.generate.facts import NO_ROBOT, JointFacts, RobotFacts
@@ -118,6 +119,9 @@ def _delivered(command: str, given: Mapping[str, Any], robot: RobotFacts | None,
         print_message(made.proposal)
     if command == "gen-all" and robot and not robot.package and not made.options.robot_text:
         print_message(f"'{robot.file}' is not in a package, so installed files cannot find it")
+    if command == "gen-all" and robot and not given["check"]:
+        for caution in cautions(made.controllers, robot, made.options):
+            print_message(caution)
     writing = Writing(given["output"], given["force"], given["diff"], given["check"], given.get("into"))
     steps = tuple(steps_after(command, made.controllers, made.options, given["output"] or ""))
     return deliver(made.files, writing, many=command == "gen-all", steps=steps)

@@ -26,7 +26,7 @@ _WHEEL = re.compile(r"wheel|tire|tyre", re.IGNORECASE)
 
 
 class Base(NamedTuple):
-    """A mobile base: the `kind` of its drive, None if it is unclear, and its joints by role.
+    """A mobile base: the `kind` of its drive, None if it is unclear, `passive` without one, and its joints by role.
 
     `others` are its joints that are not driven: casters, rollers, and wheels that are only steered.
     """
@@ -103,7 +103,8 @@ def _base(tree: _Tree, joints: Sequence[JointFacts], name: str) -> Base | None:
     casters = [wheel for wheel in wheels if _is_caster(tree, wheel)]
     driven = [wheel for wheel in wheels if wheel not in casters]
     if not driven:
-        return None
+        passive = tuple(dict.fromkeys(upper for wheel in casters for upper in (wheel, *tree.over(wheel))))
+        return Base("passive", Roles(), (), passive) if casters else None
     steered = {upper.name: upper for wheel in driven for upper in tree.over(wheel) if _is_upright(upper)}
     fixed = [wheel for wheel in driven if not any(upper.name in steered for upper in tree.over(wheel))]
     kind, roles = _kind_of_base(tree, driven, fixed, list(steered.values()), name)
@@ -208,10 +209,10 @@ def _tools(tree: _Tree, joints: Sequence[JointFacts]) -> Iterator[Tool]:
     ends = [joint for joint in joints if joint.name not in taken and not tree.under(joint.name)]
     by_place: dict[str | None, list[JointFacts]] = {}
     for joint in ends:
-        by_place.setdefault(joint.above if joint.above in names else None, []).append(joint)
+        by_place.setdefault(joint.above, []).append(joint)
     for above, fingers in by_place.items():
         named = [joint for joint in fingers if _FINGER.search(f"{joint.name} {joint.link or ''}")]
-        pair = len(fingers) == 2 and all(joint.slides for joint in fingers) and above is not None  # noqa: PLR2004
+        pair = len(fingers) == 2 and all(joint.slides for joint in fingers) and above in names  # noqa: PLR2004
         members = fingers if pair else named
         if members:
             yield Tool(tuple(members), single=len(members) == 1)

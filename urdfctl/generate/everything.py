@@ -79,7 +79,11 @@ def _one_dash(command: str) -> str:
 
 
 def _transmissions(order: Order) -> list[File]:
-    block = transmissions(order.joints, order.options, order.templates, wanted_interfaces(order.made_if_typed()))
+    there = {name for name in order.robot.interfaces if name not in order.robot.generated}
+    without = [joint for joint in order.joints if joint.name not in there]
+    if there and not without:
+        raise UserError("the robot already has transmissions for all of these joints; change their <hardwareInterface>")
+    block = transmissions(without, order.options, order.templates, wanted_interfaces(order.made_if_typed()))
     return [_wrapped(order, "urdf/transmissions.xacro", block)]
 
 

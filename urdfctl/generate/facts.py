@@ -97,8 +97,8 @@ class RobotFacts(NamedTuple):
     tags. `hosts` are the file names of its simulator plugins. `sensor_links` are the links of its sensors by name.
     `distro` is that of the robot, None if several `distros` are possible. `arguments` are its xacro arguments with
     their defaults. `skeleton` is there if the simulator is MuJoCo. `generated` are the components that
-    gen-ros2-control wrote, and their parts. `lowest` is the height of the lowest point in the frame of the root, in m,
-    with all joints at zero.
+    gen-ros2-control wrote, with their parts, and the joints of transmissions that gen-transmissions wrote. `lowest` is
+    the height of the lowest point in the frame of the root, in m, with all joints at zero.
     """
 
     name: str | None = None

@@ -52,7 +52,7 @@ def _message(controller: Controller, joint: str, interface: str, there: tuple[st
     use = use or f"--interface {there[0]}"
     other = f"use {use}" if there[0] in _choices(controller) else f"choose a type that commands {has}"
     if options.ros == 1:
-        change = f"change it (gen-transmissions --interface {interface} --joint {joint})"
+        change = f"change its <hardwareInterface> to hardware_interface/{interface.capitalize()}JointInterface"
         return f"{title}, whose transmission has '{has}': {other}, or {change}"
     change = f'add <command_interface name="{interface}"/> to the joint'
     return f"{title}, which has only '{has}' in <ros2_control>: {other}, or {change}"

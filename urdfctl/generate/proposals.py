@@ -52,6 +52,8 @@ def _shown_joints(request: Request) -> str:
 
 
 def _of_base(base: Base, options: Options, offered: Mapping[str, tuple[str, ...]]) -> Iterator[Request]:
+    if base.kind == "passive":
+        return
     other = _other_than("velocity", base.joints, offered)
     if other:  # in ROS 1, velocity controllers also command efforts
         kind = "velocity" if options.ros == 1 and other == "effort" else other
@@ -102,6 +104,8 @@ def _of_sensors(robot: RobotFacts) -> Iterator[Request]:
 def _label(chain: Sequence[JointFacts]) -> str:
     """What a chain is, from the words in the names of its joints and links."""
     words = [re.split(r"[^a-z]+", f"{joint.name} {joint.link or ''}".lower()) for joint in chain]
+    if len(chain) >= _ARM and any(part in of_joint for of_joint in words for part in ("shoulder", "elbow", "wrist")):
+        return "arm"
     for part in _PARTS:
         if any(part in of_joint for of_joint in words):
             return {"neck": "head", "pan": "head", "waist": "torso"}.get(part, part)

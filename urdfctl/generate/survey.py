@@ -10,9 +10,10 @@ from urdfctl.generate.loads import loads_of
 from urdfctl.generate.stance import lowest_of
 from urdfctl.model.parts import Number
 from urdfctl.model.robot import Joint, Robot
+from urdfctl.source.span import Place
 
 _MOVING = ("revolute", "continuous", "prismatic")
-_MADE, _HEADER = b"made by urdfctl gen-ros2-control ", 2048
+_MADE, _HEADER = b"made by urdfctl gen-%s ", 2048
 _UNEVEN = 0.1
 """The greatest height above the lowest wheel, in radii, at which another wheel still touches the ground."""
 _LEVEL = 0.3
@@ -45,12 +46,20 @@ def facts_of(robot: Robot) -> RobotFacts:
 
 
 def _generated(robot: Robot) -> Iterator[str]:
-    """The components that gen-ros2-control wrote, and their parts: writing the file again replaces them."""
+    """What generators wrote, and will replace: components with their parts, and the joints of transmissions."""
     for control in robot.ros2_controls:
-        data, start = control.tag.at.source.data, control.tag.at.start
-        if _MADE in data[:_HEADER] or _MADE in data[max(0, start - _HEADER // 2) : start]:
+        if _is_made(control.tag.at, b"ros2-control"):
             yield control.name or ""
             yield from (part.name or "" for kind in ("joint", "sensor", "gpio") for part in control.of_kind(kind))
+    for transmission in robot.transmissions:
+        if _is_made(transmission.at, b"transmissions"):
+            yield from (end.name or "" for end in transmission.kept_joints)
+
+
+def _is_made(at: Place, generator: bytes) -> bool:
+    """Whether a generator wrote an element: its name is at the beginning of the file, or just above."""
+    data, start, made = at.source.data, at.start, _MADE % generator
+    return made in data[:_HEADER] or made in data[max(0, start - _HEADER // 2) : start]
 
 
 def _moving_above(robot: Robot) -> dict[str, str]:

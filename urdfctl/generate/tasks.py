@@ -26,8 +26,10 @@ def tasks_of(kind: Kind, joints: Sequence[JointFacts], options: Options, robot: 
     if kind.short == "gpio":
         joints = _gpios(options, robot)
     by_interfaces: dict[tuple[str, ...], list[JointFacts]] = {}
+    common = next((names for joint in joints if (names := _offered(kind, joint, robot))), ())
     for joint in joints:
-        by_interfaces.setdefault(_commanded(kind, joint, options, robot), []).append(joint)
+        there = _offered(kind, joint, robot) or common
+        by_interfaces.setdefault(_commanded(kind, joint, options, there), []).append(joint)
     if not kind.interface:
         by_interfaces = {options.interfaces or ("position",): list(joints)}
     elif not by_interfaces:
@@ -47,14 +49,18 @@ def tasks_of(kind: Kind, joints: Sequence[JointFacts], options: Options, robot: 
         )
 
 
-def _commanded(kind: Kind, joint: JointFacts, options: Options, robot: RobotFacts) -> tuple[str, ...]:
-    """The command interfaces of a joint: from the joint list, from the user, or those that the joint has."""
+def _offered(kind: Kind, joint: JointFacts, robot: RobotFacts) -> tuple[str, ...]:
+    """The interfaces of a joint that a kind can command."""
+    return tuple(name for name in robot.interfaces.get(joint.name, ()) if name in kind.fit or "any" in kind.fit)
+
+
+def _commanded(kind: Kind, joint: JointFacts, options: Options, there: tuple[str, ...]) -> tuple[str, ...]:
+    """The command interfaces of a joint: from the joint list, from the user, or those that it or another joint has."""
     if joint.interface:
         return (joint.interface,)
     if options.interfaces:
         return options.interfaces
     fit, wanted = kind.fit, kind.interface or "position"
-    there = tuple(name for name in robot.interfaces.get(joint.name, ()) if name in fit or "any" in fit)
     if not there or ("any" not in fit and wanted in there):
         return (wanted,)
     return there if "any" in fit and kind.several else there[:1]

@@ -97,7 +97,7 @@ def generate_launch_description():
             DeclareLaunchArgument("gui", default_value="true", description="false: without a window"),
             DeclareLaunchArgument("x", default_value="0.0", description="x of the robot in the world, in m"),
             DeclareLaunchArgument("y", default_value="0.0", description="y of the robot in the world, in m"),
-            DeclareLaunchArgument("z", default_value="0.1", description="z of the robot in the world, in m"),
+            DeclareLaunchArgument("z", default_value="0.01", description="z of the robot in the world, in m"),
             DeclareLaunchArgument("yaw", default_value="0.0", description="yaw of the robot in the world, in rad"),
             simulator,
             state_publisher,
