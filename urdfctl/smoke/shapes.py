@@ -224,16 +224,25 @@ def _triple(words: tuple[bytes, ...]) -> Vector:
 
 
 def _outermost(points: list[Vector]) -> Iterator[Vector]:
-    """Corners that lie far out in directions all over the sphere (a Fibonacci lattice)."""
-    centre = scaled(_total(points), 1 / len(points))
-    for n in range(_DIRECTIONS):
-        z = 1 - (2 * n + 1) / _DIRECTIONS
-        angle, flat = n * math.pi * (3 - math.sqrt(5)), math.sqrt(1 - z * z)
-        way = (flat * math.cos(angle), flat * math.sin(angle), z)
-        yield max(points, key=lambda point, way=way: dot(minus(point, centre), way))  # type: ignore[misc]
+    """The farthest corner from the middle in each of some hundred cones, which cover the sphere, and those that lie
+    farthest along the axes. Scanner meshes have a hundred thousand corners."""
+    x0, y0, z0 = scaled(_total(points), 1 / len(points))
+    farthest: dict[tuple[int, int], tuple[float, Vector]] = {}
+    for point in points:
+        x, y, z = point[0] - x0, point[1] - y0, point[2] - z0
+        distance = x * x + y * y + z * z
+        around = int((math.atan2(y, x) / math.pi + 1) * _MERIDIANS)
+        cone = around, int((z / math.sqrt(distance) + 1) * _PARALLELS) if distance else 0
+        if cone not in farthest or distance > farthest[cone][0]:
+            farthest[cone] = distance, point
+    yield from (point for _, point in farthest.values())
+    for axis in range(3):
+        yield min(points, key=lambda point, axis=axis: point[axis])  # type: ignore[misc]
+        yield max(points, key=lambda point, axis=axis: point[axis])  # type: ignore[misc]
 
 
-_DIRECTIONS = 300
+_MERIDIANS, _PARALLELS = 16, 6
+"""Half the number of cones around the z axis, and from pole to pole."""
 
 
 def _total(points: list[Vector]) -> Vector:
