@@ -113,8 +113,7 @@ def _end_of(claim: Claim, below: Mapping[str, tuple[Task, Configured]]) -> End |
     """The joint at the end of a claim, or None if it ends at another device or cannot be followed."""
     first, _, rest = claim.name.partition("/")
     if first not in below:
-        component, _, interface = claim.name.rpartition("/")
-        return None if "/" in component else End(component, _quantity(interface))
+        return None if "/" in claim.component else End(claim.component, _quantity(claim.interface))
     task, configured = below[first]
     prefix = f"{first}/"
     offered = dict.fromkeys(
