@@ -1,13 +1,15 @@
 """Mutation test of the smoke test: change one constant or comparison at a time, and see whether a test fails.
 
-    python tests/bench/exhaustive/mutants.py [MODULE ...]
+    python tests/bench/exhaustive/mutants.py [--jobs N] [MODULE ...]
 
-Each constant of a module is multiplied and divided by three, and each comparison is reversed. Prints the mutants that
-survive the fast tests of the smoke test, and how many were killed. Exits with 1 if less than nine of ten were.
+Each constant of a module is multiplied and divided by three, and each comparison is reversed. Those that survive the
+fast tests are given to the slow ones, with engines. Prints the mutants that survive these too, and how many were
+killed. Exits with 1 if less than nine of ten were.
 """
 
 from __future__ import annotations
 
+import argparse
 import ast
 import copy
 import subprocess
@@ -18,8 +20,9 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 ROOT = Path(__file__).parents[3]
-MODULES = ("agreement", "checks", "drives", "ground", "loads", "stability", "statics", "simulation", "trial")
-TESTS = ("checks", "formulas", "trial", "agreement")
+SMOKE = ROOT / "urdfctl" / "smoke"
+TESTS = ("checks", "formulas", "trial", "agreement", "groups", "manager", "page")
+SLOW_TESTS = ("test_smoke_engines", "test_smoke_faults", "test_smoke_rules", "test_cli_smoke_gates", "test_cli_smoke")
 FACTORS = (3.0, 1 / 3)
 REVERSED: dict[type[ast.cmpop], type[ast.cmpop]] = {
     ast.Lt: ast.GtE,
@@ -84,15 +87,25 @@ def _is_number(value: object) -> bool:
     return isinstance(value, int | float) and not isinstance(value, bool)
 
 
+def modules() -> list[str]:
+    """Return the names of all modules of the smoke test, as after `urdfctl.smoke.`."""
+    paths = (path.relative_to(SMOKE).with_suffix("") for path in sorted(SMOKE.rglob("*.py")))
+    return [".".join(path.parts) for path in paths if path.name != "__init__"]
+
+
 def survives(module: str, source: str) -> bool:
-    """Return whether all fast tests pass with a changed module."""
+    """Return whether all tests pass with a changed module: the fast ones, then the slow ones."""
+    fast = [f"tests/test_smoke_{name}.py" for name in TESTS]
+    return _passes(module, source, fast) and _passes(module, source, [f"tests/{name}.py" for name in SLOW_TESTS])
+
+
+def _passes(module: str, source: str, tests: list[str]) -> bool:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / f"{module}.py"
         path.write_text(source, encoding="utf-8")
-        tests = [f"tests/test_smoke_{name}.py" for name in TESTS]
         command = [sys.executable, "-c", HARNESS, f"urdfctl.smoke.{module}", str(path), *tests]
         try:
-            done = subprocess.run(command, cwd=ROOT, capture_output=True, timeout=120, check=False)
+            done = subprocess.run(command, cwd=ROOT, capture_output=True, timeout=240, check=False)
         except subprocess.TimeoutExpired:
             return False
     return done.returncode == 0
@@ -100,11 +113,15 @@ def survives(module: str, source: str) -> bool:
 
 def main() -> int:
     """Test all mutants of the modules named in the arguments, or of all modules."""
+    parser = argparse.ArgumentParser(description="Mutation test of the smoke test.")
+    parser.add_argument("modules", nargs="*", default=modules(), help="e.g. checks or engines.bullet; default: all")
+    parser.add_argument("--jobs", type=int, default=1, help="how many mutants are tested at the same time")
+    options = parser.parse_args()
     killed = total = 0
-    for module in sys.argv[1:] or MODULES:
-        source = (ROOT / "urdfctl" / "smoke" / f"{module}.py").read_text(encoding="utf-8")
+    for module in options.modules:
+        source = (SMOKE / f"{module.replace('.', '/')}.py").read_text(encoding="utf-8")
         made = list(mutants(source))
-        with ThreadPoolExecutor(2) as pool:
+        with ThreadPoolExecutor(options.jobs) as pool:
             results = list(pool.map(lambda one, module=module: survives(module, one[1]), made))  # type: ignore[misc]
         for (what, _), alive in zip(made, results, strict=True):
             if alive:
