@@ -9,7 +9,7 @@ import pytest
 from smoking import smoked, target_of, verdicts
 
 from urdfctl.load.target import Target
-from urdfctl.rules.smoke.common import HARDWARE
+from urdfctl.rules.smoke.common import GRIPPER, GRIPPER_CONTROLLER, HARDWARE
 
 FORWARD = "forward_command_controller/ForwardCommandController"
 
@@ -192,12 +192,34 @@ def test_a_comment_silences_a_finding(tmp_path: Path) -> None:
     assert made.linted.outcome.diagnostics == []
 
 
-def test_if_the_distro_is_unknown_it_is_the_newest_that_has_most_types(tmp_path: Path) -> None:
-    yaml = manager(hand="position_controllers/GripperActionController") + section("hand", "joint: elbow")
-    state = '<state_interface name="position"/>'
-    hardware = HARDWARE.replace(state, f'{state}<state_interface name="velocity"/>')
-    made = smoked(target_of(tmp_path, files(yaml, hardware)))
-    assert made.linted.distro == "jazzy"
+MIMIC_COMMANDED = GRIPPER.replace(
+    '<joint name="finger">\n          <command',
+    '<joint name="thumb"><command_interface name="position"/></joint>\n<joint name="finger">\n          <command',
+)
+"""The parser of ros2_control rejects it from jazzy on."""
+
+
+def test_an_unknown_distro_is_never_the_most_permissive_one(tmp_path: Path) -> None:
+    made = smoked(target_of(tmp_path, files(GRIPPER_CONTROLLER, MIMIC_COMMANDED)))
+    [finding] = made.linted.outcome.diagnostics
+    both = "humble, iron: becomes active; jazzy to rolling: cannot be activated: the hardware is rejected"
+    assert (finding.code, finding.message.partition("unknown: ")[2]) == ("UC970", both)
+    assert verdicts(made) == {"states": "warned activate", "gripper": "warned activate"}
+    assert [result.reason for result in made.controllers] == [f"depends on the ROS distro: {both}"] * 2
+    assert made.controllers[0].by_distro["kilted"] == "cannot be activated: the hardware is rejected"
+    assert [note.message for note in finding.notes][-1] == "the same holds for 'gripper'"
+
+
+@pytest.mark.parametrize(("distro", "verdict"), [("iron", "skipped activate"), ("kilted", "failed activate")])
+def test_a_known_distro_decides(tmp_path: Path, distro: str, verdict: str) -> None:
+    made = smoked(target_of(tmp_path, files(GRIPPER_CONTROLLER, MIMIC_COMMANDED)), distro=distro)
+    assert (verdicts(made)["gripper"], made.distro) == (verdict, distro)
+
+
+def test_a_verdict_that_all_possible_distros_share_is_certain(tmp_path: Path) -> None:
+    made = smoked(target_of(tmp_path, files(manager(arm=NOISE) + section("arm", ELBOW))))
+    assert (made.linted.distro, verdicts(made)) == (None, {"arm": "failed load"})
+    assert [finding.code for finding in made.linted.outcome.diagnostics] == ["UC903"]
 
 
 def test_a_robot_without_controllers_has_none(tmp_path: Path) -> None:
@@ -225,9 +247,14 @@ def test_a_controller_before_one_that_is_refused_is_refused_too(tmp_path: Path) 
     assert sound == ["low: skipped activate", "high: skipped activate"]
     broken = verdicts_and_lines(tmp_path, yaml + section("low", given.format("effort")), velocity)
     assert broken[:2] == ["low: failed activate", "high: failed activate"]
-    assert broken[-1] == (
-        "the controller manager says: Unable to activate controller 'high' since the command interface "
-        "'low/elbow/velocity' is not available."
+    given_up = smoked(
+        target_of(tmp_path, files(yaml + section("low", given.format("effort")), velocity)), distro="jazzy"
+    )
+    [finding] = given_up.linted.outcome.diagnostics
+    assert "controller 'low' cannot be activated" in finding.message
+    assert finding.notes[-1].message == "it also stops controller 'high'"
+    assert given_up.controllers[1].reason == (
+        "it needs 'low/elbow/velocity' of controller 'low', which never becomes active"
     )
 
 
@@ -275,3 +302,97 @@ def test_a_file_with_parameters_that_have_no_value_is_not_read(tmp_path: Path) -
     yaml = manager(arm=FORWARD, hand=FORWARD) + "arm:\n  ros__parameters:\n" + section("hand", ELBOW)
     made = smoked(target_of(tmp_path, files(yaml)), distro="jazzy")
     assert verdicts(made) == {"arm": "failed load", "hand": "failed load"}
+
+
+def test_what_rejected_hardware_does_not_offer_is_no_fault_of_its_own(tmp_path: Path) -> None:
+    hardware = TRANSMISSION.replace(
+        "<hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>", ""
+    )
+    yaml = f"arm: {{type: effort_controllers/JointPositionController, joint: elbow, {PID}}}"
+    made = smoked(target_of(tmp_path, files(yaml, hardware)), distro="noetic", simulator="gazebo-classic")
+    assert [finding.code for finding in made.linted.outcome.diagnostics] == ["UC902"]
+    assert (made.controllers[0].reason, made.controllers[0].blocked_by) == ("the hardware is rejected", "hardware")
+
+
+# -- what one fault stops, and nothing else ----------------------------------------------------------------------------
+
+
+def test_a_wrong_section_of_another_node_stops_no_controller(tmp_path: Path) -> None:
+    yaml = manager(arm=FORWARD, hand=FORWARD) + section("arm", ELBOW) + section("hand", ELBOW)
+    made = smoked(target_of(tmp_path, files(yaml + "camera:\n  ros__parameters: []\n")), distro="jazzy")
+    assert verdicts(made) == {"arm": "skipped activate", "hand": "skipped activate"}
+
+
+def test_a_wrong_section_stops_its_controller_alone_and_is_reported_where_it_is(tmp_path: Path) -> None:
+    yaml = manager(arm=FORWARD, hand=FORWARD) + section("arm", ELBOW) + section("hand", "joints: 5, interface_name: x")
+    made = smoked(target_of(tmp_path, files(yaml)), distro="jazzy")
+    assert verdicts(made) == {"arm": "skipped activate", "hand": "failed load"}
+    [finding] = made.linted.outcome.diagnostics
+    assert finding.excerpt[finding.at.column - 1 :].startswith("5, interface_name")
+
+
+def test_a_broken_file_is_one_fault_of_all_its_controllers(tmp_path: Path) -> None:
+    yaml = manager(arm=FORWARD, hand=FORWARD) + "arm:\n  ros__parameters:\n    joints:\n" + section("hand", ELBOW)
+    made = smoked(target_of(tmp_path, files(yaml)), distro="jazzy")
+    [finding] = made.linted.outcome.diagnostics
+    assert [result.blocked_by for result in made.controllers] == ["", "arm"]
+    assert finding.notes[-1].message == "it also stops controller 'hand'"
+    assert not any("manager says" in note.message for note in finding.notes)
+
+
+def test_a_file_of_parameters_that_the_manager_does_not_read_stops_the_controllers_in_it(tmp_path: Path) -> None:
+    parts = {
+        "robot.urdf": HARDWARE,
+        "controllers.yaml": manager(arm=FORWARD, hand=FORWARD) + section("arm", ELBOW),
+        "hand.yaml": "hand:\n  ros__parameters:\n    interface_name: position\n    joints: [elbow, 5]\n",
+    }
+    made = smoked(target_of(tmp_path, parts), distro="jazzy")
+    assert verdicts(made) == {"arm": "skipped activate", "hand": "failed load"}
+
+
+def test_controllers_of_two_namespaces_are_told_apart(tmp_path: Path) -> None:
+    of_both = "".join(
+        f"{side}:\n  controller_manager:\n    ros__parameters:\n      arm: {{type: {FORWARD}}}\n"
+        f"  arm:\n    ros__parameters: {{joints: {joints}, interface_name: position}}\n"
+        for side, joints in (("left", "[elbow]"), ("right", "5"))
+    )
+    made = smoked(target_of(tmp_path, files(of_both)), distro="jazzy")
+    assert verdicts(made) == {"/left/arm": "skipped activate", "/right/arm": "failed load"}
+    [finding] = made.linted.outcome.diagnostics
+    assert finding.excerpt.strip() == "ros__parameters: {joints: 5, interface_name: position}"
+
+
+def test_a_controller_that_is_started_in_the_wrong_namespace_is_reported_where_it_is_started(tmp_path: Path) -> None:
+    launch = """
+        <launch>
+          <param name="robot_description" textfile="$(dirname)/robot.urdf"/>
+          <rosparam file="$(dirname)/controllers.yaml" command="load"/>
+          <node name="spawner" pkg="controller_manager" type="spawner" ns="/bot" args="arm"/>
+        </launch>
+    """
+    yaml = f"robot:\n  arm: {{type: effort_controllers/JointPositionController, joint: elbow, {PID}}}\n"
+    parts = {"robot.urdf": TRANSMISSION, "controllers.yaml": yaml, "robot.launch": launch}
+    made = smoked(target_of(tmp_path, parts), distro="noetic", simulator="gazebo-classic")
+    found = {finding.message: Path(finding.at.file).name for finding in made.linted.outcome.diagnostics}
+    assert found == {
+        "controller '/bot/arm' cannot be loaded: controller 'arm' is spawned in namespace '/bot', but declared in "
+        "'/robot'": "robot.launch"
+    }
+
+
+GRIPPER_PART = """
+    <robot name="gripper">
+      <joint name="mount" type="fixed"><parent link="tool0"/><child link="palm"/></joint><link name="palm"/>
+    </robot>
+"""
+
+
+def test_a_part_that_hangs_on_a_link_of_another_file_is_not_a_robot(tmp_path: Path) -> None:
+    made = smoked(target_of(tmp_path, {"gripper.urdf": GRIPPER_PART}), distro="jazzy")
+    assert (made.part_of, made.linted.outcome.diagnostics) == ("tool0", [])
+
+
+def test_a_robot_with_controllers_and_an_unknown_link_cannot_be_spawned(tmp_path: Path) -> None:
+    parts = {"robot.urdf": GRIPPER_PART, "controllers.yaml": manager(arm=FORWARD) + section("arm", ELBOW)}
+    made = smoked(target_of(tmp_path, parts), distro="jazzy")
+    assert (made.part_of, [finding.code for finding in made.linted.outcome.diagnostics]) == ("", ["UC901"])

@@ -61,6 +61,11 @@ def weakened(together: Outcome, apart: Iterable[Outcome], why: str = _ELIMINATED
     )
 
 
+def is_weakened(diagnostic: Diagnostic) -> bool:
+    """Return whether `weakened` made a diagnostic less severe."""
+    return any(note.message in (GUESSED, _ELIMINATED) for note in diagnostic.notes)
+
+
 def _weakened(diagnostic: Diagnostic, why: str) -> Diagnostic:
     note = Remark(why)
     severity = Severity.WARNING if diagnostic.severity is Severity.ERROR else diagnostic.severity

@@ -24,10 +24,12 @@ class Migration(NamedTuple):
 
     changes: the files to change, create or delete.
     lines: the report.
+    source: the distro to migrate from; None if it is unknown.
     """
 
     changes: tuple[Change, ...]
     lines: tuple[ReportLine, ...]
+    source: str | None
 
 
 def migrate(scratch: Scratch, wishes: Wishes, settings: Settings, lint: Lint, steps: Sequence[Step]) -> Migration:
@@ -53,7 +55,7 @@ def migrate(scratch: Scratch, wishes: Wishes, settings: Settings, lint: Lint, st
         scratch.reset()
         packages.forget()
     lines = attempt.lines(found) if scratch.changes() or barred else ()
-    return Migration(scratch.changes(), tuple(lines))
+    return Migration(scratch.changes(), tuple(lines), packages.source)
 
 
 def _is_wanted(step: Step, packages: Packages) -> bool:

@@ -234,8 +234,7 @@ class _Builder:
         elif written:
             path = if_known(texts.resolve(written))
         reference = self._reference(written, element.at[source], path, "description", sure=scope.sure)
-        at = element.at[source]
-        names = tuple(Word(name, at.word(word)) for word, name in re.findall(r"((\w+):=\S*)", written))
+        names = tuple(Word(argument, element.at[source]) for argument in re.findall(r"(\w+):=", written))
         namespace = if_known(name.rpartition("/")[0])
         description = Description(
             file=reference,

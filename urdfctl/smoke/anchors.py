@@ -14,13 +14,12 @@ from urdfctl.source.suppressions import Suppressed
 Anchors = Mapping[str, Diagnostic]
 
 
-def subjects(project: Project) -> Iterator[tuple[str, Place]]:
-    """Yield each subject that a finding can have (see `Trouble`), with its place."""
+def subjects(project: Project, controllers: Mapping[str, Place]) -> Iterator[tuple[str, Place]]:
+    """Yield each subject that a finding can have (see `Trouble`) with its place, given those of the controllers."""
     robot = project.robot
     yield ROBOT, robot.at if robot else Place(SourceText(project.path, b""), 0, end=0)
-    for controller in project.controllers.controllers if project.controllers else ():
-        if controller.declared_at is not None:
-            yield f"controller:{controller.name}", controller.declared_at
+    for name, at in controllers.items():
+        yield f"controller:{name}", at
     for joint in robot.joints if robot else ():
         if joint.name:
             yield f"joint:{joint.name}", joint.at
@@ -29,33 +28,45 @@ def subjects(project: Project) -> Iterator[tuple[str, Place]]:
             yield f"link:{link.name}", link.at
 
 
-def anchors_of(
-    project: Project, findings: Sequence[Diagnostic], wanted: Iterable[str] | None = None
-) -> dict[str, Diagnostic]:
+def anchors_of(places: Iterable[tuple[str, Place]], wanted: Iterable[str] | None = None) -> dict[str, Diagnostic]:
     """Return a diagnostic for each subject, or for the wanted ones: at the right place, but still without a message."""
     chosen = None if wanted is None else {*wanted, ROBOT}
-    anchors = {}
-    for subject, place in subjects(project):
+    anchors: dict[str, Diagnostic] = {}
+    for subject, place in places:
         if subject not in anchors and (chosen is None or subject in chosen):
             anchors[subject] = diagnosed("", "", Severity.ERROR, Finding(place, ""))
-    for finding in findings:
-        anchors.setdefault(f"lint:{finding.code}", finding)
     return anchors
 
 
-def silenced(project: Project, sources: Sequence[SourceText]) -> dict[str, list[str]]:
-    """Return the codes of smoke rules that comments in the files suppress, by subject."""
+def silenced(
+    places: Iterable[tuple[str, Place]], causes: Mapping[str, Diagnostic], sources: Sequence[SourceText]
+) -> dict[str, list[str]]:
+    """Return the codes of smoke rules that comments in the files suppress, by subject.
+
+    places: of the subjects that have one.
+    causes: errors of lint, by the subjects of the findings that they cause.
+    """
     suppressed = Suppressed(list(sources))
     if not suppressed.all:
         return {}
     from urdfctl.rules.smoke.family import RULES
 
+    by_path = {source.path: source for source in sources}
+    everywhere = [
+        *places,
+        *((name, place) for name, error in causes.items() if (place := _place_of(error, by_path)) is not None),
+    ]
     codes_by_subject = {}
-    for subject, place in subjects(project):
+    for subject, place in everywhere:
         codes = [rule.code for rule in RULES if suppressed.covers(rule.code, place)]
         if codes:
             codes_by_subject[subject] = codes
     return codes_by_subject
+
+
+def _place_of(error: Diagnostic, sources: Mapping[str, SourceText]) -> Place | None:
+    source = sources.get(error.at.file)
+    return Place(source, error.at.start, end=error.at.end) if source else None
 
 
 def diagnostics_of(

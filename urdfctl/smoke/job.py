@@ -76,7 +76,13 @@ class PreparedRobot(NamedTuple):
         """Return the robot that plain data holds."""
         results = tuple(ControllerResult.from_json(result) for result in data["controllers"])
         return cls(
-            Smoked(result_from_json(data["linted"]), results, picture=tuple(map(tuple, data["picture"]))),
+            Smoked(
+                result_from_json(data["linted"]),
+                results,
+                data["distro"],
+                picture=tuple(map(tuple, data["picture"])),
+                part_of=data["part_of"],
+            ),
             Plan.from_json(data["plan"]) if data["plan"] else None,
             {subject: diagnostic_from_json(anchor) for subject, anchor in data["anchors"].items()},
             tuple(Trouble.from_json(fields) for fields in data["troubles"]),
@@ -88,7 +94,9 @@ class PreparedRobot(NamedTuple):
         return {
             "linted": result_to_json(self.smoked.linted),
             "controllers": [result.to_json() for result in self.smoked.controllers],
+            "distro": self.smoked.distro,
             "picture": self.smoked.picture,
+            "part_of": self.smoked.part_of,
             "plan": self.plan.to_json() if self.plan else None,
             "anchors": {subject: diagnostic_to_json(anchor) for subject, anchor in self.anchors.items()},
             "troubles": self.troubles,

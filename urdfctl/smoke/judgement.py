@@ -12,8 +12,11 @@ from urdfctl.model.stage import Stage
 from urdfctl.rules import rule_of
 from urdfctl.rules.reading.rule_crashed import rule_crashed
 from urdfctl.rules.smoke.robot_not_spawned import robot_not_spawned
-from urdfctl.smoke.anchors import anchors_of, diagnostics_of, silenced
-from urdfctl.smoke.manager import Cycle, life_cycle
+from urdfctl.rules.smoke.verdict_depends_on_distro import verdict_depends_on_distro
+from urdfctl.smoke.anchors import anchors_of, diagnostics_of, silenced, subjects
+from urdfctl.smoke.blame import place_of
+from urdfctl.smoke.candidates import cycle_of, result_of
+from urdfctl.smoke.manager import Cycle
 from urdfctl.smoke.mechanism import Mechanism, mechanism_of
 from urdfctl.smoke.plain import with_plain_drives
 from urdfctl.smoke.reading import tasks_of
@@ -22,6 +25,7 @@ from urdfctl.smoke.shapes import shapes_of, with_rims
 from urdfctl.smoke.stability import loop_troubles
 from urdfctl.smoke.statics import static_troubles
 from urdfctl.smoke.tasks import Task
+from urdfctl.source.span import Place
 from urdfctl.startup.records import NamedTuple
 
 RATES = {1: 1000.0, 2: 100.0}
@@ -33,7 +37,8 @@ class Judgement(NamedTuple):
     """A robot with what its controllers should move, and what is wrong so far.
 
     `mechanism` is None if the robot cannot be simulated. `rate` is the update rate of the controllers, in Hz. `only`
-    holds the names of the controllers that were asked for, none for all.
+    holds the names of the controllers that were asked for, none for all. `part_of` is the link of another file that
+    the description hangs on: it is not a robot then.
     """
 
     seen: LintedTarget
@@ -43,24 +48,32 @@ class Judgement(NamedTuple):
     rate: float
     troubles: tuple[Trouble, ...]
     only: tuple[str, ...] = ()
+    part_of: str = ""
 
     def wants(self, name: str | None) -> bool:
         """Return whether a controller was asked for. Findings of no controller are always reported."""
-        return name is None or not self.only or name in self.only
+        return name is None or not self.only or not {name, name.rpartition("/")[2]}.isdisjoint(self.only)
 
     @property
     def results(self) -> tuple[ControllerResult, ...]:
         """The results of the controllers, as far as they are known."""
-        results = (way.result for way in self.cycle.ways if self.wants(way.configured.name))
+        results = (result_of(way) for way in self.cycle.ways if self.wants(way.name))
         return tuple(changed(result, self.troubles) for result in results)
 
+    @property
+    def _places(self) -> list[tuple[str, Place]]:
+        """The place of everything that a finding can be about."""
+        project = self.seen.project
+        places = {way.name: place_of(way.configured.controller, project) for way in self.cycle.ways}
+        return list(subjects(project, {name: place for name, place in places.items() if place is not None}))
+
     def anchors(self) -> dict[str, Diagnostic]:
-        """Return the place of everything that a finding can be about."""
-        return anchors_of(self.seen.project, self.seen.result.outcome.diagnostics)
+        """Return the place of everything that a finding of an engine can be about."""
+        return anchors_of(self._places)
 
     def silenced(self) -> dict[str, list[str]]:
         """Return the codes that comments suppress, by subject."""
-        return silenced(self.seen.project, list(self.seen.sources.values()))
+        return silenced(self._places, self.cycle.causes, list(self.seen.sources.values()))
 
     @property
     def smoked(self) -> Smoked:
@@ -68,11 +81,11 @@ class Judgement(NamedTuple):
         linted = self.seen.result
         of_lint = linted.outcome.diagnostics
         troubles = [trouble for trouble in self.troubles if self.wants(trouble.controller)]
-        anchors = anchors_of(self.seen.project, of_lint, {trouble.subject for trouble in troubles})
+        anchors = {**self.cycle.causes, **anchors_of(self._places, {trouble.subject for trouble in troubles})}
         diagnostics = list(diagnostics_of(troubles, anchors, self.silenced()))
         crashes = [finding for finding in of_lint if finding.code == rule_crashed.code]
         outcome = Outcome([*crashes, *diagnostics], [], linted.outcome.crashed)
-        return Smoked(linted._replace(outcome=outcome, distro=self.cycle.distro), self.results)
+        return Smoked(linted._replace(outcome=outcome), self.results, self.cycle.distro, part_of=self.part_of)
 
 
 def judged(
@@ -83,24 +96,53 @@ def judged(
     `find_mesh` returns the path of a mesh, or None; without it the meshes are unknown.
     """
     project = seen.project
-    cycle = life_cycle(project, seen.result.outcome.diagnostics)
+    cycle = cycle_of(seen)
     rate = _rate(project, cycle.ros)
     robot = project.robot if cycle.spawned and project.complete and not project.library else None
     mechanism = mechanism_of(robot) if robot else None
-    tasks = tasks_of([way.configured for way in cycle.ways if not way.refusal])
-    troubles = list(cycle.troubles)
-    if robot and robot.links and mechanism is None:
+    tasks = _tasks(cycle)
+    elsewhere = None if cycle.ways else _link_elsewhere(project)
+    troubles = [] if elsewhere else list(cycle.troubles)
+    if cycle.spawned and robot and robot.links and mechanism is None:
         why = "its links must form one tree, in which each link but the root is the child of exactly one joint"
         troubles.append(trouble_of(robot_not_spawned, ROBOT, why=why))
     if robot and mechanism is not None:
-        shapes = shapes_of(robot, find_mesh)
+        commanded = any(task.joints for task in tasks)
+        shapes = shapes_of(robot, find_mesh if commanded else None)
         mechanism = with_rims(mechanism, shapes)
         tasks = with_plain_drives(mechanism, shapes, tasks)
         troubles += static_troubles(mechanism, tasks, robot, shapes)
         troubles += loop_troubles(mechanism, tasks, rate)
     return Judgement(
-        seen=seen, cycle=cycle, mechanism=mechanism, tasks=tasks, rate=rate, troubles=tuple(troubles), only=tuple(only)
+        seen=seen,
+        cycle=cycle,
+        mechanism=mechanism,
+        tasks=tasks,
+        rate=rate,
+        troubles=tuple(troubles),
+        only=tuple(only),
+        part_of=elsewhere or "",
     )
+
+
+def _link_elsewhere(project: Project) -> str | None:
+    """The link that a description without controllers hangs on, if that is in another file: it is not a robot."""
+    robot = project.robot
+    links = {link.name for link in robot.links} if robot else set()
+    missing = {joint.parent.name for joint in robot.joints if joint.parent} - links if robot else set()
+    children = {joint.child.name for joint in robot.joints if joint.child} if robot else set()
+    return missing.pop() if len(missing) == 1 and links == children else None
+
+
+def _tasks(cycle: Cycle) -> tuple[Task, ...]:
+    """What the active controllers should move, under the names that reports use; each namespace has its manager."""
+    active = [way for way in cycle.ways if not way.refusal]
+    made: dict[str, Task] = {}
+    for namespace in dict.fromkeys(way.configured.controller.namespace for way in active):
+        together = [way for way in active if way.configured.controller.namespace == namespace]
+        for way, task in zip(together, tasks_of([way.configured for way in together]), strict=True):
+            made[way.name] = task._replace(controller=way.name)
+    return tuple(made[way.name] for way in active)
 
 
 def _rate(project: Project, ros: int) -> float:
@@ -113,7 +155,11 @@ def _rate(project: Project, ros: int) -> float:
 def changed(result: ControllerResult, troubles: Iterable[Trouble]) -> ControllerResult:
     """Return a result with the findings about its controller: an error makes it fail at the stage of the error's rule,
     a warning makes it a warning."""
-    own = [(trouble, rule_of(trouble.code)) for trouble in troubles if trouble.controller == result.name]
+    own = [
+        (trouble, rule_of(trouble.code))
+        for trouble in troubles
+        if trouble.controller == result.name and trouble.code != verdict_depends_on_distro.code
+    ]
     if result.verdict is Verdict.FAILED or not own:
         return result
     for trouble, rule in own:

@@ -6,40 +6,38 @@ order in which controllers are started. Errors of lint cover what is wrong in th
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.catalog.distros import generation, since
 from urdfctl.control.chains import chained_claims
 from urdfctl.control.hardware import Absence
-from urdfctl.control.life import Reason, Stop, lives
+from urdfctl.control.life import Life, Reason, Stop, lives
 from urdfctl.control.session import Configured, Session, session_of
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.model.project import Project
-from urdfctl.model.stage import CONTROLLER_STAGES, Stage, StageDependsOn
+from urdfctl.model.stage import CONTROLLER_STAGES, Stage
+from urdfctl.names import enumerated
 from urdfctl.rule import Rule
 from urdfctl.rules.controllers.collection_empty import collection_empty
 from urdfctl.rules.controllers.controller_type_missing import controller_type_missing
 from urdfctl.rules.controllers.controller_type_not_in_distro import controller_type_not_in_distro
 from urdfctl.rules.controllers.controller_type_of_other_ros import controller_type_of_other_ros
 from urdfctl.rules.controllers.controller_type_unknown import controller_type_unknown
-from urdfctl.rules.smoke.family import RULES
+from urdfctl.rules.smoke.controller_not_activated import controller_not_activated
+from urdfctl.rules.smoke.controller_not_configured import controller_not_configured
+from urdfctl.rules.smoke.controller_not_loaded import controller_not_loaded
 from urdfctl.rules.smoke.hardware_not_started import hardware_not_started
 from urdfctl.rules.smoke.robot_not_spawned import robot_not_spawned
-from urdfctl.smoke.results import ControllerResult, Trouble, Verdict, trouble_of
-from urdfctl.smoke.stages import (
-    concerns,
-    found_by_manager,
-    stage_stopped,
-    stops_controller,
-    stops_hardware,
-    stops_parameters,
-    stops_robot,
-)
+from urdfctl.smoke.blame import concerned, is_common, labels_of, stopped, stops_whole_file
+from urdfctl.smoke.results import ROBOT, ControllerResult, Trouble, Verdict, trouble_of
+from urdfctl.smoke.stages import found_by_manager, stage_stopped, stops_controller, stops_hardware, stops_robot
 from urdfctl.smoke.words import line_of_stage, line_of_stop, reason_of
 from urdfctl.startup.records import NamedTuple
 
-_RULE_OF_STAGE: dict[Stage | StageDependsOn | None, Rule] = {
-    rule.stage: rule for rule in RULES if rule.stage is not Stage.MOVE
+_RULE_OF_STAGE = {
+    Stage.LOAD: controller_not_loaded,
+    Stage.CONFIGURE: controller_not_configured,
+    Stage.ACTIVATE: controller_not_activated,
 }
 """The rule that reports a stage that is not passed, before anything moves."""
 _TYPE_DOES_NOT_EXIST = frozenset(
@@ -54,48 +52,62 @@ _TYPE_DOES_NOT_EXIST = frozenset(
 """Lint's rules on types that certainly do not exist. Other unknown types may come from packages outside the catalog."""
 
 
-NO_ROBOT, NO_HARDWARE = BLOCKED = ("the robot description is rejected", "the hardware is rejected")
+NO_ROBOT, NO_HARDWARE = "the robot description is rejected", "the hardware is rejected"
 """Why no controller becomes active if a fault is not their own."""
 
 
 class Refusal(NamedTuple):
     """The stage at which a controller is stopped, why, and the line that the manager prints.
 
-    `reported_as` is the code under which lint reports it, or empty. `ends_manager`: the manager's process ends too.
+    `cause` is the finding of lint that reports it, if one does. `ends_manager`: the manager's process ends too.
+    `blocked_by` names what the fault is in if it is not this controller: another controller, the robot, the hardware.
     """
 
     stage: Stage
     why: str
-    line: str
-    reported_as: str = ""
+    line: str = ""
+    cause: Diagnostic | None = None
     ends_manager: bool = False
+    blocked_by: str = ""
 
 
 class Way(NamedTuple):
-    """A controller and what stops it, None if it becomes active."""
+    """A controller, its name in reports, and what stops it: None if it becomes active.
+
+    `by_distro` holds what happens to it in each possible distro, if they differ.
+    """
 
     configured: Configured
+    name: str
     refusal: Refusal | None
+    by_distro: Mapping[str, str] = {}
 
     @property
     def result(self) -> ControllerResult:
         """The result as long as nothing is simulated."""
         declared = self.configured.controller.type
         type_name = declared.text if declared else None
-        name = self.configured.name
         if self.refusal:
-            return ControllerResult(name, type_name, Verdict.FAILED, self.refusal.stage, self.refusal.why)
-        reason = "not simulated: no physics engine was used"
-        return ControllerResult(name, type_name, Verdict.SKIPPED, Stage.ACTIVATE, reason)
+            stage, why, blocked_by = self.refusal.stage, self.refusal.why, self.refusal.blocked_by
+            return ControllerResult(self.name, type_name, Verdict.FAILED, stage, why, blocked_by=blocked_by)
+        return ControllerResult(self.name, type_name, Verdict.SKIPPED, Stage.ACTIVATE, NOT_MOVED)
+
+
+NOT_MOVED = "not simulated: no physics engine was used"
 
 
 class Cycle(NamedTuple):
-    """The lives of a robot's controllers under one distro's manager. `spawned` is False if the robot is rejected."""
+    """The lives of a robot's controllers under one distro's manager.
+
+    `causes` holds the findings of lint at whose places the troubles are, by their subjects. `rejected` is why the robot
+    or its hardware is rejected, or empty; `spawned` is False if it is the robot.
+    """
 
     distro: str
-    session: Session
     ways: tuple[Way, ...]
     troubles: tuple[Trouble, ...]
+    causes: Mapping[str, Diagnostic]
+    rejected: str = ""
     spawned: bool = True
 
     @property
@@ -104,26 +116,36 @@ class Cycle(NamedTuple):
         return generation(self.distro)
 
 
-def life_cycle(project: Project, findings: Sequence[Diagnostic]) -> Cycle:
-    """Return the lives of all controllers of a project, given lint's findings."""
+def life_cycle(project: Project, distro: str, findings: Sequence[Diagnostic]) -> Cycle:
+    """Return the lives of all controllers of a project in one distro, given lint's findings for that distro."""
     errors = [finding for finding in findings if finding.severity is Severity.ERROR]
-    session = _best_session(project, errors)
+    session = session_of(project, distro)
     of_robot = [error for error in errors if stops_robot(error)]
-    of_hardware = [error for error in errors if stops_hardware(error) or _stops_node_of_hardware(session, error)]
+    of_hardware = [e for e in errors if stops_hardware(e) or _stops_node_of_hardware(project, session, e)]
     troubles: list[Trouble] = []
     blocked: Refusal | None = None
     if of_robot:
-        blocked = Refusal(Stage.LOAD, NO_ROBOT, "")
+        blocked = Refusal(Stage.LOAD, NO_ROBOT, blocked_by=ROBOT)
         troubles.append(_trouble_of_errors(robot_not_spawned, of_robot))
     elif of_hardware:
-        blocked = Refusal(Stage.ACTIVATE, NO_HARDWARE, "")
+        blocked = Refusal(Stage.ACTIVATE, NO_HARDWARE, blocked_by="hardware")
         troubles.append(_trouble_of_errors(hardware_not_started, of_hardware))
-    ways = _cascaded(session, _ended_together(tuple(_ways(session, errors, blocked))))
-    troubles += [_trouble(way.configured, way.refusal) for way in ways if way.refusal and way.refusal is not blocked]
-    return Cycle(session.distro, session, ways, tuple(troubles), blocked is None)
+    ways = tuple(_Manager(project, session, findings).ways(blocked))
+    ways = _with_one_owner(_cascaded(session, _ended_together(ways)))
+    troubles += [_trouble(way, ways) for way in ways if way.refusal and not way.refusal.blocked_by]
+    causes = {subject_of(finding): finding for finding in findings}
+    rejected = (of_robot or of_hardware)[0].message if blocked else ""
+    return Cycle(
+        distro=distro, ways=ways, troubles=tuple(troubles), causes=causes, rejected=rejected, spawned=not of_robot
+    )
 
 
-def _stops_node_of_hardware(session: Session, error: Diagnostic) -> bool:
+def subject_of(error: Diagnostic) -> str:
+    """Return the subject of a finding that is at the place of a finding of lint."""
+    return f"lint:{error.code}:{error.at.start}:{error.at.file}"
+
+
+def _stops_node_of_hardware(project: Project, session: Session, error: Diagnostic) -> bool:
     """Whether an error in a controller's section stops the hardware of the same name, whose node reads the section too.
 
     From jazzy on each component has a node, with its name in lower case (hardware_component_interface.cpp).
@@ -132,51 +154,76 @@ def _stops_node_of_hardware(session: Session, error: Diagnostic) -> bool:
         return False
     offers = (offer for each in (session.hardware.command, session.hardware.state) for offer in each.values())
     nodes = {one.by.lower().replace("/", "_") for offered in offers for one in offered if one.by}
-    return any(each.name in nodes and concerns(error, each.controller) for each in session.controllers)
+    return any(each.name in nodes for each in concerned(error, project, session.controllers))
 
 
-def _best_session(project: Project, errors: Sequence[Diagnostic]) -> Session:
-    """The session in the project's distro. If several are possible: the newest of those in which the fewest controllers
-    are rejected or unknown."""
-    distros = (project.distro,) if project.distro else tuple(reversed(project.distros))
-    best, fewest = None, 0
-    for distro in distros:
-        session = session_of(project, distro)
-        ways = _ways(session, errors, None) if len(distros) > 1 else ()
-        refused = sum(way.refusal is not None or way.configured.type is None for way in ways)
-        if best is None or refused < fewest:
-            best, fewest = session, refused
-        if not fewest:
-            break
-    assert best is not None  # noqa: S101 (a project has at least one distro)
-    return best
+class _Manager:
+    """The controllers of one session with the errors of lint, each by the controllers that it stops."""
 
-
-def _ways(session: Session, errors: Sequence[Diagnostic], blocked: Refusal | None) -> Iterator[Way]:
-    """First the controllers that are started, in their order; then each of the others, as if it were alone."""
-    ros = generation(session.distro)
-    started = session.started or ()
-    ids_started = {id(configured) for configured in started}
-    others = tuple(configured for configured in session.controllers if id(configured) not in ids_started)
-    alone = session._replace(started=None, controllers=others)
-    of_life: dict[int, list[Refusal]] = {}
-    for life in (*(lives(session) if started else ()), *lives(alone)):
-        about = [error for error in errors if concerns(error, life.controller.controller)]
-        type_is_wrong = any(error.code in _TYPE_DOES_NOT_EXIST for error in about)
-        stops = [stop for stop in life.stops if _is_certain(stop, type_is_wrong=type_is_wrong)]
-        codes = {error.code for error in about if found_by_manager(error)}
-        code = codes.pop() if len(codes) == len(stops) == 1 else ""
-        of_life[id(life.controller)] = [
-            Refusal(stop.stage, reason_of(stop), line_of_stop(life.controller, stop, ros), code, stop.ends_manager)
-            for stop in stops
+    def __init__(self, project: Project, session: Session, findings: Sequence[Diagnostic]) -> None:
+        self._project, self._session = project, session
+        errors = [finding for finding in findings if finding.severity is Severity.ERROR]
+        self._ros, self._everyone = generation(session.distro), session.controllers
+        self._labels = labels_of(session)
+        self._about = [(finding, concerned(finding, project, self._everyone)) for finding in findings]
+        self._of_files = [
+            (error, stopped(error, project, self._everyone, self._ros)) for error in errors if stops_controller(error)
         ]
-    everyone = (*started, *alone.controllers)
-    of_files = [error for error in errors if stops_controller(error)]
-    of_all = [error for error in of_files if not any(concerns(error, c.controller) for c in everyone)]
-    for configured in everyone:
-        refusals = [*_of_files(configured, of_files, of_all, ros), *of_life[id(configured)]]
-        first = min(refusals, key=lambda refusal: CONTROLLER_STAGES.index(refusal.stage), default=None)
-        yield Way(configured, _with_line(first, of_life[id(configured)]) if first else blocked)
+
+    def ways(self, blocked: Refusal | None) -> Iterator[Way]:
+        """First the controllers that are started, in their order; then each of the others, as if it were alone."""
+        session = self._session
+        started = session.started or ()
+        ids_started = {id(configured) for configured in started}
+        others = tuple(configured for configured in session.controllers if id(configured) not in ids_started)
+        alone = session._replace(started=None, controllers=others)
+        for life in (*(lives(session) if started else ()), *lives(alone)):
+            of_life = self._of_life(life)
+            refusals = [*self._refused_by_files(life.controller), *of_life]
+            first = min(refusals, key=lambda refusal: CONTROLLER_STAGES.index(refusal.stage), default=None)
+            if first is None or (blocked and not first.cause):
+                refusal = blocked._replace(stage=first.stage if first else blocked.stage) if blocked else None
+            else:
+                refusal = _with_line(first, of_life)
+            yield Way(life.controller, self._labels[id(life.controller)], refusal)
+
+    def _of_life(self, life: Life) -> list[Refusal]:
+        """The refusals that the manager works out by itself, with the error of lint that reports each."""
+        about = [finding for finding, those in self._about if any(each is life.controller for each in those)]
+        errors = {finding.code for finding in about if finding.severity is Severity.ERROR}
+        type_is_wrong = not errors.isdisjoint(_TYPE_DOES_NOT_EXIST)
+        stops = [stop for stop in life.stops if _is_certain(stop, type_is_wrong=type_is_wrong)]
+        return [self._refusal(life.controller, stop, about, alone=len(stops) == 1) for stop in stops]
+
+    def _refusal(self, configured: Configured, stop: Stop, about: Sequence[Diagnostic], *, alone: bool) -> Refusal:
+        cause = _cause_of(stop, about, alone=alone)
+        why = reason_of(stop)
+        if configured.controller.declared_at is None:
+            why = cause.message if cause else "no file declares it"
+        return Refusal(stop.stage, why, line_of_stop(configured, stop, self._ros), cause, stop.ends_manager)
+
+    def _refused_by_files(self, configured: Configured) -> Iterator[Refusal]:
+        """The refusals for lint's errors about a controller, its file or its manager."""
+        for error, those in self._of_files:
+            if not any(each is configured for each in those):
+                continue
+            if is_common(error, self._project, self._everyone):
+                yield Refusal(Stage.LOAD, error.message, "", error)
+            else:
+                stage = stage_stopped(error, configured, self._ros)
+                yield Refusal(stage, error.message, line_of_stage(configured, stage, self._ros), error)
+
+
+def _cause_of(stop: Stop, about: Sequence[Diagnostic], *, alone: bool) -> Diagnostic | None:
+    """The finding of lint that reports a stop: the only error of the manager's, or one that names the interface."""
+    errors = [finding for finding in about if finding.severity is Severity.ERROR]
+    if stop.reason in (Reason.TYPE_UNKNOWN, Reason.TYPE_MISSING):
+        return next((error for error in errors if error.code in _TYPE_DOES_NOT_EXIST), errors[0] if errors else None)
+    of_manager = [error for error in errors if found_by_manager(error)]
+    if alone and len({error.code for error in of_manager}) == 1:
+        return of_manager[0]
+    names = (stop.claim.name, stop.claim.component) if stop.claim else ()
+    return next((finding for name in names for finding in about if f"'{name}'" in finding.message), None)
 
 
 def _ended_together(ways: tuple[Way, ...]) -> tuple[Way, ...]:
@@ -184,30 +231,42 @@ def _ended_together(ways: tuple[Way, ...]) -> tuple[Way, ...]:
     fatal = next((way for way in ways if way.refusal and way.refusal.ends_manager), None)
     if fatal is None:
         return ways
-    why = f"controller '{fatal.configured.name}' ends the process of the controller manager"
-    ended = Refusal(Stage.ACTIVATE, why, "")
+    why = f"controller '{fatal.name}' ends the process of the controller manager"
+    ended = Refusal(Stage.ACTIVATE, why, blocked_by=fatal.name)
     return tuple(way if way.refusal else way._replace(refusal=ended) for way in ways)
 
 
 def _cascaded(session: Session, ways: tuple[Way, ...]) -> tuple[Way, ...]:
     """The ways, in which controllers that need an interface of a controller that never becomes active stop too."""
     while True:
-        refused = {id(way.configured) for way in ways if way.refusal}
+        refused = {id(way.configured): way for way in ways if way.refusal}
         changed = tuple(way if way.refusal else way._replace(refusal=_starved(session, way, refused)) for way in ways)
         if changed == ways:
             return ways
         ways = changed
 
 
-def _starved(session: Session, way: Way, refused: Collection[int]) -> Refusal | None:
+def _starved(session: Session, way: Way, refused: Mapping[int, Way]) -> Refusal | None:
     for chained in chained_claims(session, way.configured):
-        if id(chained.following) in refused:
-            stop = Stop(Stage.ACTIVATE, Reason.NOT_OFFERED, chained.claim, chained.kind)
-            why = (
-                f"it needs '{chained.claim.name}' of controller '{chained.following.name}', which never becomes active"
-            )
-            return Refusal(Stage.ACTIVATE, why, line_of_stop(way.configured, stop, 2))
+        following = refused.get(id(chained.following))
+        if following is not None and following.refusal is not None:
+            why = f"it needs '{chained.claim.name}' of controller '{following.name}', which never becomes active"
+            return Refusal(Stage.ACTIVATE, why, blocked_by=following.refusal.blocked_by or following.name)
     return None
+
+
+def _with_one_owner(ways: tuple[Way, ...]) -> tuple[Way, ...]:
+    """The ways, in which an error that stops several controllers is reported for the first of them."""
+    owners: dict[str, str] = {}
+    owned = []
+    for way in ways:
+        refusal = way.refusal
+        if refusal and refusal.cause and not refusal.blocked_by:
+            owner = owners.setdefault(subject_of(refusal.cause), way.name)
+            if owner != way.name:
+                way = way._replace(refusal=refusal._replace(blocked_by=owner))  # noqa: PLW2901 (one way of it)
+        owned.append(way)
+    return tuple(owned)
 
 
 def _is_certain(stop: Stop, *, type_is_wrong: bool) -> bool:
@@ -217,28 +276,22 @@ def _is_certain(stop: Stop, *, type_is_wrong: bool) -> bool:
 
 def _with_line(first: Refusal, of_life: Sequence[Refusal]) -> Refusal:
     """A refusal with the most specific line that the manager prints, or none if the file is rejected before."""
-    if first.reported_as and stops_parameters(first.reported_as):
-        return first._replace(line="")
+    if first.cause and stops_whole_file(first.cause.code):
+        return first
     return first._replace(line=next((refusal.line for refusal in of_life if refusal.stage is first.stage), first.line))
 
 
-def _of_files(
-    configured: Configured, errors: Sequence[Diagnostic], of_all: Sequence[Diagnostic], ros: int
-) -> Iterator[Refusal]:
-    """Lint's errors about a controller, and those about its file or the manager, which stop all controllers."""
-    for error in errors:
-        common = stops_parameters(error.code) or error in of_all
-        if common or concerns(error, configured.controller):
-            stage = Stage.LOAD if common else stage_stopped(error, configured, ros)
-            yield Refusal(stage, error.message, line_of_stage(configured, stage, ros), error.code)
-
-
-def _trouble(configured: Configured, refusal: Refusal) -> Trouble:
-    name = configured.name
+def _trouble(way: Way, ways: Sequence[Way]) -> Trouble:
+    refusal, name = way.refusal, way.name
+    assert refusal is not None  # noqa: S101 (only refused controllers have one)
     notes = [f"the controller manager says: {refusal.line}"] if refusal.line else []
-    if refusal.reported_as:
-        notes.append(f"urdfctl lint reports it as {refusal.reported_as}")
-    return trouble_of(_RULE_OF_STAGE[refusal.stage], f"controller:{name}", name, tuple(notes), why=refusal.why)
+    if refusal.cause:
+        notes.append(f"urdfctl lint reports it as {refusal.cause.code}")
+    others = [f"'{other.name}'" for other in ways if other.refusal and other.refusal.blocked_by == name]
+    if others:
+        notes.append(f"it also stops controller{'s' if len(others) > 1 else ''} {enumerated(others, 'and')}")
+    subject = subject_of(refusal.cause) if refusal.cause else f"controller:{name}"
+    return trouble_of(_RULE_OF_STAGE[refusal.stage], subject, name, tuple(notes), why=refusal.why)
 
 
 def _trouble_of_errors(rule: Rule, errors: Sequence[Diagnostic]) -> Trouble:
@@ -246,4 +299,4 @@ def _trouble_of_errors(rule: Rule, errors: Sequence[Diagnostic]) -> Trouble:
     notes = [f"urdfctl lint reports it as {first.code}"]
     if others:
         notes.append(f"lint reports {others} more error{'s' if others > 1 else ''} of this kind")
-    return trouble_of(rule, f"lint:{first.code}", notes=tuple(notes), why=first.message)
+    return trouble_of(rule, subject_of(first), notes=tuple(notes), why=first.message)

@@ -8,8 +8,8 @@ from html import escape
 
 from urdfctl import __version__
 from urdfctl.diagnostic import Diagnostic
-from urdfctl.report.common import as_text, relative, shown, visible
-from urdfctl.smoke.reports import SmokeReport, how, steps, summary
+from urdfctl.report.common import as_text, relative, visible
+from urdfctl.smoke.reports import SmokeReport, heading, how, steps, summary
 from urdfctl.smoke.results import ControllerResult, Curve, Smoked, Verdict
 
 _ORDER = (Verdict.FAILED, Verdict.WARNED, Verdict.SKIPPED, Verdict.PASSED)
@@ -64,7 +64,7 @@ def _rank(result: ControllerResult) -> int:
 
 def _robot(robot: Smoked) -> Iterator[str]:
     yield '<section><div class="top"><div>'
-    yield f'<h2>{_text(shown(robot.linted.path))}</h2><p class="dim">{_text(how(robot))}</p>'
+    yield f'<h2>{_text(heading(robot))}</h2><p class="dim">{_text(how(robot))}</p>'
     counts = [(verdict.value, robot.count(verdict)) for verdict in _ORDER]
     verdicts = [f'<span class="{verdict}">{count} {verdict}</span>' for verdict, count in counts if count]
     yield f'<p class="verdict">{", ".join(verdicts) or "no controllers"}</p></div>'

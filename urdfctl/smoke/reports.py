@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 
+from urdfctl.catalog.distros import in_words
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.model.stage import CONTROLLER_STAGES, Stage
 from urdfctl.report import render
 from urdfctl.report.common import Report, as_json, shown, visible
 from urdfctl.report.json_report import document
 from urdfctl.report.text import Piece, pieces
-from urdfctl.smoke.manager import BLOCKED
 from urdfctl.smoke.results import ControllerResult, Smoked, Verdict
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
@@ -61,9 +61,10 @@ def text_pieces(report: SmokeReport) -> Iterator[Piece]:
 
 def robot_pieces(robot: Smoked) -> Iterator[Piece]:
     """Yield a line for a robot, and one for each of its controllers with the stages that it passed."""
-    yield Piece(visible(f"{shown(robot.linted.path)} ({how(robot)})") + "\n", "bold")
+    yield Piece(visible(f"{heading(robot)} ({how(robot)})") + "\n", "bold")
     if not robot.controllers:
-        yield Piece("  no controllers are declared for this robot\n")
+        part = f"not a robot: it hangs on link '{robot.part_of}', which is in another file"
+        yield Piece(f"  {visible(part) if robot.part_of else 'no controllers are declared for this robot'}\n")
     width = max((len(controller.name) for controller in robot.controllers), default=0)
     for controller in robot.controllers:
         yield Piece(f"  {visible(controller.name).ljust(width)}  ")
@@ -80,11 +81,29 @@ def account(result: ControllerResult) -> str:
     return "; ".join(part for part in (done, rest) if part)
 
 
+def heading(robot: Smoked) -> str:
+    """Return the robot of a test, after the launch file that starts it."""
+    path, launch = shown(robot.linted.path), robot.linted.launch
+    return f"{shown(launch)}: {path}" if launch and shown(launch) != path else path
+
+
 def how(robot: Smoked) -> str:
-    """Return the distro, the controller files and the engine of a test."""
-    parts = [robot.linted.distro or "", *(shown(path) for path in robot.linted.controllers)]
+    """Return the distro and what it is known from, the controller files and the engine of a test."""
+    parts = [_distro(robot), *(shown(path) for path in robot.linted.controllers)]
     parts.append(f"{robot.engine}, {robot.seconds:.1f} s" if robot.engine else "not simulated")
     return ", ".join(part for part in parts if part)
+
+
+def _distro(robot: Smoked) -> str:
+    """The distro whose manager was modelled, with the evidence for it; or those that are possible."""
+    linted = robot.linted
+    if linted.distro:
+        named = not linted.distro_from or linted.distro_from.startswith("--")
+        return linted.distro if named else f"{linted.distro} from {linted.distro_from}"
+    if not robot.controllers or not robot.distro:
+        return ""
+    moved = f", moved as in {robot.distro}" if robot.engine else ""
+    return f"ROS distro unknown ({in_words(linted.distros)}){moved}"
 
 
 def steps(result: ControllerResult, ros: int | None) -> str:
@@ -168,7 +187,7 @@ class _Case(NamedTuple):
 def _cases(robot: Smoked) -> list[_Case]:
     made = []
     for result in robot.controllers:
-        if result.verdict is Verdict.SKIPPED or (result.verdict is Verdict.FAILED and result.reason in BLOCKED):
+        if result.verdict is Verdict.SKIPPED or result.blocked_by:
             made.append(_Case(result.name, "skipped", result.reason))
         elif result.verdict is Verdict.FAILED:
             message = f"{result.stage.value}: {result.reason}"

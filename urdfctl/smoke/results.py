@@ -27,7 +27,9 @@ class ControllerResult(NamedTuple):
     """The result of one controller.
 
     `stage` is the one at which it failed, or else the last one that it passed. `tested` holds what it was seen to do in
-    an engine; `untested` what was not modelled, by name, with the reason.
+    an engine; `untested` what was not modelled, by name, with the reason. `blocked_by` names what the fault is in if it
+    is not this controller. `by_distro` holds the verdict in each possible distro if they differ. `seconds` is the
+    processor time of its motions.
     """
 
     name: str
@@ -37,6 +39,9 @@ class ControllerResult(NamedTuple):
     reason: str = ""
     tested: tuple[str, ...] = ()
     untested: Mapping[str, str] = {}
+    blocked_by: str = ""
+    by_distro: Mapping[str, str] = {}
+    seconds: float = 0.0
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> ControllerResult:
@@ -52,7 +57,7 @@ class ControllerResult(NamedTuple):
 class Trouble(NamedTuple):
     """A finding before it has a place in a file.
 
-    `subject` is `controller:NAME`, `joint:NAME`, `link:NAME`, `lint:CODE` (where lint reports it) or ROBOT.
+    `subject` is `controller:NAME`, `joint:NAME`, `link:NAME`, `lint:...` (where lint reports an error) or ROBOT.
     `controller` is the name of the controller whose verdict it changes, or None.
     """
 
@@ -90,17 +95,20 @@ class Curve(NamedTuple):
 class Smoked(NamedTuple):
     """The smoke test of one robot.
 
-    `linted` holds the findings of the smoke test instead of those of lint. `engine` is None if nothing was simulated,
-    and `seconds` is how long the simulation took. `picture` holds the robot at spawn as line segments
-    (x1, y1, z1, x2, y2, z2), in m.
+    `linted` holds the findings of the smoke test instead of those of lint. `distro` is the one whose controller manager
+    was modelled. `engine` is None if nothing was simulated, and `seconds` is how long the simulation took. `picture`
+    holds the robot at spawn as line segments (x1, y1, z1, x2, y2, z2), in m. `part_of` is the link of another file on
+    which a description hangs that is not a robot.
     """
 
     linted: TargetResult
     controllers: tuple[ControllerResult, ...] = ()
+    distro: str | None = None
     engine: str | None = None
     seconds: float = 0.0
     curves: tuple[Curve, ...] = ()
     picture: tuple[tuple[float, ...], ...] = ()
+    part_of: str = ""
 
     def without(self, hidden: Sequence[str]) -> Smoked:
         """Return the test in which no controller fails for a finding that is hidden: it is warned instead."""

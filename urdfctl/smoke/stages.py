@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from functools import cache
 
 from urdfctl.catalog.values import is_set
@@ -11,10 +10,8 @@ from urdfctl.control.life import STAGES, stage_of_breach
 from urdfctl.control.parameter_rules import breaches
 from urdfctl.control.session import Configured
 from urdfctl.diagnostic import Diagnostic
-from urdfctl.model.controllers import Controller
 from urdfctl.model.stage import CONTROLLER_STAGES, Stage, StageDependsOn
 from urdfctl.rules import stage_of
-from urdfctl.source.span import Place
 
 _stage_of = cache(stage_of)
 
@@ -72,24 +69,3 @@ def _stage_of_parameter_checks(configured: Configured) -> Stage:
         return Stage.LOAD
     broken = [breach.rule for breach in breaches(kind, configured.values) if breach.rule.severity == "error"]
     return min(map(stage_of_breach, broken), key=STAGES.index, default=Stage.CONFIGURE)
-
-
-def concerns(finding: Diagnostic, controller: Controller) -> bool:
-    """Return whether a finding is about a controller: at its name, type or parameters, or with its name in the text."""
-    at = finding.at
-    spans = ((place.source.path, place.span) for place in _places(controller))
-    if any(path == at.file and span.start <= at.start <= span.end for path, span in spans):
-        return True
-    return any(f"'{name}'" in finding.message for name in (controller.name, f"/{controller.full_name.lstrip('/')}"))
-
-
-def _places(controller: Controller) -> Iterator[Place]:
-    if controller.declared_at is not None:
-        yield controller.declared_at
-    if controller.type is not None:
-        yield controller.type.at
-    yield from (section.at for section in controller.sections)
-    for parameters in (controller.parameters, controller.under_manager):
-        for parameter in parameters:
-            yield parameter.key
-            yield parameter.value.at

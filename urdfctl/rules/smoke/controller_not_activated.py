@@ -17,7 +17,7 @@ from urdfctl.rules.smoke.common import CONTROLLERS, HARDWARE, found_by_smoke_tes
     authority="controller_manager.cpp: \"Unable to activate controller 'arm' since the command interface "
     "'wrist/position' is not available.\"; ROS 1: 'Could not switch controllers, due to resource conflict'",
     options=["--distro=jazzy"],
-    bad={"robot.urdf": HARDWARE, "controllers.yaml": CONTROLLERS % ("«arm»", "joints: [shoulder, wrist]")},
+    bad={"robot.urdf": HARDWARE, "controllers.yaml": CONTROLLERS % ("arm", "joints: [shoulder, «wrist»]")},
     good={"robot.urdf": HARDWARE, "controllers.yaml": CONTROLLERS % ("arm", "joints: [shoulder, elbow]")},
 )
 def controller_not_activated(project: Project) -> Iterator[Finding]:

@@ -17,7 +17,7 @@ from urdfctl.rules.smoke.common import CONTROLLERS, HARDWARE, found_by_smoke_tes
     authority="controller_manager.cpp: \"After configuring, controller 'arm' is in state 'unconfigured', "
     'expected inactive."',
     options=["--distro=jazzy"],
-    bad={"robot.urdf": HARDWARE, "controllers.yaml": CONTROLLERS % ("«arm»", "joints: [elbow, elbow]")},
+    bad={"robot.urdf": HARDWARE, "controllers.yaml": CONTROLLERS % ("arm", "joints: [elbow, «elbow»]")},
     good={"robot.urdf": HARDWARE, "controllers.yaml": CONTROLLERS % ("arm", "joints: [shoulder, elbow]")},
 )
 def controller_not_configured(project: Project) -> Iterator[Finding]:

@@ -19,7 +19,10 @@ from urdfctl.rules.smoke.common import CONTROLLERS, HARDWARE, found_by_smoke_tes
     options=["--distro=jazzy"],
     bad={
         "robot.urdf": HARDWARE,
-        "controllers.yaml": (CONTROLLERS % ("«arm»", "joints: [shoulder, elbow]")).replace("/Forward", "/Foward"),
+        "controllers.yaml": (CONTROLLERS % ("arm", "joints: [shoulder, elbow]")).replace(
+            "forward_command_controller/ForwardCommandController",
+            "«forward_command_controller/FowardCommandController»",
+        ),
     },
     good={"robot.urdf": HARDWARE, "controllers.yaml": CONTROLLERS % ("arm", "joints: [shoulder, elbow]")},
 )

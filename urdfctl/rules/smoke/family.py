@@ -46,6 +46,7 @@ from urdfctl.rules.smoke.robot_tips_over import robot_tips_over
 from urdfctl.rules.smoke.simulation_explodes import simulation_explodes
 from urdfctl.rules.smoke.steering_range_too_small import steering_range_too_small
 from urdfctl.rules.smoke.steering_turns_backwards import steering_turns_backwards
+from urdfctl.rules.smoke.verdict_depends_on_distro import verdict_depends_on_distro
 from urdfctl.rules.smoke.wheel_cannot_roll import wheel_cannot_roll
 from urdfctl.rules.smoke.wheel_in_the_wrong_place import wheel_in_the_wrong_place
 from urdfctl.rules.smoke.wheel_measures_differ import wheel_measures_differ
@@ -103,4 +104,5 @@ RULES: tuple[Rule, ...] = (
     initial_position_beyond_limits,
     loop_too_soft,
     joint_without_range,
+    verdict_depends_on_distro,
 )
