@@ -18,6 +18,7 @@ from urdfctl.smoke.blame import place_of
 from urdfctl.smoke.candidates import cycle_of, result_of
 from urdfctl.smoke.manager import Cycle
 from urdfctl.smoke.mechanism import Mechanism, mechanism_of
+from urdfctl.smoke.overlaps import overlap_troubles
 from urdfctl.smoke.plain import with_plain_drives
 from urdfctl.smoke.reading import tasks_of
 from urdfctl.smoke.results import ROBOT, ControllerResult, Smoked, Trouble, Verdict, trouble_of
@@ -113,6 +114,7 @@ def judged(
         tasks = with_plain_drives(mechanism, shapes, tasks)
         troubles += static_troubles(mechanism, tasks, robot, shapes)
         troubles += loop_troubles(mechanism, tasks, rate)
+        troubles += overlap_troubles(mechanism, shapes, _allowed(project))
     return Judgement(
         seen=seen,
         cycle=cycle,
@@ -143,6 +145,12 @@ def _tasks(cycle: Cycle) -> tuple[Task, ...]:
         for way, task in zip(together, tasks_of([way.configured for way in together]), strict=True):
             made[way.name] = task._replace(controller=way.name)
     return tuple(made[way.name] for way in active)
+
+
+def _allowed(project: Project) -> set[frozenset[str]]:
+    """The pairs of links whose collisions the SRDF disables."""
+    semantic = project.moveit.semantic if project.moveit else None
+    return {frozenset(key.text for key in pair) for pair in semantic.pairs} if semantic else set()
 
 
 def _rate(project: Project, ros: int) -> float:

@@ -35,6 +35,7 @@ from urdfctl.rules.smoke.joint_resists_its_motor import joint_resists_its_motor
 from urdfctl.rules.smoke.joint_too_fast import joint_too_fast
 from urdfctl.rules.smoke.joint_without_range import joint_without_range
 from urdfctl.rules.smoke.joints_oscillate_together import joints_oscillate_together
+from urdfctl.rules.smoke.links_overlap import links_overlap
 from urdfctl.rules.smoke.loop_too_soft import loop_too_soft
 from urdfctl.rules.smoke.loop_too_stiff_without_rotor import loop_too_stiff_without_rotor
 from urdfctl.rules.smoke.loop_underdamped import loop_underdamped
@@ -104,5 +105,6 @@ RULES: tuple[Rule, ...] = (
     initial_position_beyond_limits,
     loop_too_soft,
     joint_without_range,
+    links_overlap,
     verdict_depends_on_distro,
 )

@@ -1,0 +1,78 @@
+"""Collision geometry that takes the same space, at spawn and with all joints at 0."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from urdfctl.model.geometry import Pose, of_angles
+from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
+from urdfctl.smoke.overlaps import overlap_troubles, overlapping
+from urdfctl.smoke.shapes import Shape, Shapes
+
+BOX = Shape("box", Pose(), (0.2, 0.2, 0.2))
+BALL = Shape("sphere", Pose(), (0.1,))
+ROD = Shape("cylinder", Pose(), (0.05, 1.0))
+
+
+def chain(*places: tuple[float, float, float], **fields: object) -> Mechanism:
+    """Return links l0, l1, …, each on the one before at a place, with joints j1, j2, … that turn about y."""
+    hinges = [
+        Hinge(f"j{n}", "revolute", parent=f"l{n - 1}", child=f"l{n}", pose=Pose(place), axis=(0.0, 1.0, 0.0))._replace(
+            **{"lower": -3.0, "upper": 3.0, **fields}  # type: ignore[arg-type]
+        )
+        for n, place in enumerate(places, 1)
+    ]
+    return Mechanism("l0", {f"l{n}": Body(f"l{n}") for n in range(len(places) + 1)}, tuple(hinges))
+
+
+def pairs(mechanism: Mechanism, *shapes: Shape | None) -> list[tuple[str, str]]:
+    known = {f"l{n}": (shape,) if shape else () for n, shape in enumerate(shapes)}
+    return overlapping(mechanism, Shapes(known), mechanism.start())
+
+
+@pytest.mark.parametrize(("apart", "expected"), [(0.15, [("l0", "l2")]), (0.2, []), (0.3, [])])
+def test_boxes_overlap_if_one_reaches_into_the_other(apart: float, expected: list[tuple[str, str]]) -> None:
+    arm = chain((0.0, 0.0, 0.5), (apart, 0.0, -0.5))
+    assert pairs(arm, BOX, BALL, BOX) == expected
+
+
+@pytest.mark.parametrize(("shape", "apart"), [(BALL, 0.19), (ROD, 0.14), (BOX, 0.19)])
+def test_each_shape_is_measured(shape: Shape, apart: float) -> None:
+    away = chain((0.0, 0.0, 5.0), (apart, 0.0, -5.0))
+    assert pairs(away, BALL, BOX, shape) == []
+    near = chain((0.0, 0.0, 5.0), (apart * 0.8, 0.0, -5.0))
+    assert pairs(near, BALL, BOX, shape) == [("l0", "l2")]
+
+
+def test_a_rod_that_passes_a_box_at_an_angle_is_found() -> None:
+    leaning = ROD._replace(pose=Pose((0.0, 0.0, 0.0), of_angles(0.0, math.pi / 4, 0.0)))
+    arm = chain((0.0, 0.0, 5.0), (0.3, 0.0, -4.7))
+    assert pairs(arm, BOX, BALL, leaning) == [("l0", "l2")]
+    assert pairs(arm, BOX, BALL, ROD) == []
+
+
+def test_neighbours_may_overlap_also_over_a_link_without_shape() -> None:
+    assert pairs(chain((0.0, 0.0, 0.0)), BOX, BOX) == []
+    assert pairs(chain((0.0, 0.0, 0.0), (0.0, 0.0, 0.0)), BOX, None, BOX) == []
+    assert pairs(chain((0.0, 0.0, 0.0), (0.0, 0.0, 0.0)), BOX, BOX, BOX) == [("l0", "l2")]
+
+
+def folded(**fields: object) -> tuple[Mechanism, Shapes]:
+    """Return an arm whose last link lies on the first at 0, and stretches out at spawn."""
+    arm = chain((0.0, 0.0, 0.5), (0.0, 0.0, -0.5), initial=1.5, **fields)
+    return arm, Shapes({"l0": (BOX,), "l2": (BOX,), "l1": (BALL,)})
+
+
+def test_the_pose_with_all_joints_at_0_is_looked_at_too() -> None:
+    (trouble,) = overlap_troubles(*folded())
+    assert (trouble.code, trouble.message) == ("UC968", "links 'l0' and 'l2' overlap with all joints at 0")
+
+
+def test_a_pose_that_the_limits_forbid_is_not_looked_at() -> None:
+    assert list(overlap_troubles(*folded(lower=0.5))) == []
+
+
+def test_a_pair_that_the_srdf_allows_is_not_reported() -> None:
+    assert list(overlap_troubles(*folded(), {frozenset({"l0", "l2"})})) == []
