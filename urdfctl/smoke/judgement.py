@@ -16,6 +16,7 @@ from urdfctl.rules.smoke.verdict_depends_on_distro import verdict_depends_on_dis
 from urdfctl.smoke.anchors import anchors_of, diagnostics_of, silenced, subjects
 from urdfctl.smoke.blame import place_of
 from urdfctl.smoke.candidates import cycle_of, result_of
+from urdfctl.smoke.hardware import with_transmissions, within_ranges
 from urdfctl.smoke.manager import Cycle
 from urdfctl.smoke.mechanism import Mechanism, mechanism_of
 from urdfctl.smoke.overlaps import overlap_troubles
@@ -112,7 +113,9 @@ def judged(
         shapes = shapes_of(robot, find_mesh if commanded else None)
         mechanism = with_rims(mechanism, shapes)
         tasks = with_plain_drives(mechanism, shapes, tasks)
+        tasks = with_transmissions(robot, tasks)
         troubles += static_troubles(mechanism, tasks, robot, shapes)
+        mechanism = within_ranges(mechanism)
         troubles += loop_troubles(mechanism, tasks, rate)
         troubles += overlap_troubles(mechanism, shapes, _allowed(project))
     return Judgement(

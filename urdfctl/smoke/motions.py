@@ -19,6 +19,8 @@ PART_OF_VELOCITY = 0.3
 """The mean velocity of a motion is at most this fraction of the limit. On a ramp the peak is three times as much."""
 MOST_TURN, MOST_SHIFT = 0.2, 0.05
 """A joint is moved by this much at most, in rad and m."""
+LEAST_COMMON = 0.001
+"""A joint is moved within the range of its commands if that is at least this fraction of its own range."""
 CRUISE = 0.2
 """The velocity that a velocity loop should hold, in rad/s or m/s."""
 FORWARD, TURN = 0.3, 0.5
@@ -48,13 +50,19 @@ class Goal(NamedTuple):
 
 
 def goal_of(hinge: Hinge, start: float, weight: float, seconds: float) -> Goal:
-    """Return a motion within the joint's limits: towards the side with more room, and slow enough for its velocity
-    limit in a number of seconds."""
-    low, high = hinge.span
+    """Return a motion within the joint's limits and the range of its commands: towards the side with more room, and
+    slow enough for its velocity limit in a number of seconds."""
+    low, high = _common(hinge.span, hinge.range_of("position"))
     far = min(PART_OF_SPAN * (high - low), MOST_SHIFT if hinge.type == "prismatic" else MOST_TURN)
     if hinge.velocity:
         far = min(far, PART_OF_VELOCITY * hinge.velocity * seconds)
     return Goal(hinge, start, far if start + 1.1 * far <= high else -far, weight)
+
+
+def _common(span: tuple[float, float], other: tuple[float, float]) -> tuple[float, float]:
+    """The part of a span that is also in another one; the span if there is hardly any such part."""
+    low, high = max(span[0], other[0]), min(span[1], other[1])
+    return (low, high) if high - low > LEAST_COMMON * (span[1] - span[0]) else span
 
 
 def fastest(drive: Drive, hinges: Iterable[Hinge | None]) -> float:

@@ -16,6 +16,7 @@ from urdfctl.rules.smoke.mimic_beyond_limits import mimic_beyond_limits
 from urdfctl.rules.urdf.inertia_out_of_proportion import size_of
 from urdfctl.smoke.drives import drive_troubles
 from urdfctl.smoke.ground import ground_troubles
+from urdfctl.smoke.hardware import within_ranges
 from urdfctl.smoke.loads import effort_troubles
 from urdfctl.smoke.mechanism import Hinge, Mechanism
 from urdfctl.smoke.results import Trouble, trouble_of
@@ -36,14 +37,15 @@ def static_troubles(mechanism: Mechanism, tasks: Sequence[Task], robot: Robot, s
     """Yield what is wrong with a robot at rest, and with what its active controllers should move."""
     unusable = list(_masses(mechanism))
     yield from unusable
-    yield from drive_troubles(mechanism, tasks)
+    limited = within_ranges(mechanism)
+    yield from drive_troubles(limited, tasks)
     for task in tasks:
         if not task.through:  # the controllers that it commands are checked
             yield from _limits(mechanism, task)
     yield from _mimics(mechanism)
     yield from _starts(mechanism)
     if not unusable:
-        yield from effort_troubles(mechanism, tasks)
+        yield from effort_troubles(limited, tasks)
         yield from _inertias(mechanism, tasks, robot)
         yield from ground_troubles(mechanism, shapes, tasks)
 
