@@ -185,7 +185,7 @@ def _split(point: Vector, axis: Vector) -> tuple[float, float]:
 
 
 def corners_of(path: str) -> tuple[Vector, ...]:
-    """Return corners of a mesh that its convex hull needs, as far as they can be read: of STL and OBJ files."""
+    """Return corners of a mesh that its convex hull needs, as far as they can be read: of STL, OBJ and DAE files."""
     try:
         if os.path.getsize(path) > _MOST_BYTES:
             return ()
@@ -194,7 +194,8 @@ def corners_of(path: str) -> tuple[Vector, ...]:
     except OSError:
         return ()
     kind = os.path.splitext(path)[1].lower()
-    points = _of_stl(data) if kind == ".stl" else _of_obj(data) if kind == ".obj" else []
+    readers: dict[str, Callable[[bytes], list[Vector]]] = {".stl": _of_stl, ".obj": _of_obj, ".dae": _of_dae}
+    points = readers[kind](data) if kind in readers else []
     unique = list(dict.fromkeys(points))
     if not all(map(math.isfinite, (part for point in unique for part in point))):
         return ()
@@ -213,6 +214,12 @@ def _of_stl(data: bytes) -> list[Vector]:
 
 def _of_obj(data: bytes) -> list[Vector]:
     return [_triple(found.groups()) for found in re.finditer(rb"(?m)^v\s+(\S+)\s+(\S+)\s+(\S+)", data)]
+
+
+def _of_dae(data: bytes) -> list[Vector]:
+    from urdfctl.smoke.collada import corners_of_collada
+
+    return corners_of_collada(data)
 
 
 def _triple(words: tuple[bytes, ...]) -> Vector:

@@ -7,9 +7,11 @@ to its effort limit.
 from __future__ import annotations
 
 import math
+import os
 
 from urdfctl.smoke.engines import STEP, Motor, Refused, Setup, Standing
 from urdfctl.smoke.prepare import quoted
+from urdfctl.smoke.shapes import corners_of
 from urdfctl.startup.hints import Any
 
 STIFF = 60.0
@@ -17,6 +19,7 @@ STIFF = 60.0
 GRIP = 10.0
 """The stiffness of holding a velocity: a free joint nearly reaches it in one step."""
 _GROUND = "urdfctl:ground"
+_LEAST_CORNERS = 4
 _COMPILER = (
     '<mujoco><compiler balanceinertia="true" boundmass="1e-6" boundinertia="1e-9" discardvisual="true" '
     'strippath="false" fusestatic="false"/></mujoco>'
@@ -160,6 +163,8 @@ def open_engine(setup: Setup) -> Mujoco:
             shape.friction[0] = setup.friction_of(shape.parent.name)
             if wheel and shape.type == mujoco.mjtGeom.mjGEOM_CYLINDER:
                 shape.type = mujoco.mjtGeom.mjGEOM_SPHERE  # the edges of a cylinder shake the robot
+        for mesh in spec.meshes:
+            _read(mesh)
         for name in setup.weightless:
             spec.body(name).gravcomp = 1.0
         model = spec.compile()
@@ -168,6 +173,17 @@ def open_engine(setup: Setup) -> Mujoco:
     engine = Mujoco(mujoco, model, mujoco.MjData(model), setup.root)
     engine.prepare(setup)
     return engine
+
+
+def _read(mesh: Any) -> None:
+    """Give MuJoCo the corners of a mesh that it cannot read; it collides their convex hull, as of any mesh."""
+    if not mesh.file.lower().endswith(".dae"):
+        return
+    corners = corners_of(mesh.file)
+    if len(corners) < _LEAST_CORNERS:
+        raise Refused(f"'{os.path.basename(mesh.file)}' has no corners that urdfctl can read")
+    mesh.uservert = [part for corner in corners for part in corner]
+    mesh.file = ""
 
 
 def _set_free(library: Any, body: Any) -> None:
