@@ -203,7 +203,9 @@ def test_what_would_be_inserted_is_shown_and_checked_and_inserted_once(folder: F
 
 
 def test_several_files_are_compared_each(folder: Folder) -> None:
-    folder.write({"r.urdf": ROBOT, "out/package.xml": "<package><name>mine</name></package>"})
+    folder.write(
+        {"r.urdf": ROBOT, "out/package.xml": "<!-- made by urdfctl gen-all -->\n<package><name>mine</name></package>"}
+    )
     words = ("gen-all", "r.urdf", *EFFORT, "-o", "out")
     stale = command(*words, "--check")
     assert stale.returncode == 1

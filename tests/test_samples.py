@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 import shlex
+import shutil
 from pathlib import Path
 
 import pytest
-from folder import CHECKOUT
+from folder import CHECKOUT, Folder
 from generating import command
 
 SAMPLES = {"mybot": "noetic", "my_robot": "noetic", "radu": "humble"}
@@ -33,6 +34,49 @@ def test_what_controls_a_sample_is_generated(sample: str, monkeypatch: pytest.Mo
     )
     for name, words in made.items():
         assert command(*words, "-o", name, "--check") == (0, "", ""), name
+
+
+ONE_COMMAND = {
+    "mybot": "urdf/mybot.xacro --type velocity --interface effort --namespace mybot --simulator gazebo-classic",
+    "my_robot": "urdf/my_robot.xacro --type position --interface effort --namespace MYROBOT --simulator gazebo-classic",
+    "radu": "urdf/radu.urdf.xacro --type velocity --simulator gazebo-classic",
+}
+_INCLUDE = r'.*<xacro:include filename="[^"]*/(transmissions|gazebo|ros2_control).xacro"/>\n'
+
+
+@pytest.mark.parametrize(("sample", "words"), ONE_COMMAND.items())
+def test_a_sample_without_control_gets_it_in_one_command(sample: str, words: str, folder: Folder) -> None:
+    shutil.copytree(CHECKOUT / "samples" / sample, folder.path, dirs_exist_ok=True)
+    for name in generated(sample):
+        (folder.path / name).unlink()
+    robot = folder.path / words.split(maxsplit=1)[0]
+    robot.write_text(re.sub(_INCLUDE, "", robot.read_text(encoding="utf-8")), encoding="utf-8")
+    own = {name: (folder.path / name).read_bytes() for name in ("package.xml", "CMakeLists.txt")}
+    ran = command("gen-all", *words.split(), "--distro", SAMPLES[sample], "-o", ".")
+    assert ran.returncode == 0, ran.stderr
+    assert "add to package.xml" not in ran.stderr
+    assert own == {name: (folder.path / name).read_bytes() for name in own}
+    for check in (("lint", "--fail-on", "warning"), ("smoke", "--engine", "none"), ("gen-check",)):
+        ran = command(*check)
+        assert ran.returncode == 0, ran.stdout
+
+
+def test_what_a_package_lacks_is_said_and_its_own_files_are_kept(folder: Folder) -> None:
+    shutil.copytree(CHECKOUT / "samples/my_robot", folder.path, dirs_exist_ok=True)
+    build = "cmake_minimum_required(VERSION 3.0.2)\nproject(my_robot)\ninstall(DIRECTORY urdf/ launch DESTINATION x)\n"
+    manifest = (folder.path / "package.xml").read_text().replace("<exec_depend>xacro</exec_depend>", "")
+    folder.write({"CMakeLists.txt": build, "package.xml": manifest})
+    for name in ("config/controllers.yaml", "launch/control.launch"):
+        (folder.path / name).unlink()
+    ran = command("gen-all", "urdf/my_robot.xacro", "--type", "trajectory", "--distro", "noetic", "-o", ".")
+    assert ran.returncode == 0, ran.stderr
+    assert (
+        "add to package.xml: <exec_depend>joint_trajectory_controller</exec_depend> <exec_depend>xacro</exec_depend>\n"
+        in ran.stderr
+    )
+    assert "next: install in CMakeLists.txt: config\n" in ran.stderr
+    assert (folder.path / "CMakeLists.txt").read_text() == build
+    assert (folder.path / "package.xml").read_text() == manifest
 
 
 @pytest.mark.parametrize(("sample", "distro"), SAMPLES.items())

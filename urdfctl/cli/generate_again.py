@@ -107,8 +107,9 @@ def _origin(file: str, words: tuple[str, ...]) -> Origin | None:
     if not inputs:
         above = [folder for folder in above if os.path.exists(os.path.join(folder, "package.xml"))]
     homes = [os.curdir, *above] if inputs or not above else above
-    if words[0] == "gen-all":  # the package holds a copy of its robot, which is no input
-        homes = [home for home in homes if not f"{os.path.abspath(home)}{os.sep}".startswith(f"{package}{os.sep}")]
+    if words[0] == "gen-all":  # the package may hold a copy of its robot, which is no input: it is searched last
+        outside = [home for home in homes if not f"{os.path.abspath(home)}{os.sep}".startswith(f"{package}{os.sep}")]
+        homes = [*outside, package]
     home = next((home for home in homes if all(os.path.exists(os.path.join(home, path)) for path in inputs)), None)
     if forbidden or home is None or "-" in inputs:
         why = f"its command sets {forbidden}" if forbidden else f"its input '{' '.join(inputs)}' does not exist"

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping
 from urdfctl.catalog.catalog import catalog_with
 from urdfctl.cli.generate_again import words_of_generated_file
 from urdfctl.cli.generate_distro import known_distro, made_for_newest, simulator_of
+from urdfctl.cli.generate_package import around_package
 from urdfctl.cli.generate_requests import needs_joints, with_requests
 from urdfctl.cli.generate_writing import Writing, deliver
 from urdfctl.cli.slips import check_description
@@ -124,7 +125,11 @@ def _delivered(command: str, given: Mapping[str, Any], robot: RobotFacts | None,
             print_message(caution)
     writing = Writing(given["output"], given["force"], given["diff"], given["check"], given.get("into"))
     steps = tuple(steps_after(command, made.controllers, made.options, given["output"] or ""))
-    return deliver(made.files, writing, many=command == "gen-all", steps=steps)
+    files = made.files
+    if command == "gen-all" and given["output"]:
+        files, to_add = around_package(files, given["output"])
+        steps = (*to_add, *steps)
+    return deliver(files, writing, many=command == "gen-all", steps=steps)
 
 
 class Made(NamedTuple):
