@@ -176,6 +176,7 @@ def step(name: str, folder: Folder, **inputs: str) -> subprocess.CompletedProces
         **{f"inputs.{key}": inputs.get(key, spec["default"]) for key, spec in ACTION["inputs"].items()},
         "steps.install.outputs.urdfctl": str(BIN / "urdfctl"),
         "github.action_path": str(CHECKOUT),
+        "github.base_ref": "",
     }
     variables = {
         name: expressions[re.fullmatch(r"\$\{\{ (\S+) \}\}", value)[1]]  # type: ignore[index]
@@ -184,6 +185,7 @@ def step(name: str, folder: Folder, **inputs: str) -> subprocess.CompletedProces
     return run(
         "bash", "--noprofile", "--norc", "-eo", "pipefail", "-c", STEPS[name]["run"],
         **variables, GITHUB_OUTPUT=str(folder.path / "output"), RUNNER_TEMP=str(folder.path / "temp"),
+        GITHUB_STEP_SUMMARY=str(folder.path / "summary.md"),
     )  # fmt: skip
 
 
@@ -225,9 +227,24 @@ def test_the_action_passes_where_nothing_is_found_and_obeys_its_inputs(folder: F
 )
 def test_no_input_of_the_action_runs_as_a_command(folder: Folder, field: str, text: str) -> None:
     folder.write({"arm.urdf": SOUND})
-    ran = step("Lint", folder, **{field: text})
+    of_diff = {"diff": "arm.urdf"} if field.startswith("diff") else {}
+    ran = step("Diff" if of_diff else "Lint", folder, **{**of_diff, field: text})
     assert not (folder.path / "pwned").exists()
     assert ran.returncode == 2 or field == "sarif"
+
+
+@needs_bash
+@needs_command
+def test_the_action_adds_what_changed_to_the_summary(folder: Folder) -> None:
+    (folder.path / "temp").mkdir()
+    assert run("git", "init", "-q").returncode == 0
+    for text in (SOUND, SOUND.replace("<robot", '<robot version="1.1"')):
+        folder.write({"arm.urdf": text})
+        for words in (["add", "arm.urdf"], ["commit", "-q", "-m", "a change"]):
+            assert run("git", "-c", "user.name=n", "-c", "user.email=n@n", *words).returncode == 0
+    ran = step("Diff", folder, diff="arm.urdf", **{"diff-fail-on": "other"})
+    assert ran.returncode == 1, ran.stderr
+    assert "| other | `@version` |  | `1.1` |" in (folder.path / "summary.md").read_text()
 
 
 @online

@@ -1,11 +1,11 @@
-"""Options of the commands that show a robot: why. Annotations are evaluated here; see options.py."""
+"""Options of the commands that show a robot: why and diff. Annotations are evaluated here; see options.py."""
 
 from dataclasses import dataclass
 from typing import Annotated
 
 import typer
 
-from urdfctl.cli.options import TargetOptions
+from urdfctl.cli.options import ReadingOptions, TargetOptions
 
 
 @dataclass(kw_only=True)
@@ -29,3 +29,33 @@ class WhyOptions(TargetOptions):
     output_format: Annotated[
         str, typer.Option("--format", help="Output format: text or json. FORMAT=FILE writes a file.")
     ] = "text"
+
+
+@dataclass(kw_only=True)
+class DiffOptions(ReadingOptions):
+    """Show what changed between two robots: their models, not their text. Order, blanks and macros are no difference.
+
+    \b
+    Example: urdfctl diff origin/main: urdf/robot.xacro --format markdown
+             urdfctl diff urdf/robot.xacro model:=small urdf/robot.xacro model:=big
+    """
+
+    words: Annotated[
+        list[str],
+        typer.Argument(
+            help="Two files, folders, or git revisions with a path (HEAD~1:urdf/robot.xacro; HEAD~1: takes the path of "
+            "the other side), each with its name:=value arguments.",
+            metavar="A [NAME:=VALUE]... B [NAME:=VALUE]...",
+            show_default=False,
+        ),
+    ]
+    formats: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--format", help="Output format: text, markdown, html or json. FORMAT=FILE writes a file. Repeatable."
+        ),
+    ] = None
+    fail_on: Annotated[
+        str | None,
+        typer.Option(help="Exit with status 1 on changes in these areas, e.g. limits,joints,interfaces; or any."),
+    ] = None

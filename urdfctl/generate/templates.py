@@ -6,6 +6,7 @@ import os
 
 from urdfctl.errors import UserError
 from urdfctl.generate.scalars import json_text, one_line, python_text, xacro_text, xml_comment, xml_text, yaml_text
+from urdfctl.report.template_folder import own_folder
 from urdfctl.startup.hints import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -13,18 +14,12 @@ if TYPE_CHECKING:
 
 _FAULTS = (ArithmeticError, AttributeError, LookupError, MemoryError, OSError, RecursionError, TypeError, ValueError)
 """Exceptions, besides jinja's own, that loading and rendering a user's template can raise."""
-_PACKAGE = os.path.dirname(os.path.dirname(__file__))
-
-
-def own_folder() -> str:
-    """Return the folder of urdfctl's templates: in the package, or beside it in a checkout."""
-    inside = os.path.join(_PACKAGE, "templates")
-    return inside if os.path.isdir(inside) else os.path.join(os.path.dirname(_PACKAGE), "templates")
 
 
 def template_names(folder: str | None = None) -> list[str]:
-    """Return the names of the templates, sorted."""
-    return sorted(_environment(folder).list_templates(extensions=["j2"]))
+    """Return the names of the templates of generated files, sorted."""
+    names = _environment(folder).list_templates(extensions=["j2"])
+    return sorted(name for name in names if not name.startswith("pages/"))
 
 
 class Templates:
