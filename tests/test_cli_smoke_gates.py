@@ -8,6 +8,7 @@ from xml.etree import ElementTree as ET
 
 import pytest
 from click.testing import Result
+from smoking_engines import needs_pybullet
 from typer.testing import CliRunner
 
 from urdfctl.cli.app import app
@@ -97,3 +98,27 @@ def test_a_failed_controller_is_one_failure_of_junit(weak: Path) -> None:
     assert root.get("failures") == "1"
     (failed,) = [case for case in root.iter("testcase") if case.find("failure") is not None]
     assert failed.get("name") == "mover"
+
+
+def test_one_error_of_several_controllers_is_one_failure_of_junit(tmp_path: Path) -> None:
+    yaml = (CONTROLLERS % ("arm", "joints:")).replace("update_rate: 100", "update_rate:")
+    write(tmp_path, HARDWARE, yaml)
+    root = ET.fromstring(smoke(tmp_path, "--format", "junit").stdout)
+    kinds = {case.get("name"): [part.tag for part in case] for case in root.iter("testcase")}
+    assert (kinds["states"], kinds["arm"]) == (["failure"], ["skipped"])
+    assert root.get("failures") == "1"
+
+
+@needs_pybullet
+def test_junit_has_the_time_of_each_controller_and_json_what_was_measured(tmp_path: Path) -> None:
+    write(tmp_path, LIFT, GAINS % "mover")
+    junit = tmp_path / "junit.xml"
+    options = ("--engine", "pybullet", "--format", "json", "--format", f"junit={junit}")
+    report = json.loads(smoke(tmp_path, *options).stdout)
+    times = {case.get("name"): float(case.get("time") or 0) for case in ET.parse(junit).iter("testcase")}
+    assert times["mover"] > 0.01
+    [measured] = [each for each in report["measurements"] if each["controller"] == "mover"]
+    [curve] = [each for each in report["curves"] if each["controller"] == "mover"]
+    assert (measured["joint"], measured["quantity"]) == ("lift", "position")
+    assert measured["error"] == pytest.approx(curve["measured"][-1] - curve["commanded"][-1], abs=1e-4)
+    assert abs(measured["error"]) <= measured["largest_error"] < 0.05

@@ -23,12 +23,11 @@ from urdfctl.smoke.job import (
     prepare_work,
     prepared_robot,
     smoke_all,
-    trial_job,
-    without_meshes,
 )
 from urdfctl.smoke.plan import Plan, Tried
 from urdfctl.smoke.prepare import mesh_fault
 from urdfctl.smoke.results import Smoked, Verdict
+from urdfctl.smoke.runs import trial_job, without_meshes
 from urdfctl.smoke.trial import tried
 
 JAZZY = Settings(distro="jazzy")
@@ -198,7 +197,7 @@ def test_a_worker_can_begin_with_a_job_alone(tmp_path: Path) -> None:
 
     kept, current = (os.dup(1), os.dup(2)), os.getcwd()
     try:
-        result = trial_job({"plan": plan, "output": str(tmp_path / "output")})
+        result = trial_job({"plan": plan, "output": str(tmp_path / "output"), "live": False})
     finally:
         for number, descriptor in enumerate(kept, 1):
             os.dup2(descriptor, number)

@@ -37,6 +37,8 @@ if TYPE_CHECKING:
 
 NOTHING_TESTED = 5
 """Exit status if no controller was taken through its life."""
+INTERRUPTED = 130
+"""Exit status after Ctrl-C, as of a program that the signal ends; what was tested until then is reported."""
 MAX_DURATION = 60.0
 """Seconds of simulation for one controller."""
 ENGINES = ("auto", *NAMES, "both", "none")
@@ -59,6 +61,7 @@ def run_smoke(options: SmokeOptions) -> int:
         duration=options.duration,
         gui=options.gui,
         picture=options.report is not None,
+        live=sys.stderr.isatty() and os.environ.get("TERM") != "dumb",
     )
     plan = _plan(words, config, options)
     if not plan and options.shard is None:
@@ -89,6 +92,8 @@ def run_smoke(options: SmokeOptions) -> int:
         write_file(options.report, page(report), force=True)
     if any(outcome.crashed for outcome in outcomes):
         return 3
+    if report.is_interrupted:
+        return INTERRUPTED
     return 0 if options.exit_zero else _status(report)
 
 

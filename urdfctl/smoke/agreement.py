@@ -47,6 +47,9 @@ def decided(first: Tried, second: Tried) -> Tried:
         tested=tested,
         untested={**first.untested, **second.untested},
         seconds=seconds,
+        times={
+            name: first.times.get(name, 0.0) + second.times.get(name, 0.0) for name in {**first.times, **second.times}
+        },
         curves=second.curves or first.curves,
     )
 

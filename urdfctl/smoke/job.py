@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from urdfctl.config.settings import Settings
@@ -19,27 +17,17 @@ from urdfctl.model.stage import Stage
 from urdfctl.rules import rule_of
 from urdfctl.rules.smoke.engine_died import engine_died
 from urdfctl.rules.smoke.engine_refuses_robot import engine_refuses_robot
-from urdfctl.run.limits import Limits, WorkerFailure, processors
-from urdfctl.run.pool import run_jobs
-from urdfctl.smoke.agreement import compared, decided, is_certain
+from urdfctl.run.limits import WorkerFailure, processors
+from urdfctl.smoke.agreement import compared
 from urdfctl.smoke.anchors import diagnostics_of
 from urdfctl.smoke.judgement import changed, judged
 from urdfctl.smoke.picture import picture_of
 from urdfctl.smoke.plan import MOTION, Plan, Tried
 from urdfctl.smoke.planning import plan_of
 from urdfctl.smoke.results import ROBOT, ControllerResult, Smoked, Trouble, Verdict, trouble_of
-from urdfctl.smoke.trial import tried
+from urdfctl.smoke.runs import Runs
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
-
-WAITING, STARTING = 12.0, 60.0
-"""The time after which a worker is ended on a loaded machine: a multiple of its processor time, and what its start may
-take, in s."""
-_WATCHED = 600.0
-"""The time limit if a window is shown, in s."""
-_SCREEN = ("DISPLAY", "XAUTHORITY", "WAYLAND_DISPLAY")
-_MOST_OUTPUT = 300
-"""At most this many characters of an engine's output are shown."""
 
 
 class Wanted(NamedTuple):
@@ -47,7 +35,8 @@ class Wanted(NamedTuple):
 
     `only` holds the names of the controllers to test, none for all. Each of the `engines` simulates the robots; without
     any, nothing moves. The engines of `instead` are tried if an engine crashes or rejects a robot. `duration` is the
-    time for which each controller moves, in s. `gui` shows a window. `picture` asks for a picture of the robot.
+    time for which each controller moves, in s. `gui` shows a window. `picture` asks for a picture of the robot. `live`
+    prints a line for each controller as soon as it was tested.
     """
 
     only: tuple[str, ...] = ()
@@ -56,6 +45,7 @@ class Wanted(NamedTuple):
     duration: float = MOTION
     gui: bool = False
     picture: bool = False
+    live: bool = False
 
 
 class PreparedRobot(NamedTuple):
@@ -121,7 +111,8 @@ def smoke_all(
     kept = [robots[index] for index in indices]
     runs = [(n, engine) for n, robot in enumerate(kept) if robot.plan for engine in wanted.engines]
     plans = [plan.within(settings.timeout)._replace(engine=engine) for n, engine in runs if (plan := kept[n].plan)]
-    results = iter(zip(runs, _try_all(plans, settings, parallel, wanted.instead), strict=True))
+    simulations = Runs(settings, parallel, wanted.instead, live=wanted.live)
+    results = iter(zip(runs, simulations.results(plans), strict=True))
     pending = next(results, None)
     for n, robot in enumerate(kept):
         smoked, of_robot = robot.smoked, []
@@ -130,7 +121,7 @@ def smoke_all(
             pending = next(results, None)
         for engine, result in _compared(of_robot):
             smoked = moved(smoked, robot, engine, result)
-        yield smoked
+        yield smoked._replace(interrupted=simulations.interrupted)
 
 
 def _compared(results: list[tuple[str, Tried | WorkerFailure]]) -> Sequence[tuple[str, Tried | WorkerFailure]]:
@@ -179,87 +170,6 @@ def prepared_robot(loader: Loader, target: Target, wanted: Wanted) -> PreparedRo
     return PreparedRobot(smoked, plan, judgement.anchors(), judgement.troubles, judgement.silenced())
 
 
-# -- the second worker: simulate it ----------------------------------------------------------------------------------
-
-
-def _try_all(
-    plans: Sequence[Plan], settings: Settings, parallel: int, instead: Sequence[str] = ()
-) -> Iterator[tuple[str, Tried | WorkerFailure]]:
-    """The engine and the result of each plan.
-
-    If an engine crashes, the plan is tried once more without meshes; then, as if it is rejected, in other engines.
-    Before a robot fails, the first of these engines is asked too.
-    """
-    with tempfile.TemporaryDirectory(prefix="urdfctl-") as folder:
-        first = _run(plans, settings, parallel, folder)
-        for plan, result in zip(plans, first, strict=True):
-            engine, latest = plan.engine, result
-            tries = [without_meshes(plan)] if isinstance(result, WorkerFailure) and "<mesh" in plan.urdf else []
-            tries += [plan._replace(engine=name) for name in instead if name != plan.engine]
-            for other in tries:
-                if isinstance(latest, Tried) and not latest.refused:
-                    break
-                engine, latest = other.engine, next(_run([other], settings, 1, folder))
-            if not isinstance(latest, Tried) or latest.refused:
-                yield plan.engine, result
-            elif engine != plan.engine or is_certain(latest) or not instead:
-                yield engine, latest
-            else:
-                yield _asked_again(plan, latest, next(name for name in instead), settings, folder)
-
-
-def _asked_again(plan: Plan, first: Tried, name: str, settings: Settings, folder: str) -> tuple[str, Tried]:
-    """The result of two engines, the second of which decides; that of the first one if the second one fails."""
-    second = next(_run([plan._replace(engine=name)], settings, 1, folder))
-    if not isinstance(second, Tried) or second.refused:
-        return plan.engine, first
-    return f"{plan.engine} and {name}", decided(first, second)
-
-
-def _run(plans: Sequence[Plan], settings: Settings, parallel: int, folder: str) -> Iterator[Tried | WorkerFailure]:
-    """Each result; after a crash with the end of the engine's output."""
-    jobs = [{"plan": plan.to_json(), "output": os.path.join(folder, f"output-{n}")} for n, plan in enumerate(plans)]
-    watched = any(plan.gui for plan in plans)
-    screen = {name: os.environ[name] for name in _SCREEN if watched and name in os.environ}
-    budget = max((plan.budget for plan in plans), default=0.0)
-    seconds = _WATCHED if watched else budget * WAITING + STARTING
-    limits = Limits(seconds, settings.memory, {**settings.environ, **screen})
-    results = run_jobs(jobs, trial_job, limits, parallel, function_name="urdfctl.smoke.job:trial_job")
-    for job, result in zip(jobs, results, strict=True):
-        if isinstance(result, WorkerFailure):
-            output = _engine_output(str(job["output"]))
-            yield result._replace(reason=f"{result.reason}{f'; its output ends with: {output}' if output else ''}")
-        else:
-            yield Tried.from_json(result)
-
-
-def trial_job(job: dict[str, Any]) -> dict[str, Any]:
-    """Return the result of simulating a job that came as JSON.
-
-    What the engine prints from C goes to a file; files that it writes go to the same folder.
-    """
-    with open(job["output"], "wb") as file:
-        os.dup2(file.fileno(), 1)
-        os.dup2(file.fileno(), 2)
-    os.chdir(os.path.dirname(job["output"]))
-    return tried(Plan.from_json(job["plan"]))._asdict()
-
-
-def _engine_output(path: str) -> str:
-    try:
-        with open(path, encoding="utf-8", errors="replace") as file:
-            lines = [line for line in file.read()[-_MOST_OUTPUT * 4 :].splitlines() if "build time" not in line]
-    except OSError:
-        return ""
-    return " ".join(" ".join(lines).split())[-_MOST_OUTPUT:]
-
-
-def without_meshes(plan: Plan) -> Plan:
-    """Return a plan without collision meshes."""
-    lines = [line for line in plan.urdf.splitlines() if "<mesh" not in line]
-    return plan._replace(urdf="\n".join(lines), shapeless=True)
-
-
 # -- both together ---------------------------------------------------------------------------------------------------
 
 
@@ -306,7 +216,8 @@ def _judged(controller: ControllerResult, result: Tried, troubles: Sequence[Trou
     """The result after simulating: a controller passes only if it moved its joints, or commands nothing."""
     acts = tuple(dict.fromkeys((*controller.tested, *result.tested.get(controller.name, ()))))
     untested = {**controller.untested, **result.untested.get(controller.name, {})}
-    controller = controller._replace(tested=acts, untested=untested)
+    seconds = controller.seconds + result.times.get(controller.name, 0.0)
+    controller = controller._replace(tested=acts, untested=untested, seconds=seconds)
     if controller.verdict is Verdict.SKIPPED:
         if controller.name in result.moved:
             controller = controller._replace(verdict=Verdict.PASSED, stage=Stage.DEACTIVATE, reason="")

@@ -61,7 +61,7 @@ class Tried(NamedTuple):
     reason. `tested` holds for each controller what it was seen to do, and `untested` what was not modelled, with the
     reason. `seconds` is the processor time that it took.
     `refused` is why the engine rejects the robot, or empty. `left_to_others` holds the controllers that another engine
-    can judge, but this one cannot.
+    can judge, but this one cannot. `times` holds the processor time of each controller's motions, in s.
     """
 
     troubles: tuple[Trouble, ...] = ()
@@ -73,6 +73,7 @@ class Tried(NamedTuple):
     seconds: float = 0.0
     refused: str = ""
     left_to_others: tuple[str, ...] = ()
+    times: Mapping[str, float] = {}
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Tried:

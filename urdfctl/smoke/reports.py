@@ -11,7 +11,7 @@ from urdfctl.report import render
 from urdfctl.report.common import Report, as_json, shown, visible
 from urdfctl.report.json_report import document
 from urdfctl.report.text import Piece, pieces
-from urdfctl.smoke.results import ControllerResult, Smoked, Verdict
+from urdfctl.smoke.results import ControllerResult, Curve, Smoked, Verdict
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
@@ -37,6 +37,11 @@ class SmokeReport(NamedTuple):
     def is_empty(self) -> bool:
         """Whether no controller was tested, and that is an error."""
         return not self.allow_empty and not any(robot.controllers for robot in self.smoked)
+
+    @property
+    def is_interrupted(self) -> bool:
+        """Whether Ctrl-C ended the run before all was tested."""
+        return any(robot.interrupted for robot in self.smoked)
 
     def count(self, verdict: Verdict) -> int:
         """Return the number of controllers with a verdict."""
@@ -119,7 +124,10 @@ def summary(report: SmokeReport) -> str:
     """Return the number of controllers, in all and by verdict."""
     counts = [f"{report.count(verdict)} {verdict.value}" for verdict in Verdict if report.count(verdict)]
     total = sum(len(robot.controllers) for robot in report.smoked)
-    return f"{total} controller{'s' if total != 1 else ''}: {', '.join(counts)}" if counts else _NOTHING
+    if not counts:
+        return _NOTHING
+    interrupted = "; interrupted before all were tested" if report.is_interrupted else ""
+    return f"{total} controller{'s' if total != 1 else ''}: {', '.join(counts)}{interrupted}"
 
 
 def _text(report: SmokeReport) -> str:
@@ -138,8 +146,29 @@ def _json(report: SmokeReport) -> str:
     curves = [
         {"robot": shown(robot.linted.path), **curve._asdict()} for robot in report.smoked for curve in robot.curves
     ]
-    data: dict[str, Any] = {**document(report.found), "controllers": controllers, "curves": curves}
+    measured = [{"robot": shown(robot.linted.path), **_measured(c)} for robot in report.smoked for c in robot.curves]
+    data: dict[str, Any] = {
+        **document(report.found),
+        "controllers": controllers,
+        "measurements": measured,
+        "curves": curves,
+        "interrupted": report.is_interrupted,
+    }
     return as_json(data, indent=1) + "\n"
+
+
+def _measured(curve: Curve) -> dict[str, Any]:
+    """What a motion comes to, in the units of its curve: its end, its last error, and the largest one on the way."""
+    errors = [did - wanted for wanted, did in zip(curve.commanded, curve.measured, strict=False)]
+    return {
+        "controller": curve.controller,
+        "joint": curve.joint,
+        "quantity": curve.quantity,
+        "commanded": curve.commanded[-1] if curve.commanded else None,
+        "measured": curve.measured[-1] if curve.measured else None,
+        "error": round(errors[-1], 5) if errors else None,
+        "largest_error": round(max(map(abs, errors)), 5) if errors else None,
+    }
 
 
 def _junit(report: SmokeReport) -> str:
@@ -156,8 +185,13 @@ def _junit(report: SmokeReport) -> str:
     if report.is_empty:
         lines += _empty_suite()
         counts = (counts[0] + 1, counts[1] + 1, counts[2])
-    told = [case.message for case in everyone if case.kind == "failure"]
-    others = [finding for finding in report.found.findings if not any(finding.message in text for text in told)]
+    told = tuple(
+        result.reason
+        for robot in report.smoked
+        for result in robot.controllers
+        if result.verdict is Verdict.FAILED and not result.blocked_by
+    )
+    others = [finding for finding in report.found.findings if not finding.message.endswith(told)]
     found = report.found._replace(findings=tuple(others))
     return suites_document(found, lines, (counts[0], counts[1], counts[2]))
 
@@ -176,9 +210,10 @@ def _empty_suite() -> list[str]:
 
 
 class _Case(NamedTuple):
-    """A test case: its name, `failure`, `skipped` or nothing, and the text of that."""
+    """A test case: its name and time in s, `failure`, `skipped` or nothing, and the text of that."""
 
     name: str
+    seconds: float = 0.0
     kind: str = ""
     message: str = ""
     type: str = ""
@@ -188,13 +223,13 @@ def _cases(robot: Smoked) -> list[_Case]:
     made = []
     for result in robot.controllers:
         if result.verdict is Verdict.SKIPPED or result.blocked_by:
-            made.append(_Case(result.name, "skipped", result.reason))
+            made.append(_Case(result.name, result.seconds, "skipped", result.reason))
         elif result.verdict is Verdict.FAILED:
             message = f"{result.stage.value}: {result.reason}"
-            made.append(_Case(result.name, "failure", message, result.type or "no type"))
+            made.append(_Case(result.name, result.seconds, "failure", message, result.type or "no type"))
         else:
-            made.append(_Case(result.name))
-        made += [_Case(f"{result.name}: {what}", "skipped", why) for what, why in result.untested.items()]
+            made.append(_Case(result.name, result.seconds))
+        made += [_Case(f"{result.name}: {what}", 0.0, "skipped", why) for what, why in result.untested.items()]
     return made
 
 
@@ -210,7 +245,7 @@ def _suite(robot: Smoked, cases: Sequence[_Case]) -> Iterator[str]:
     }
     yield f"  <testsuite{attributes_of(name=f'{path} controllers', **counts, time=f'{robot.seconds:.3f}')}>"
     for case in cases:
-        start = f"    <testcase{attributes_of(name=case.name, classname=path, file=path)}"
+        start = f"    <testcase{attributes_of(name=case.name, classname=path, file=path, time=f'{case.seconds:.3f}')}"
         if not case.kind:
             yield f"{start}/>"
             continue

@@ -98,7 +98,7 @@ class Smoked(NamedTuple):
     `linted` holds the findings of the smoke test instead of those of lint. `distro` is the one whose controller manager
     was modelled. `engine` is None if nothing was simulated, and `seconds` is how long the simulation took. `picture`
     holds the robot at spawn as line segments (x1, y1, z1, x2, y2, z2), in m. `part_of` is the link of another file on
-    which a description hangs that is not a robot.
+    which a description hangs that is not a robot. `interrupted`: Ctrl-C ended the run before all was tested.
     """
 
     linted: TargetResult
@@ -109,6 +109,7 @@ class Smoked(NamedTuple):
     curves: tuple[Curve, ...] = ()
     picture: tuple[tuple[float, ...], ...] = ()
     part_of: str = ""
+    interrupted: bool = False
 
     def without(self, hidden: Sequence[str]) -> Smoked:
         """Return the test in which no controller fails for a finding that is hidden: it is warned instead."""

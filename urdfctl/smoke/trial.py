@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 
 from urdfctl.rules.smoke.mimic_not_kept import mimic_not_kept
 from urdfctl.rules.smoke.robot_tips_over import robot_tips_over
@@ -43,8 +43,8 @@ ACTS = {
 """What a controller was seen to do."""
 
 
-def tried(plan: Plan) -> Tried:
-    """Return the result of simulating a plan."""
+def tried(plan: Plan, seen: Callable[[Tried], None] = lambda _: None) -> Tried:
+    """Return the result of simulating a plan. `seen` gets what is known after each group of controllers."""
     began = time.process_time()
     mechanism = plan.mechanism
     weightless = [body.name for body in mechanism.bodies.values() if not body.falls]
@@ -69,21 +69,10 @@ def tried(plan: Plan) -> Tried:
         return Tried(refused=str(refusal))
     trial = Trial(plan, engine, setup.stiff, began)
     try:
-        trial.run()
+        trial.run(seen)
     finally:
         engine.close()
-    seconds = time.process_time() - began
-    unjudged = {name: why for name, why in trial.unjudged.items() if name not in trial.moved}
-    return Tried(
-        tuple(trial.troubles),
-        tuple(trial.moved),
-        unjudged,
-        tested={name: ACTS[act] for name, act in trial.acts.items()},
-        untested={task.controller: _untested(plan, task) for task in plan.tasks if task.controller in trial.acts},
-        curves=tuple(trial.curves),
-        seconds=seconds,
-        left_to_others=tuple(task.controller for task in plan.tasks if set(task.joints) & set(setup.stiff)),
-    )
+    return trial.result()
 
 
 def _untested(plan: Plan, task: Task) -> dict[str, str]:
@@ -130,17 +119,33 @@ class Trial:
     """The test of a robot's controllers in an engine, one after the other, with what is found on the way."""
 
     def __init__(self, plan: Plan, engine: Engine, stiff: Collection[str], began: float) -> None:
-        self._simulation, self._stiff = Simulation(plan, engine, began), stiff
+        self._simulation, self._stiff, self._began = Simulation(plan, engine, began), stiff, began
         self._plan, self._engine, self._hinges = plan, engine, self._simulation.hinges
         self._wheels = set(wheels_of_drives(plan.tasks))
         self.troubles: list[Trouble] = []
         self.moved: list[str] = []
         self.unjudged: dict[str, str] = {}
         self.acts: dict[str, str] = {}
+        self.times: dict[str, float] = {}
         self.curves: list[Curve] = []
         self._bases: dict[Drive, tuple[str, bool]] = {}
 
-    def run(self) -> None:
+    def result(self) -> Tried:
+        """Return what is known so far."""
+        plan = self._plan
+        return Tried(
+            tuple(self.troubles),
+            tuple(self.moved),
+            {name: why for name, why in self.unjudged.items() if name not in self.moved},
+            tested={name: ACTS[act] for name, act in self.acts.items()},
+            untested={task.controller: _untested(plan, task) for task in plan.tasks if task.controller in self.acts},
+            curves=tuple(self.curves),
+            seconds=time.process_time() - self._began,
+            left_to_others=tuple(task.controller for task in plan.tasks if set(task.joints) & set(self._stiff)),
+            times=dict(self.times),
+        )
+
+    def run(self, seen: Callable[[Tried], None] = lambda _: None) -> None:
         """Simulate the whole plan; an explosion ends it."""
         for task in self._plan.tasks:
             self.unjudged[task.controller] = "not simulated: the robot did not settle"
@@ -148,7 +153,11 @@ class Trial:
             if not self._settled():
                 return
             for group in groups_of(self._plan.tasks, self._plan.mechanism, fixed=self._plan.fixed):
+                began = time.process_time()
                 self._run([task for task in group if self._can_run(task)])
+                took = (time.process_time() - began) / len(group)
+                self.times |= {task.controller: took for task in group}
+                seen(self.result())
             self._together()
             self._mimics()
         except OutOfTime:

@@ -1,0 +1,136 @@
+"""The workers of a smoke test: what they know survives their end, and each controller has a line on a terminal."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from folder import CHECKOUT
+from smoke_robots import Arm
+from smoking import target_of
+from smoking_engines import needs_pybullet
+
+from urdfctl.config.settings import Settings
+from urdfctl.run.limits import CAN_FORK, WorkerFailure
+from urdfctl.smoke import runs
+from urdfctl.smoke.job import Wanted, smoke_all
+from urdfctl.smoke.mechanism import Mechanism
+from urdfctl.smoke.plan import Plan, Tried
+from urdfctl.smoke.progress import keep, kept, live_lines, stopped_early
+from urdfctl.smoke.results import Smoked, Trouble
+from urdfctl.smoke.tasks import Family, Task
+
+needs_fork = pytest.mark.skipif(not CAN_FORK, reason="the system cannot fork")
+TASKS = tuple(Task(name, Family.FORWARD) for name in ("one", "two", "three"))
+PLAN = Plan(engine="mujoco", urdf="", mechanism=Mechanism("base", {}, ()), tasks=TASKS, rate=100.0, fixed=True)
+SLIP = Trouble("UC932", "joint:a", "joint 'a' is too fast", "two")
+KNOWN = Tried((SLIP,), ("one",), tested={"one": ("started", "moved")}, times={"one": 0.25, "two": 0.5})
+ARM = Arm()
+TWO = """
+controller_manager:
+  ros__parameters:
+    update_rate: 100
+    first: {type: forward_command_controller/ForwardCommandController}
+    second: {type: forward_command_controller/ForwardCommandController}
+first:
+  ros__parameters: {joints: [shoulder], interface_name: position}
+second:
+  ros__parameters: {joints: [elbow], interface_name: position}
+"""
+"""Two controllers of one branch, which are tested one after the other."""
+
+
+def reasons(made: Smoked) -> dict[str, str]:
+    return {result.name: f"{result.verdict.value}: {result.reason}" for result in made.controllers}
+
+
+def test_what_is_known_is_kept_in_a_file(tmp_path: Path) -> None:
+    path = str(tmp_path / "known")
+    assert kept(path) == Tried()
+    keep(KNOWN, path)
+    assert kept(path) == KNOWN
+    assert os.listdir(tmp_path) == ["known"]
+
+
+def test_controllers_that_were_not_reached_are_not_tested() -> None:
+    made = stopped_early(PLAN, KNOWN, "it takes longer than 5 s")
+    assert made.unjudged == {"three": "not tested: it takes longer than 5 s; 2 of 3 controllers tested"}
+    assert (made.moved, made.troubles) == (("one",), (SLIP,))
+
+
+def test_each_controller_has_one_line_on_a_terminal() -> None:
+    told: set[str] = set()
+    assert list(live_lines(KNOWN, PLAN, told)) == [
+        "[1/3] one: started, moved (mujoco, 0.25 s)",
+        "[2/3] two: fails: joint 'a' is too fast (mujoco, 0.50 s)",
+    ]
+    later = KNOWN._replace(unjudged={"three": "not simulated: no range"}, times={**KNOWN.times, "three": 0.0})
+    assert list(live_lines(later, PLAN, told)) == ["[3/3] three: not simulated: no range (mujoco, 0.00 s)"]
+
+
+@needs_fork
+@needs_pybullet
+def test_a_worker_that_is_ended_for_its_time_loses_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def stuck(_plan: Plan, seen: object) -> Tried:
+        assert callable(seen)
+        seen(Tried(moved=("first",), tested={"first": ("started", "moved")}))
+        time.sleep(60)
+        return Tried()
+
+    monkeypatch.setattr(runs, "tried", stuck)
+    monkeypatch.setattr(runs, "WAITING", 0.0)
+    monkeypatch.setattr(runs, "STARTING", 0.5)
+    target = target_of(tmp_path, {"robot.urdf": ARM.urdf(interface="position"), "controllers.yaml": TWO})
+    [made] = smoke_all([target], Settings(distro="jazzy"), Wanted(engines=("pybullet",)))
+    assert reasons(made) == {
+        "first": "passed: ",
+        "second": "skipped: not tested: it takes longer than 0.5 s; 1 of 2 controllers tested",
+    }
+    assert made.linted.outcome.diagnostics == []
+
+
+def test_a_worker_gets_a_multiple_of_its_processor_time_and_time_to_start() -> None:
+    limits = runs.Runs(Settings(), 1)._limits([PLAN._replace(budget=10.0), PLAN._replace(budget=20.0)])
+    assert limits.seconds == 20.0 * 12 + 60
+    assert runs.Runs(Settings(), 1)._limits([PLAN._replace(gui=True)]).seconds == 600.0
+
+
+def test_nothing_more_is_simulated_after_an_interruption() -> None:
+    def interrupted() -> object:
+        yield {"moved": 1}
+        raise KeyboardInterrupt
+
+    simulations = runs.Runs(Settings(), 1)
+    results = list(simulations._until_interrupted(interrupted(), 3))  # type: ignore[arg-type]
+    assert results == [{"moved": 1}, *[WorkerFailure("interrupted")] * 2]
+    assert simulations.interrupted
+    assert list(simulations._until_interrupted(interrupted(), 2)) == [WorkerFailure("interrupted")] * 2  # type: ignore[arg-type]
+
+
+@needs_fork
+@needs_pybullet
+def test_ctrl_c_reports_what_was_tested(tmp_path: Path) -> None:
+    import pty
+
+    target = target_of(tmp_path, {"robot.urdf": ARM.urdf(interface="position"), "controllers.yaml": TWO})
+    ours, terminal = pty.openpty()
+    words = ["smoke", target.path, "--controllers", target.controllers[0], "--distro", "jazzy", "--format", "json"]
+    command = [sys.executable, "-m", "urdfctl", *words, "--engine", "pybullet", "--duration", "60"]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=terminal, cwd=CHECKOUT)
+    os.close(terminal)
+    line = os.read(ours, 1000).decode()
+    process.send_signal(signal.SIGINT)
+    output, _ = process.communicate(timeout=60)
+    os.close(ours)
+    assert line.startswith("[1/2] first: started, moved, followed, held (pybullet, ")
+    report = json.loads(output)
+    told = {each["name"]: (each["verdict"], each["reason"]) for each in report["controllers"]}
+    assert told["first"] == ("passed", "")
+    assert told["second"] == ("skipped", "not tested: interrupted; 1 of 2 controllers tested")
+    assert process.returncode == 130
