@@ -11,7 +11,7 @@ from folder import Folder
 
 from urdfctl.__main__ import _run
 from urdfctl.cli import cache, lint_command
-from urdfctl.cli.lint_run import LintRun
+from urdfctl.lint.files import LintRun
 
 ROBOT = '<robot name="r" xmlns:xacro="x"><xacro:include filename="part.xacro"/><link name="a"/></robot>'
 PART = '<robot xmlns:xacro="x"><joint name="j" type="%s"/></robot>'

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Replacement, Severity
 from urdfctl.lint.grouping import grouped
 from urdfctl.lint.likeness import difference
@@ -80,7 +82,56 @@ def test_of_a_rule_with_more_than_ten_findings_in_a_file_all_are_one() -> None:
 
 def test_a_package_that_is_missing_in_several_files_is_one_fault() -> None:
     [one] = grouped(found("package 'x' was not found", 1, code="UC003", file=f"/{name}.urdf") for name in "ab")
-    assert likewise(one) == "also /b.urdf:1"
+    assert likewise(one) == "also in /b.urdf:1"
+
+
+def test_equal_findings_on_the_same_line_of_copied_files_are_one_with_the_files_of_the_others() -> None:
+    copies = [
+        found("setting 'a' is ignored", line, file=f"/{name}.xacro")._replace(excerpt=f"{' ' * line}<a/>")
+        for line, name in enumerate("abcdefg", 1)
+    ]
+    [one] = grouped(copies)
+    assert likewise(one) == "also in /b.xacro:2, /c.xacro:3, /d.xacro:4, /e.xacro:5 and 2 more"
+    assert [remark.at.file for remark in one.also if remark.at] == [f"/{name}.xacro" for name in "bcdefg"]
+
+
+def test_findings_of_copied_files_are_listed_after_those_of_the_first_file() -> None:
+    several = [
+        found(f"setting '{name}' is ignored", line, file=file)._replace(excerpt=f"<{name}/>")
+        for file in ("/one.xacro", "/two.xacro")
+        for line, name in enumerate("ab", 1)
+    ]
+    [one] = grouped(several)
+    assert likewise(one) == "also 'b' (line 2), and in /two.xacro:1"
+
+
+def test_errors_of_copied_files_and_findings_on_other_lines_of_text_stay_apart() -> None:
+    def in_file(name: str, text: str, severity: Severity) -> Diagnostic:
+        finding = found("setting 'a' is ignored", 1, severity=severity, file=f"/{name}.xacro")
+        return finding._replace(excerpt=text)
+
+    assert len(grouped([in_file(name, "<a/>", Severity.ERROR) for name in "ab"])) == 2
+    assert len(grouped([in_file(name, f"<a b='{name}'/>", Severity.WARNING) for name in "ab"])) == 2
+    assert len(grouped([in_file(name, "", Severity.WARNING) for name in "ab"])) == 2
+
+
+def test_what_a_fix_repairs_stays_apart_for_each_file(tmp_path: Path) -> None:
+    one, other = (
+        found("setting 'a' is ignored", 1, file=f"{tmp_path}/{name}")._replace(excerpt="<a/>") for name in "ab"
+    )
+    assert len(grouped([fixed(one, "b"), fixed(other, "b")])) == 2
+    assert len(grouped([one, other])) == 1
+
+
+def test_meshes_that_are_missing_in_one_folder_are_one_fault_and_in_two_folders_two() -> None:
+    def missing(mesh: str, line: int, file: str) -> Diagnostic:
+        message = f"mesh of link 'l{line}' does not exist: 'package://arm/{mesh}.stl'; did you mean 'x/{line}.stl'?"
+        return found(message, line, code="UC149", file=file)
+
+    same = [missing("meshes/a", 1, "/r.urdf"), missing("meshes/b", 2, "/r.urdf"), missing("meshes/a", 3, "/s.urdf")]
+    one, other = grouped([*same, missing("visual/a", 4, "/s.urdf")])
+    assert likewise(one) == "also 'l2' (line 2), and in /s.urdf:3"
+    assert not other.also
 
 
 def test_the_fixes_of_equal_findings_are_one_fix() -> None:

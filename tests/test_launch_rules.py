@@ -588,3 +588,47 @@ def test_the_package_of_the_hardware_belongs_into_the_manifest_too(folder: Folde
     assert found(folder, {**files, "package.xml": declared}, "UC614", distro="jazzy") == []
     mocked = {**samples.SOUND, "package.xml": MANIFEST}
     assert found(folder, mocked, "UC614", distro="jazzy") == []
+
+
+# -- arguments of the description ------------------------------------------------------------------------------------
+
+
+def test_an_argument_that_the_description_does_not_declare_is_reported_where_the_launch_file_gives_it(
+    folder: Folder,
+) -> None:
+    robot = """
+        <robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
+          <xacro:arg name="prefix" default=""/>
+          <link name="$(arg prefix)base"/>
+        </robot>
+    """
+    command = "$(find xacro)/xacro $(find arm)/arm.xacro prefx:=$(arg side)"
+    in_ros1 = f"""
+        <launch>
+          <arg name="side" default="left_"/>
+          <param name="robot_description" command="{command}"/>
+        </launch>
+    """
+    in_ros2 = """
+        import os
+        from ament_index_python.packages import get_package_share_directory
+        from launch import LaunchDescription
+        from launch.substitutions import Command
+        from launch_ros.actions import Node
+
+        def generate_launch_description():
+            path = os.path.join(get_package_share_directory("arm"), "arm.xacro")
+            text = Command(["xacro ", path, " prefx:=", "left_"])
+            node = Node(package="robot_state_publisher", executable="robot_state_publisher",
+                        parameters=[{"robot_description": text}])
+            return LaunchDescription([node])
+    """
+    for name, text in (("arm.launch", in_ros1), ("arm.launch.py", in_ros2)):
+        files = {name: text, "arm.xacro": robot, "package.xml": "<package><name>arm</name></package>"}
+        folder.write({file: dedent(content).strip("\n") + "\n" for file, content in files.items()})
+        [one] = robots.findings(name, ("UC021",), workspace=str(folder.path))
+        assert (
+            one.message == "argument 'prefx' is given, but the description does not declare it; did you mean 'prefix'?"
+        )
+        assert (folder.path / name).read_bytes()[one.at.start : one.at.end].decode().strip(' "').startswith("prefx:=")
+        assert [note.at.file for note in one.notes if note.at] == [str(folder.path / "arm.xacro")]

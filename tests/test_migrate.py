@@ -67,7 +67,7 @@ def test_in_place_changes_only_the_bytes_that_it_must_and_writes_a_report(folder
     assert (ran.returncode, ran.stdout) == (0, "")
     assert (folder.path / "arm/urdf/arm.urdf.xacro").read_text() == MIGRATED
     report = (folder.path / "arm/MIGRATION.md").read_text()
-    assert "`urdf/arm.urdf.xacro:10`: hardware plugin 'ign_ros2_control/IgnitionSystem' was renamed" in report
+    assert "`urdf/arm.urdf.xacro:10`: 'ign_ros2_control/IgnitionSystem' was renamed" in report
 
 
 def test_a_migrated_package_is_not_changed_again_and_gets_no_second_report(folder: Folder) -> None:

@@ -39,7 +39,18 @@ def files() -> Iterator[tuple[Path, str]]:
         for kind in KINDS:
             yield folder / f"{kind}.json", _json(_collected(folder, kind))
     yield DATA / "renamed.json", _json(_yaml(DATA / "renamed.yaml"))
+    moves = {path.stem: _with_literals(_yaml(path)) for path in sorted((DATA / "moves").glob("*.yaml"))}
+    yield DATA / "moves.json", _json(moves)
     yield DATA / "log_messages.json", _json(dict(_log_messages()))
+
+
+def _with_literals(plain: Any) -> Any:
+    """Plain data with numbers that JSON does not have as YAML writes them: `.nan`."""
+    if isinstance(plain, dict):
+        return {key: _with_literals(value) for key, value in plain.items()}
+    if isinstance(plain, list):
+        return [_with_literals(item) for item in plain]
+    return ".nan" if isinstance(plain, float) and plain != plain else plain  # noqa: PLR0124 (nan)
 
 
 def sources() -> list[Path]:

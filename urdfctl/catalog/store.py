@@ -35,6 +35,12 @@ def renamed() -> dict[str, Any]:
 
 
 @lru_cache(maxsize=1)
+def moves_data() -> dict[str, Any]:
+    """Return what replaces what from one ROS 2 distro to a later one: `names` and `parameters`."""
+    return _read("moves.json")
+
+
+@lru_cache(maxsize=1)
 def log_message_entries() -> dict[str, Any]:
     """Return the messages of ROS and Gazebo by id."""
     return _read("log_messages.json")

@@ -7,7 +7,7 @@ import sys
 from collections.abc import Sequence
 
 from urdfctl.cli.lint_request import Fixing, LintRequest
-from urdfctl.cli.lint_run import LintRun, lint_files
+from urdfctl.cli.lint_run import lint_files
 from urdfctl.cli.targets import discovered
 from urdfctl.cli.words import (
     baseline_of,
@@ -24,6 +24,7 @@ from urdfctl.config.file import Config
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.errors import UserError
+from urdfctl.lint.files import LintRun
 from urdfctl.lint.grouping import grouped
 from urdfctl.lint.merging import worst
 from urdfctl.lint.selection import Selection, validate_selection

@@ -9,6 +9,7 @@ from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.lint.merging import merge
 from urdfctl.lint.results import TargetResult
 from urdfctl.lint.selection import Selection
+from urdfctl.lint.shared_files import outcomes_of
 from urdfctl.report import module_of
 from urdfctl.startup.hints import TYPE_CHECKING
 from urdfctl.startup.records import NamedTuple
@@ -60,5 +61,5 @@ class LintRequest(NamedTuple):
 
     def findings(self, results: Iterable[TargetResult]) -> list[Diagnostic]:
         """Return the findings in all targets, without those that per-file-ignores hides."""
-        findings = merge([result.outcome for result in results], self.selection)
+        findings = merge(outcomes_of(results), self.selection)
         return [finding for finding in findings if not self.config.ignores(finding.at.file, finding.code)]

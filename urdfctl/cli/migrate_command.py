@@ -136,13 +136,14 @@ def _finish(result: Migration, scratch: Scratch, options: MigrateOptions, wishes
     else:
         print_bytes(patch(result.changes))
     report = options.report or (os.path.join(options.output or base, REPORT) if is_written else None)
-    if report is not None and result.changes:
+    if report is not None and result.lines:
         render = as_json if report.endswith(".json") else as_markdown
-        write_file(report, render(result.lines, result.source, wishes.target, base), force=True)
+        write_file(report, render(result.lines, wishes.source, wishes.target, base), force=True)
     counts = {kind: sum(line.kind is kind for line in result.lines) for kind in EntryKind}
     verb = "changed" if is_written else "would change"
+    files = f"{len(result.changes)} file{'s' * (len(result.changes) != 1)}"
     print_message(
-        f"{verb} {len(result.changes)} file{'s' * (len(result.changes) != 1)}; {counts[EntryKind.DONE]} done, {counts[EntryKind.DECIDED]} decided, "
+        f"{verb} {files}; {counts[EntryKind.DONE]} done, {counts[EntryKind.DECIDED]} decided, "
         f"{counts[EntryKind.FOR_YOU]} for you{f' (see {report})' if report and result.changes else ''}"
     )
     return int(bool(result.changes) and not is_written)

@@ -6,12 +6,13 @@ import os
 from collections.abc import Iterator
 
 from urdfctl.cli.lint_request import LintRequest
-from urdfctl.cli.lint_run import LintRun, lint_files
+from urdfctl.cli.lint_run import lint_files
 from urdfctl.cli.targets import discovered
 from urdfctl.cli.words import check_jobs, configured, output_of, settings_to_check, split_arguments
 from urdfctl.cli.writing import print_text, write_file
 from urdfctl.diagnostic import Severity
 from urdfctl.errors import UserError
+from urdfctl.lint.files import LintRun
 from urdfctl.lint.results import TargetResult
 from urdfctl.lint.selection import Selection
 from urdfctl.load.bringup import Bringup

@@ -7,7 +7,7 @@ import sys
 from collections.abc import Iterator, Sequence
 
 from urdfctl.cli.progress import with_progress
-from urdfctl.cli.targets import PlannedTarget, discovered, of_shard, planned
+from urdfctl.cli.targets import discovered
 from urdfctl.cli.words import (
     baseline_of,
     check_jobs,
@@ -23,6 +23,7 @@ from urdfctl.config.file import Config
 from urdfctl.config.settings import Settings
 from urdfctl.errors import UserError
 from urdfctl.lint.merging import merge, worst
+from urdfctl.lint.planning import PlannedTarget, of_shard, planned
 from urdfctl.lint.selection import Selection, validate_selection
 from urdfctl.load.target import Target
 from urdfctl.names import did_you_mean, enumerated, nearest_path

@@ -1,4 +1,8 @@
-"""Group equal findings of one file: one finding, with the places of the others."""
+"""Group equal findings: one finding, with the places of the others.
+
+Findings of one file are equal if their words are. In several files they are one fault if these were copied from each
+other, so that the findings are on the same line of text, or if one cause is outside of them: a missing package or mesh.
+"""
 
 from __future__ import annotations
 
@@ -14,11 +18,21 @@ MOST_ERRORS = 3
 MOST_OF_A_RULE = 10
 """From this many findings of a rule in a file on, all of one severity are one finding, equal or not."""
 
-_OF_THE_WORKSPACE = ("UC003", "UC150")
-"""Rules about a package that is missing: equal findings in several files are one fault."""
-
 Group = list[Diagnostic]
 Key = Callable[[Diagnostic], object]
+
+
+def _package(message: str) -> str:
+    return message.partition(" (")[0]
+
+
+def _folder(message: str) -> str:
+    """The folder of the mesh that is the last name of a message before its hint."""
+    return message.partition("; did you mean")[0].rpartition("/")[0].rpartition("'")[2]
+
+
+_MISSING = {"UC003": _package, "UC149": _folder, "UC150": _package}
+"""What is missing, by rule: findings in several files are one fault if it is the same."""
 
 
 def grouped(findings: Iterable[Diagnostic]) -> list[Diagnostic]:
@@ -37,6 +51,7 @@ def grouped(findings: Iterable[Diagnostic]) -> list[Diagnostic]:
 
     if max(counts.values(), default=0) > MOST_OF_A_RULE:
         groups = _joined(groups, of_many)
+    groups = _joined(groups, _copy)
     return sorted(map(_one, groups), key=lambda finding: finding.order)
 
 
@@ -52,21 +67,35 @@ def _rule_in_file(finding: Diagnostic) -> tuple[str, str]:
 
 def _likeness(finding: Diagnostic) -> object:
     """What equal findings have in common: rule, file, severity, words, kind of fix, and the distros they apply to."""
-    if finding.code in _OF_THE_WORKSPACE:
-        return finding.code, finding.severity, finding.message.partition(" (")[0]
-    fix = finding.fix
-    kind = (fix.safe, bool(fix.edits)) if fix else None
+    if finding.code in _MISSING:
+        return finding.code, finding.severity, _MISSING[finding.code](finding.message)
     applies = tuple(note.message for note in finding.notes if note.message.startswith(APPLIES))
-    return finding.code, finding.at.file, finding.severity, shape(finding.message), kind, applies
+    return finding.code, finding.at.file, finding.severity, shape(finding.message), _kind(finding), applies
+
+
+def _copy(finding: Diagnostic) -> object:
+    """What findings in files that were copied from each other have in common: also the line of text, but for blanks.
+
+    Each error keeps its place, because all must be repaired, and so does what a fix repairs file by file.
+    """
+    has_edits = finding.fix is not None and finding.fix.edits
+    if finding.severity is Severity.ERROR or has_edits or finding.code in _MISSING or not finding.excerpt:
+        return finding.order
+    text = "".join(finding.excerpt.split())
+    return finding.code, finding.severity, shape(finding.message), _kind(finding), text
+
+
+def _kind(finding: Diagnostic) -> tuple[bool, bool] | None:
+    """Whether its fix is safe, and whether it can be made automatically; None without a fix."""
+    return (finding.fix.safe, bool(finding.fix.edits)) if finding.fix else None
 
 
 def _place(finding: Diagnostic) -> object:
     """What equal findings at one place have in common."""
     at = finding.at
-    kind = finding.fix and (finding.fix.safe, bool(finding.fix.edits))
     if finding.severity is Severity.ERROR:
         return finding.order
-    return finding.code, at.file, at.start, at.end, shape(finding.message), kind
+    return finding.code, at.file, at.start, at.end, shape(finding.message), _kind(finding)
 
 
 def _joined(groups: Iterable[Group], key: Key) -> list[Group]:

@@ -47,6 +47,14 @@ def difference(first: str, other: str) -> str:
     return next((theirs for ours, theirs in pairs if ours != theirs and _is_name(theirs)), "")
 
 
+def named(first: str, other: str) -> str:
+    """Return `difference`, but only the first name of `other` if the messages are not alike."""
+    different = difference(first, other)
+    if different != other:
+        return different
+    return next((name for name in _NAME.findall(other) if _is_name(name) and name not in first), "")
+
+
 def _is_name(name: str) -> bool:
     return name[0] in "'<"
 

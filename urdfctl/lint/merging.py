@@ -66,7 +66,8 @@ def _one_diagnostic(group: list[Diagnostic]) -> Diagnostic:
     others = sorted({diagnostic.message for diagnostic in group} - {first.message})
     notes = first.notes
     if others:
-        named = list(dict.fromkeys(filter(None, (difference(first.message, other) for other in others))))
+        different = list(dict.fromkeys(filter(None, (difference(first.message, other) for other in others))))
+        named = [name for name in different if name not in others] or different
         most = _MAX_LIKEWISE if named and named[0] not in others else 1
         rest = len(named) - most
         shown = "; ".join(named[:most]) + (f"; and {rest} more" if rest > 0 else "")

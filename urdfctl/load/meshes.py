@@ -51,7 +51,7 @@ def _mesh_file(address: str, packages: Packages, robot_file: str) -> MeshFile | 
     if not os.path.isabs(path):
         path = os.path.join(os.path.dirname(robot_file), path)
     mesh = _file(packages.source_of(path), None, packages)
-    return mesh._replace(address=packages.address_of(path)) if mesh and mesh.exists else mesh
+    return mesh._replace(address=packages.address_of(path)) if mesh else None
 
 
 def _in_package(address: str, packages: Packages) -> MeshFile | None:

@@ -24,12 +24,10 @@ class Migration(NamedTuple):
 
     changes: the files to change, create or delete.
     lines: the report.
-    source: the distro to migrate from; None if it is unknown.
     """
 
     changes: tuple[Change, ...]
     lines: tuple[ReportLine, ...]
-    source: str | None
 
 
 def migrate(scratch: Scratch, wishes: Wishes, settings: Settings, lint: Lint, steps: Sequence[Step]) -> Migration:
@@ -55,7 +53,7 @@ def migrate(scratch: Scratch, wishes: Wishes, settings: Settings, lint: Lint, st
         scratch.reset()
         packages.forget()
     lines = attempt.lines(found) if scratch.changes() or barred else ()
-    return Migration(scratch.changes(), tuple(lines), packages.source)
+    return Migration(scratch.changes(), tuple(lines))
 
 
 def _is_wanted(step: Step, packages: Packages) -> bool:

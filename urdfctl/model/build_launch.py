@@ -234,7 +234,8 @@ class _Builder:
         elif written:
             path = if_known(texts.resolve(written))
         reference = self._reference(written, element.at[source], path, "description", sure=scope.sure)
-        names = tuple(Word(argument, element.at[source]) for argument in re.findall(r"(\w+):=", written))
+        at = element.at[source]
+        names = tuple(Word(name, at.word(word)) for word, name in re.findall(r"((\w+):=\S*)", written))
         namespace = if_known(name.rpartition("/")[0])
         description = Description(
             file=reference,

@@ -129,7 +129,7 @@ class MeshFile(NamedTuple):
     package: the package in its address; None if the address has none.
     package_found: whether that package was found.
     nearest: the known package or file with the most similar name, if the named one was not found.
-    address: the package:// address of the same file.
+    address: the package:// address of the file, of which the mesh gives the path.
     package_declared: whether the package was not found, although package.xml declares it.
     """
 

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Step
-from urdfctl.lint.likeness import difference
+from urdfctl.lint.likeness import named
 
 MOST_CHAINS = 3
 _MOST_STEPS = 8
 _MOST_NAMES = 3
 _MOST_IN_A_LINE = 10
+_MOST_FILES = 4
 
 
 def notes(diagnostic: Diagnostic) -> Iterator[str]:
@@ -27,28 +28,31 @@ def notes(diagnostic: Diagnostic) -> Iterator[str]:
 
 
 def likewise(diagnostic: Diagnostic) -> str:
-    """Return the names and lines of the findings that one was joined with."""
-    also = diagnostic.also
-    names = {remark: difference(diagnostic.message, remark.message) for remark in also}
-    places = {(remark.at.file, remark.at.line) for remark in also if remark.at}
-    if places == {(diagnostic.at.file, diagnostic.at.line)}:  # the names are all that tells them apart
-        return f"also {_listed(dict.fromkeys(name for name in names.values() if name), _MOST_IN_A_LINE)}"
-    if not any(names.values()) and {file for file, _ in places} == {diagnostic.at.file}:
-        lines = dict.fromkeys(str(remark.at.line) for remark in also if remark.at)
-        return f"also in line{'s' * (len(lines) > 1)} {_listed(lines, _MOST_IN_A_LINE)}"
-    items = [_item(names[remark], _at(remark, diagnostic.at.file)) for remark in also]
-    return f"also {_listed(dict.fromkeys(filter(None, items)), _MOST_NAMES)}"
+    """Return the names and lines of the findings that one was joined with, and the files with copies of it."""
+    here = [remark for remark in diagnostic.also if remark.at is None or remark.at.file == diagnostic.at.file]
+    first: dict[str, str] = {}
+    for remark in diagnostic.also:
+        if remark.at is not None and remark not in here:
+            first.setdefault(remark.at.file, f"{remark.at.file}:{remark.at.line}")
+    elsewhere = _listed(first.values(), _MOST_FILES)
+    parts = [_likewise_here(diagnostic, here) if here else "", elsewhere and f"in {elsewhere}"]
+    return f"also {', and '.join(filter(None, parts))}"
+
+
+def _likewise_here(diagnostic: Diagnostic, also: Sequence[Remark]) -> str:
+    names = {remark: named(diagnostic.message, remark.message) for remark in also}
+    lines = dict.fromkeys(str(remark.at.line) for remark in also if remark.at)
+    if set(lines) == {str(diagnostic.at.line)}:  # the names are all that tells them apart
+        return _listed(dict.fromkeys(name for name in names.values() if name), _MOST_IN_A_LINE)
+    if lines and not any(names.values()):
+        return f"in line{'s' * (len(lines) > 1)} {_listed(lines, _MOST_IN_A_LINE)}"
+    items = [_item(names[remark], f"line {remark.at.line}" if remark.at else "") for remark in also]
+    return _listed(dict.fromkeys(filter(None, items)), _MOST_NAMES)
 
 
 def _item(name: str, place: str) -> str:
     """A name with its place, or the place alone."""
     return f"{name} ({place})" if name and place else name or place
-
-
-def _at(remark: Remark, current: str) -> str:
-    if remark.at is None:
-        return ""
-    return f"line {remark.at.line}" if remark.at.file == current else f"{remark.at.file}:{remark.at.line}"
 
 
 def _listed(names: Iterable[str], most: int) -> str:

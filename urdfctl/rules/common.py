@@ -27,11 +27,15 @@ def label(kind: str, name: str | None) -> str:
 
 
 class Names:
-    """The names that a reference can use. Only the first unknown names are compared with all of them, which is slow."""
+    """The names that a reference can use. Only the first unknown names are compared with all of them, which is slow.
 
-    def __init__(self, names: Iterable[str | None]) -> None:
+    taken: names that other references use, so that none of them is meant where another name is unknown.
+    """
+
+    def __init__(self, names: Iterable[str | None], taken: Iterable[str | None] = ()) -> None:
         self._names = {name for name in names if name}
-        self._stripped = {name.strip(): name for name in self._names}
+        self._free = self._names.difference(taken)
+        self._stripped = {name.strip(): name for name in self._free}
         self._left = _MOST_COMPARED
         self._meant: dict[str, str | None] = {}
 
@@ -43,7 +47,7 @@ class Names:
         stripped = self._stripped.get(name.strip())
         if stripped is None and name not in self._meant and self._left:
             self._left -= 1
-            self._meant[name] = nearest(name, self._names)
+            self._meant[name] = nearest(name, self._free)
         return stripped or self._meant.get(name)
 
 

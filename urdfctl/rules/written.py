@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-from urdfctl.rule import Edit, Fix
+from urdfctl.rule import Edit, Finding, Fix, Note
 from urdfctl.source.span import Place
 from urdfctl.startup.patterns import lazy_pattern
 from urdfctl.startup.records import NamedTuple
@@ -33,6 +33,18 @@ def where_written(at: Place, wrong: str, meant: str | None) -> Written:
     text = at.span.text.replace("\r\n", "\n")
     new = _corrected(text, wrong, meant) if meant else None
     return Written(at, Fix(f"write '{new}'", (Edit(at.span, new),))) if new else Written(at)
+
+
+def at_written(used: Place, wrong: str, meant: str | None, message: str, notes: Sequence[Note] = ()) -> Finding:
+    """Return a finding about a wrong name, where it is written; a note says where the robot uses it, if elsewhere.
+
+    The fix has no edits if the name is put together from parts that no single edit corrects.
+    """
+    at, fix = where_written(used, wrong, meant)
+    if fix is None and meant is not None:
+        fix = Fix(f"write '{meant}'")
+    here = () if at is used else (Note("used here", used),)
+    return Finding(at, message, (*notes, *here), fix)
 
 
 def _passed(at: Place, wrong: str, meant: str | None, depth: int) -> Written | None:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.reading.common import findings_of
+from urdfctl.model.launch import Word
+from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.source.problem import ProblemKind
 
 
@@ -35,7 +35,21 @@ from urdfctl.source.problem import ProblemKind
 def argument_unknown(project: Project) -> Iterator[Finding]:
     """Argument that the description does not declare.
 
-    xacro accepts any `name:=value` and does not report one that no `$(arg name)` uses. The robot is expanded with the
-    default value.
+    xacro accepts any `name:=value` and does not report one that no `$(arg name)` uses: it is ignored, and the robot is
+    expanded with the default value.
     """
-    yield from findings_of(project, ProblemKind.UNKNOWN_ARGUMENT)
+    given = _in_launch_file(project)
+    for problem in project.of_kind(ProblemKind.UNKNOWN_ARGUMENT):
+        word = given.get(problem.subject)
+        notes = (Note("the description is here", problem.at),) if word else ()
+        yield Finding(word.at if word else problem.at, problem.message, notes)
+
+
+def _in_launch_file(project: Project) -> dict[str, Word]:
+    """The arguments that the launch file gives, each with its place."""
+    launch, robot = project.launch, project.robot
+    if launch is None or robot is None:
+        return {}
+    path = robot.at.source.path
+    descriptions = [one for one in launch.descriptions if one.file.path == path]
+    return {word.text: word for description in descriptions for word in description.names}

@@ -7,8 +7,9 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import ROS2
 from urdfctl.model.robot import Robot
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.common import Names, is_known, replaced, severity_where, whole_robot_in
+from urdfctl.rules.common import Names, is_known, severity_where, whole_robot_in
 from urdfctl.rules.ros2_control.common import JAZZY, component, parts
+from urdfctl.rules.written import at_written
 
 
 @rule(
@@ -48,18 +49,17 @@ def component_joint_unknown(project: Project) -> Iterator[Finding]:
     robot = whole_robot_in(project)
     if robot is None or project.library or not robot.joints:
         return
-    known = Names(robot.joint_names)
-    for control, joint in parts(project, "joint"):
+    joints = list(parts(project, "joint"))
+    known = Names(robot.joint_names, (joint.name for _, joint in joints))
+    for control, joint in joints:
         name = joint.name
         if name is None or not is_known(name) or name.strip() in known:
             continue
         meant = known.meant_by(name)
-        at = joint.at["name"]
         hint = f"; did you mean '{meant}'?" if meant else ""
-        fix = replaced(at, name, meant) if meant else None
-        notes = tuple(_links(robot, name))
         message = f"{component(control)} names joint '{name}', which the robot does not have{hint}"
-        yield Finding(at, message, notes, fix, severity_where(project, JAZZY))
+        finding = at_written(joint.at["name"], name, meant, message, tuple(_links(robot, name)))
+        yield finding._replace(severity=severity_where(project, JAZZY))
 
 
 def _links(robot: Robot, name: str) -> Iterator[Note]:

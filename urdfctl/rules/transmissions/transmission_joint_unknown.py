@@ -9,9 +9,10 @@ from urdfctl.control.gazebo_ros1 import in_gazebo
 from urdfctl.model.robot import Joint, Robot
 from urdfctl.model.transmission import Transmission, TransmissionEnd
 from urdfctl.names import nearest
-from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
-from urdfctl.rules.transmissions.common import in_place_of_name, joints_by_name, known_joints
+from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rules.transmissions.common import joints_by_name, known_joints
 from urdfctl.rules.transmissions.wrong_calls import WrongCall, macro_call, wrong_calls
+from urdfctl.rules.written import at_written
 from urdfctl.source.span import Call
 
 
@@ -65,17 +66,18 @@ def transmission_joint_unknown(project: Project) -> Iterator[Finding]:
     named = list(known_joints(project))
     if all(name in known for _, _, name in named):
         return
+    taken = {name for _, _, name in named}
     wrong = _wrong_calls(robot, named, known)
     for call in wrong.values():
         yield call.finding._replace(severity=severity)
     for transmission, joint, name in named:
         if name in known or macro_call(joint.at) in wrong:
             continue
-        right = nearest(name, known)
+        right = nearest(name, known.keys() - taken)
         hint = f"; did you mean '{right}'?" if right else ""
         message = f"{transmission.label} names joint '{name}', which the robot does not have{hint}"
-        fix = Fix(f"write '{right}'", in_place_of_name(joint.at, name, right)) if right else None
-        yield Finding(joint.at["name"], message, tuple(_links(robot, name)), fix, severity)
+        finding = at_written(joint.at["name"], name, right, message, tuple(_links(robot, name)))
+        yield finding._replace(severity=severity)
 
 
 def _wrong_calls(

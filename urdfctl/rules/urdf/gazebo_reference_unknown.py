@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import Names, is_known, replaced, whole_robot_in
+from urdfctl.rules.common import Names, is_known, whole_robot_in
+from urdfctl.rules.written import at_written
 
 
 @rule(
@@ -28,18 +29,19 @@ from urdfctl.rules.common import Names, is_known, replaced, whole_robot_in
 def gazebo_reference_unknown(project: Project) -> Iterator[Finding]:
     """<gazebo> refers to an unknown link or joint.
 
-    Gazebo silently drops the element's content: the sensor, the friction or the colour is missing.
+    Gazebo silently drops the element's content: the sensor, the friction or the colour is missing. If several robots
+    include the file and another one has the link or joint, this is only worth knowing.
     """
     robot = whole_robot_in(project)
     if robot is None:
         return
-    names = Names([*(link.name for link in robot.links), *robot.joint_names])
+    taken = {gazebo.reference for gazebo in robot.gazebos}
+    names = Names([*(link.name for link in robot.links), *robot.joint_names], taken)
     for gazebo in robot.gazebos:
         reference = gazebo.reference
         if not reference or reference in names or not is_known(reference):
             continue
         meant = names.meant_by(reference)
         hint = f"; did you mean '{meant}'?" if meant else ""
-        at = gazebo.at["reference"]
-        fix = replaced(at, reference, meant) if meant else None
-        yield Finding(at, f"<gazebo> refers to '{reference}', which is not a link or joint of the robot{hint}", fix=fix)
+        message = f"<gazebo> refers to '{reference}', which is not a link or joint of the robot{hint}"
+        yield at_written(gazebo.at["reference"], reference, meant, message)

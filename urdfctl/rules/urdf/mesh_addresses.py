@@ -13,7 +13,7 @@ def in_packages(meshes: Sequence[Mesh]) -> Fix | None:
 
     The fix has no edits if an address is unknown, or if the source does not contain a file name literally.
     """
-    right = [mesh.file.address if mesh.file else None for mesh in meshes]
+    right = [mesh.file.address if mesh.file and mesh.file.exists else None for mesh in meshes]
     if not right[0]:
         return None
     edits = [Edit(mesh.at.span, address) for mesh, address in zip(meshes, right, strict=True) if address]

@@ -75,5 +75,11 @@ def mesh_not_found(project: Project) -> Iterator[Finding]:
         for mesh in meshes[:1] if whole_folder else meshes:
             nearest = mesh.file.nearest if mesh.file and not whole_folder else None
             hint = f"; did you mean '{nearest}'?" if nearest else ""
-            problem = f"mesh of {label('link', mesh.link)} does not exist: '{mesh.filename}'"
+            problem = f"mesh of {label('link', mesh.link)} does not exist: '{_shown(mesh)}'"
             yield Finding(mesh.at, f"{problem}{more}{hint}")
+
+
+def _shown(mesh: Mesh) -> str:
+    """The package:// address in place of a path of this machine."""
+    of_machine = mesh.filename.startswith(("file://", "/"))
+    return (mesh.file and of_machine and mesh.file.address) or mesh.filename

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.common import Names, is_known, label, replaced, robot_in, whole_robot_in
+from urdfctl.rules.common import Names, is_known, label, robot_in, whole_robot_in
 from urdfctl.rules.urdf.common import known_part
+from urdfctl.rules.written import at_written
 
 
 @rule(
@@ -55,6 +56,7 @@ def unknown_mimic_joint(project: Project) -> Iterator[Finding]:
         if mimic is None or not mimic.joint or mimic.joint in joints or not known_part(mimic.joint):
             continue
         meant = joints.meant_by(mimic.joint)
-        message = f"{label('joint', joint.name)} mimics unknown joint '{mimic.joint}'"
-        fix = replaced(mimic.at["joint"], mimic.joint, meant) if meant and is_known(meant) else None
-        yield Finding(mimic.at["joint"], message + (f"; did you mean '{meant}'?" if meant else ""), fix=fix)
+        hint = f"; did you mean '{meant}'?" if meant else ""
+        message = f"{label('joint', joint.name)} mimics unknown joint '{mimic.joint}'{hint}"
+        correct = meant if meant and is_known(meant) else None
+        yield at_written(mimic.at["joint"], mimic.joint, correct, message)

@@ -1,0 +1,225 @@
+"""What a migration from one ROS 2 distro to a later one changes, and what it leaves alone."""
+
+from __future__ import annotations
+
+import re
+import textwrap
+from pathlib import Path
+
+import pytest
+from folder import Folder
+
+from urdfctl.catalog.catalog import CATALOG
+from urdfctl.catalog.distros import ROS2
+from urdfctl.catalog.map_parameters import matching
+from urdfctl.catalog.moves import Move, name_moves, parameter_moves
+from urdfctl.migrate.controller_files import MANAGER
+from urdfctl.migrate.steps import STEPS
+from urdfctl.migrate.table import rows
+from urdfctl.migrate.wishes import Wishes
+
+MANIFEST = '<package format="3"><name>arm</name><exec_depend>ros_ign_gazebo</exec_depend></package>\n'
+MANAGED = """\
+controller_manager:
+  ros__parameters:
+    update_rate: 100  # Hz
+    ctl: {type: TYPE}
+ctl:
+  ros__parameters:
+"""
+LAUNCH = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    robot_description = {"robot_description": "<robot/>"}
+    files = "config/controllers.yaml"
+    return LaunchDescription([
+        Node(
+            package="controller_manager",
+            executable="ros2_control_node",
+            parameters=[robot_description, files],
+            remappings=[
+                ("~/robot_description", "/robot_description"),
+            ],
+        ),
+        Node(package="controller_manager", executable="spawner", arguments=["ctl", "--stopped"]),
+        Node(package="controller_manager", executable="spawner", arguments=["other"]),
+    ])
+"""
+
+
+def controllers(kind: str, parameters: str) -> str:
+    """A controller file with one controller."""
+    return MANAGED.replace("TYPE", kind) + textwrap.indent(textwrap.dedent(parameters), "    ")
+
+
+def migrated(folder: Folder, files: dict[str, str], *words: str) -> dict[str, str]:
+    """The files of a package after its migration."""
+    folder.write({"arm/package.xml": MANIFEST, **{f"arm/{name}": text for name, text in files.items()}})
+    ran = folder.run("migrate", "arm", *words, "-o", "new", "--force")
+    assert ran.returncode == 0, ran.stderr
+    return {name: (folder.path / "new" / name).read_text() for name in files}
+
+
+def parameters_after(folder: Folder, kind: str, parameters: str, *words: str) -> str:
+    """The parameters of a controller after a migration of its file."""
+    name = "config/controllers.yaml"
+    after = migrated(folder, {name: controllers(kind, parameters)}, *words)[name]
+    return textwrap.dedent(after.partition("ctl:\n  ros__parameters:\n")[2])
+
+
+DIFF = "diff_drive_controller/DiffDriveController"
+JTC = "joint_trajectory_controller/JointTrajectoryController"
+HUMBLE = ("--from", "humble")
+AS_BEFORE = "allow_nonzero_velocity_at_trajectory_end: true\n"
+
+
+def test_limits_that_did_not_apply_become_nan_and_the_others_stay(folder: Folder) -> None:
+    after = parameters_after(
+        folder,
+        DIFF,
+        """\
+        left_wheel_names: [l]  # one
+        linear:
+          x:
+            has_velocity_limits: true
+            max_velocity: 1.0
+            has_acceleration_limits: false
+            max_acceleration: 1.0
+            min_acceleration: -1.0
+        angular.z.has_velocity_limits: true
+        angular.z.min_acceleration: -2.0  # hard
+        """,
+        *HUMBLE,
+        "--to",
+        "jazzy",
+    )
+    assert after == textwrap.dedent("""\
+        left_wheel_names: [l]  # one
+        linear:
+          x:
+            max_velocity: 1.0
+            max_acceleration: .nan
+            max_deceleration: .nan
+        angular.z.max_deceleration: -2.0  # hard
+        """)
+
+
+def test_an_integral_limit_becomes_two_in_blocks_and_in_braces(folder: Folder) -> None:
+    gains = "gains:\n  a: {p: 1.0, i_clamp: 3.0}\n  b:\n    i_clamp: 4.0  # keep\n" + AS_BEFORE
+    assert parameters_after(folder, JTC, gains, *HUMBLE, "--to", "jazzy") == textwrap.dedent("""\
+        gains:
+          a: {p: 1.0, i_clamp_max: 3.0, i_clamp_min: -3.0}
+          b:
+            i_clamp_max: 4.0  # keep
+            i_clamp_min: -4.0
+        allow_nonzero_velocity_at_trajectory_end: true
+        """)
+
+
+def test_old_defaults_are_written_for_the_distros_that_changed_them(folder: Folder) -> None:
+    given = "joints: [a]\nconstraints:\n  a: {goal: 0.1}\n"
+    assert parameters_after(folder, JTC, given, *HUMBLE, "--to", "lyrical") == textwrap.dedent("""\
+        joints: [a]
+        constraints:
+          a: {goal: 0.1}
+          goal_time: 0.0
+        allow_nonzero_velocity_at_trajectory_end: true
+        """)
+    assert parameters_after(folder, JTC, given, "--from", "jazzy", "--to", "jazzy") == given
+
+
+def test_what_a_person_must_decide_is_a_todo_that_lint_finds(folder: Folder) -> None:
+    after = parameters_after(folder, DIFF, "use_stamped_vel: false\nodom_frame_id: odom\n", *HUMBLE, "--to", "jazzy")
+    assert re.fullmatch(r"# TODO\(urdfctl\): the controller now reads TwistStamped .*\nodom_frame_id: odom\n", after)
+    assert "UC708" in folder.run("lint", "new/config/controllers.yaml", "--distro", "jazzy").stdout
+
+
+def test_the_side_of_the_steered_wheels_decides_the_new_names(folder: Folder) -> None:
+    kind = "ackermann_steering_controller/AckermannSteeringController"
+    given = "front_steering: false\nfront_wheels_names: [a, b]\nrear_wheels_names: [c, d]\nrear_wheel_track: 0.4\n"
+    after = parameters_after(folder, kind, given, *HUMBLE, "--to", "jazzy")
+    assert after == "traction_joints_names: [a, b]\nsteering_joints_names: [c, d]\nsteering_track_width: 0.4\n"
+
+
+def test_a_type_that_is_gone_becomes_its_successor_with_the_parameters_that_it_needs(folder: Folder) -> None:
+    name = "config/c.yaml"
+    file = controllers("position_controllers/JointGroupPositionController", "joints: [a]\n")
+    after = migrated(folder, {name: file}, "--to", "lyrical", "--only", "yaml")[name]
+    assert "ctl: {type: forward_command_controller/ForwardCommandController}" in after
+    assert after.endswith("    joints: [a]\n    interface_name: position\n")
+    assert migrated(folder, {name: file}, "--to", "jazzy")[name] == file
+
+
+def test_names_change_as_whole_values_and_not_in_comments_or_other_words(folder: Folder) -> None:
+    world = '<!-- ignition-gazebo-x-system --><sdf><plugin filename="libignition-gazebo-imu-system.so"/></sdf>\n'
+    sensor = "<sensor><ignition_frame_id>f</ignition_frame_id></sensor>"
+    robot = f'<robot name="r"><link name="my_fake_sensor_commands"/>{sensor}</robot>\n'
+    after = migrated(folder, {"package.xml": MANIFEST, "a.world": world, "b.urdf": robot}, "--to", "jazzy")
+    assert after["package.xml"] == MANIFEST.replace("ros_ign_gazebo", "ros_gz_sim")
+    assert after["a.world"] == world.replace("libignition-gazebo-imu-system.so", "gz-sim-imu-system")
+    assert after["b.urdf"] == robot.replace("ignition_frame_id", "gz_frame_id")
+
+
+def test_launch_files_in_python_get_the_topic_and_the_file_of_the_spawner(folder: Folder) -> None:
+    files = {"launch/a.launch.py": LAUNCH, "config/controllers.yaml": controllers(DIFF, "odom_frame_id: odom\n")}
+    after = migrated(folder, files, "--to", "jazzy", "--only", "launch")["launch/a.launch.py"]
+    wanted = LAUNCH.replace("robot_description, files", "files")
+    wanted = wanted.replace('"--stopped"]', '"--inactive", "--param-file", files]')
+    wanted = re.sub(r" +remappings=\[.*?\],\n(?= +\))", "", wanted, flags=re.DOTALL)
+    assert after == wanted
+    compile(after, "a.launch.py", "exec")
+
+
+def value_of(name: str) -> str:
+    """A value that a parameter of this name can have."""
+    return "[a, b]" if "names" in name else "1.0" if "i_clamp" in name else "true"
+
+
+@pytest.mark.parametrize("kind", [DIFF, JTC, "ackermann_steering_controller/AckermannSteeringController"])
+def test_one_migration_over_several_distros_equals_several_migrations(folder: Folder, kind: str) -> None:
+    names = {move.name for move in parameter_moves() if kind in move.controllers and not move.is_default}
+    given = "".join(f"{re.sub('<.*>', 'a', name)}: {value_of(name)}\n" for name in sorted(names))
+    files = {"config/c.yaml": controllers(kind, given)}
+    at_once = migrated(folder, files, *HUMBLE, "--to", "lyrical")
+    first = migrated(folder, files, *HUMBLE, "--to", "jazzy")
+    assert first != files
+    assert migrated(folder, first, "--to", "lyrical") == at_once
+    assert migrated(folder, at_once, "--to", "lyrical") == at_once
+
+
+# -- the data ----------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "move", parameter_moves(), ids=lambda move: f"{move.controllers[0].partition('/')[0]}-{move.name}-{move.since}"
+)
+def test_what_a_move_writes_is_a_parameter_of_its_first_distro_and_what_it_takes_was_one_before(move: Move) -> None:
+    for name in move.controllers:
+        kinds = {distro: CATALOG.controller(name, distro) for distro in ROS2}
+        read = {
+            distro: CATALOG.manager_parameters(distro) if name == MANAGER else kind.parameters if kind else {}
+            for distro, kind in kinds.items()
+        }
+        assert all(matching(new, read[move.since]) for new in move.becomes if not move.only_set), name
+        assert move.is_default or any(matching(move.name, parameters) for parameters in read.values())
+
+
+def test_every_name_that_replaces_another_has_an_authority_and_a_distro() -> None:
+    assert all(moves.authority and moves.since in ROS2 and moves.names for moves in name_moves())
+
+
+def test_the_table_lists_what_lies_between_two_distros(folder: Folder) -> None:
+    listed = folder.run("migrate", "--list", "--from", "jazzy", "--to", "lyrical").stdout
+    assert "constraints.goal_time" in listed
+    assert "i_clamp" not in listed
+    assert all(row.authority for _, row in rows(STEPS, Wishes("rolling")))
+
+
+def test_a_migration_of_nothing_changes_nothing(folder: Folder, tmp_path: Path) -> None:
+    folder.write({"empty/readme.txt": "text"})
+    ran = folder.run("migrate", "empty", "--to", "jazzy")
+    assert ran.returncode in (0, 2), ran.stderr
+    assert tmp_path.exists()

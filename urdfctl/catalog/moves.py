@@ -1,0 +1,108 @@
+"""What replaces what from one ROS 2 distro to a later one, as data: names, and parameters of controllers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import lru_cache
+
+from urdfctl.catalog.store import moves_data
+from urdfctl.startup.hints import Any
+from urdfctl.startup.records import NamedTuple
+
+
+class Names(NamedTuple):
+    """Names that were replaced by others.
+
+    since: the first distro in which the new names are right.
+    parts: the parts of a package that may have them: urdf, yaml, launch, manifest.
+    names: the new name of each old one.
+    is_pattern: whether the old names are regular expressions for a part of a value.
+    element: the XML element whose attributes have them; `*` if they are names of elements; empty for any value.
+    """
+
+    since: str
+    authority: str
+    parts: tuple[str, ...]
+    names: Mapping[str, str]
+    is_pattern: bool = False
+    element: str = ""
+
+
+class When(NamedTuple):
+    """A condition of a move.
+
+    param: the parameter that it is about; the moved one if empty.
+    value: it must have this value, unless `is_set`: then it must be set.
+    or_absent: whether the condition also holds if the parameter is not set.
+    """
+
+    param: str = ""
+    value: object = None
+    is_set: bool = False
+    or_absent: bool = False
+
+
+class Move(NamedTuple):
+    """What becomes of one parameter.
+
+    controllers: the types of controllers that have it; `controller_manager` for the manager.
+    name: its dotted name, in which `<joints>` stands for any element.
+    when: the condition, if any; of several moves of a parameter the first whose condition holds is made.
+    becomes: the parameters that take its place, each with its value: `same`, `negative`, or a literal. Empty: dropped.
+    only_set: whether only those that are set already get their value.
+    is_default: whether the parameter is not set, and gets the default of earlier distros.
+    todo: what is left to the user.
+    since: the first distro in which it is right.
+    """
+
+    controllers: tuple[str, ...]
+    name: str
+    since: str
+    authority: str
+    when: When | None = None
+    becomes: Mapping[str, object] = {}
+    only_set: bool = False
+    is_default: bool = False
+    todo: str = ""
+
+
+@lru_cache(maxsize=1)
+def name_moves() -> tuple[Names, ...]:
+    """Return the names that were replaced."""
+    return tuple(
+        Names(
+            since=entry["since"],
+            authority=entry["authority"],
+            parts=tuple(entry["in"]),
+            names=entry["names"],
+            is_pattern=entry.get("pattern", False),
+            element=entry.get("element", ""),
+        )
+        for entry in moves_data()["names"]
+    )
+
+
+@lru_cache(maxsize=1)
+def parameter_moves() -> tuple[Move, ...]:
+    """Return what becomes of parameters, in the order in which the moves of one parameter are tried."""
+    return tuple(_move(group, entry) for group in moves_data()["parameters"] for entry in group["moves"])
+
+
+def _move(group: Mapping[str, Any], entry: Mapping[str, Any]) -> Move:
+    becomes = entry.get("becomes", {})
+    when = entry.get("when")
+    return Move(
+        controllers=tuple(group["controllers"]),
+        name=entry.get("from") or entry["absent"],
+        since=group["since"],
+        authority=group["authority"],
+        when=_when(when) if when else None,
+        becomes={becomes: "same"} if isinstance(becomes, str) else becomes,
+        only_set=entry.get("only_set", False),
+        is_default="absent" in entry,
+        todo=entry.get("todo", ""),
+    )
+
+
+def _when(entry: Mapping[str, Any]) -> When:
+    return When(entry.get("param", ""), entry.get("is"), entry.get("is_set", False), entry.get("or_absent", False))

@@ -1,0 +1,96 @@
+"""The sections of controller files as they are written, whether a launch file loads them or not."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from urdfctl.migrate.packages import Packages
+from urdfctl.source.files import is_yaml
+from urdfctl.source.packages import package_around
+from urdfctl.source.yaml import Mapping as Map
+from urdfctl.source.yaml import Scalar, read_yaml
+from urdfctl.startup.records import NamedTuple
+
+MANAGER = "controller_manager"
+"""The type of a section of the controller manager itself."""
+_PARAMETERS = "ros__parameters"
+
+
+class Section(NamedTuple):
+    """The parameters of one node in one file.
+
+    node: the node's name without its namespace.
+    type: the type of the controller; MANAGER for the manager; empty if unknown.
+    parameters: the map below `ros__parameters`.
+    """
+
+    path: str
+    node: str
+    type: str
+    parameters: Map
+
+
+class TypeName(NamedTuple):
+    """The place where a controller gets its type."""
+
+    path: str
+    controller: str
+    value: Scalar
+
+
+def sections(packages: Packages) -> list[Section]:
+    """Return the sections of all controller files. A type is known from the same file, or else from the package."""
+    found = [(path, node, map_) for path in _files(packages) for node, map_ in _nodes(packages, path)]
+    by_file: dict[str, dict[str, str]] = {}
+    by_package: dict[str, dict[str, str]] = {}
+    for declared in type_names(packages):
+        by_file.setdefault(declared.path, {})[declared.controller] = declared.value.text
+        by_package.setdefault(_package(declared.path), {})[declared.controller] = declared.value.text
+    return [
+        Section(path, node, _type(node, by_file.get(path, {}), by_package.get(_package(path), {})), map_)
+        for path, node, map_ in found
+    ]
+
+
+def type_names(packages: Packages) -> Iterator[TypeName]:
+    """Yield the types that controller managers give to controllers."""
+    for path in _files(packages):
+        for node, parameters in _nodes(packages, path):
+            if not _is_manager(node):
+                continue
+            for entry in parameters.entries:
+                value = entry.value.get("type") if isinstance(entry.value, Map) else None
+                if isinstance(value, Scalar):
+                    yield TypeName(path, entry.key.text, value)
+
+
+def _type(node: str, in_file: Mapping[str, str], in_package: Mapping[str, str]) -> str:
+    return MANAGER if _is_manager(node) else in_file.get(node) or in_package.get(node, "")
+
+
+def _is_manager(node: str) -> bool:
+    return node.endswith(MANAGER)
+
+
+def _package(path: str) -> str:
+    return package_around(path) or path
+
+
+def _files(packages: Packages) -> Iterator[str]:
+    for path in packages.files(".yaml", ".yml"):
+        if is_yaml(path) and _PARAMETERS.encode() in packages.read(path).data:
+            yield path
+
+
+def _nodes(packages: Packages, path: str) -> Iterator[tuple[str, Map]]:
+    """The maps below `ros__parameters` in a file, each with the last part of its node's name."""
+    pending = [(document, "") for document in read_yaml(packages.read(path)).documents]
+    while pending:
+        node, name = pending.pop(0)
+        if not isinstance(node, Map):
+            continue
+        for entry in node.entries:
+            if entry.key.text == _PARAMETERS and isinstance(entry.value, Map):
+                yield name.rpartition("/")[2], entry.value
+            else:
+                pending.append((entry.value, entry.key.text))

@@ -1,0 +1,203 @@
+"""The controller manager and its spawners in launch files in Python."""
+
+from __future__ import annotations
+
+import ast
+import os
+import re
+from collections.abc import Iterator, Sequence
+from itertools import takewhile
+
+from urdfctl.diagnostic import Edit
+from urdfctl.migrate.controller_files import MANAGER, Section, sections
+from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.python_edits import PythonFile, keyword, text_of
+from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.todo import for_you
+from urdfctl.migrate.wishes import Part
+from urdfctl.source.install_maps import read_install_map
+from urdfctl.source.packages import package_around, package_name
+from urdfctl.source.span import SourceText
+
+_TOPIC = "ros2_control#1358, #1410: the robot description is read from the topic robot_description"
+_PARAM_FILE = "ros2_control#1694: parameters given to the controller manager alone do not reach its controllers"
+_OPTIONS = "controller_manager spawner.py: the options of each distro"
+_WITH_FILE = "spawn controllers that have parameters by a spawner with --param-file FILE"
+_DESCRIPTION = "robot_description"
+_OLD_TOPIC = "~/robot_description"
+
+
+def _launch_python(packages: Packages) -> Iterator[Proposal]:
+    known = [section for section in sections(packages) if section.type != MANAGER]
+    for path in packages.files(".py"):
+        source = packages.read(path)
+        if b"controller_manager" in source.data and packages.may_change(path):
+            yield from _File(packages, PythonFile(source), known).proposals()
+
+
+class _File:
+    """One launch file."""
+
+    def __init__(self, packages: Packages, file: PythonFile, known: Sequence[Section]) -> None:
+        self.packages, self.file = packages, file
+        self.known = _near(known, file.source)
+        self.nodes = [
+            (call, scope)
+            for call, scope in file.calls("Node", "LifecycleNode")
+            if text_of(getattr(keyword(call, "package"), "value", None)) == "controller_manager"
+        ]
+
+    def proposals(self) -> Iterator[Proposal]:
+        for call, scope in self.nodes:
+            executable = text_of(getattr(keyword(call, "executable"), "value", None))
+            if executable == "ros2_control_node" and self.packages.crosses("jazzy"):
+                yield from self._description(call, scope)
+                yield from self._topic(call)
+            elif executable.startswith("spawner"):
+                yield from self._options(call)
+                if self.packages.crosses("jazzy"):
+                    yield from self._parameter_file(call, scope)
+
+    # -- the manager ---------------------------------------------------------------------------------------------------
+
+    def _description(self, call: ast.Call, scope: ast.AST) -> Iterator[Proposal]:
+        given = keyword(call, "parameters")
+        if given is None or not isinstance(given.value, ast.List) or len(given.value.elts) <= 1:
+            return
+        for item in given.value.elts:
+            if self._is_description(item, scope):
+                what = f"'{_DESCRIPTION}' is no longer a parameter of the controller manager"
+                entry = Entry(EntryKind.DONE, what, self.file.at(item), authority=_TOPIC)
+                yield Proposal((self.file.without(given.value.elts, item),), entries=(entry,))
+                return
+
+    def _is_description(self, item: ast.expr, scope: ast.AST) -> bool:
+        value = self.file.value_of(item, scope)
+        return isinstance(value, ast.Dict) and [text_of(key) for key in value.keys] == [_DESCRIPTION]
+
+    def _topic(self, call: ast.Call) -> Iterator[Proposal]:
+        """Remap the topic robot_description instead of ~/robot_description, or not at all."""
+        given = keyword(call, "remappings")
+        pairs = given.value.elts if given and isinstance(given.value, ast.List) else []
+        for pair in pairs:
+            if not isinstance(pair, ast.Tuple) or not pair.elts or text_of(pair.elts[0]) != _OLD_TOPIC or given is None:
+                continue
+            is_same = text_of(pair.elts[-1]) in (f"/{_DESCRIPTION}", _DESCRIPTION)
+            what = f"the topic '{_OLD_TOPIC}' of the controller manager is now '{_DESCRIPTION}'"
+            entry = Entry(EntryKind.DONE, what, self.file.at(pair), authority=_TOPIC)
+            if not is_same or keyword(call, "namespace"):
+                span = self.file.span(pair.elts[0])
+                edit = Edit(span, span.text.replace(_OLD_TOPIC, _DESCRIPTION))
+            elif len(pairs) > 1:
+                edit = self.file.without(pairs, pair)
+            else:
+                edit = self.file.without(call.keywords, given)
+            yield Proposal((edit,), entries=(entry,))
+            return
+
+    # -- the spawners --------------------------------------------------------------------------------------------------
+
+    def _options(self, call: ast.Call) -> Iterator[Proposal]:
+        executable = keyword(call, "executable")
+        if executable and text_of(executable.value) == "spawner.py" and self.packages.crosses("humble"):
+            yield self._renamed(executable.value, "spawner.py", "spawner")
+        for item in _arguments(call):
+            if text_of(item) == "--stopped":
+                yield self._renamed(item, "--stopped", "--inactive")
+
+    def _renamed(self, item: ast.expr, old: str, new: str) -> Proposal:
+        span = self.file.span(item)
+        what = f"'{old}' of the spawner is now '{new}'"
+        entry = Entry(EntryKind.DONE, what, self.file.at(item), authority=_OPTIONS)
+        return Proposal((Edit(span, span.text.replace(old, new)),), entries=(entry,))
+
+    def _parameter_file(self, call: ast.Call, scope: ast.AST) -> Iterator[Proposal]:
+        """Give the spawner the file of its controllers, unless none of them has parameters."""
+        given = keyword(call, "arguments")
+        texts = [text_of(item) for item in _arguments(call)]
+        if given is None or not isinstance(given.value, ast.List) or {"--param-file", "-p"} & set(texts):
+            return
+        names = list(takewhile(lambda text: not text.startswith("-"), texts))
+        files = {path for name in names for path in self.known.get(name, ())}
+        with_parameters = [not name or name in self.known for name in names]
+        if not any(with_parameters):
+            return
+        expression = self._file_of_manager(scope)
+        imports: tuple[Edit, ...] = ()
+        if expression is None and len(files) == 1:
+            expression, imports = self._file_in_package(next(iter(files)))
+        if expression is None or not all(with_parameters):
+            yield for_you(self.file.at(call), _WITH_FILE, authority=_PARAM_FILE)
+            return
+        quote = "'" if self.file.text(given.value.elts[0]).startswith("'") else '"'
+        edit = self.file.appended(given.value, [f"{quote}--param-file{quote}", expression])
+        what = "the spawner gives its controllers their parameters: --param-file"
+        entry = Entry(EntryKind.DONE, what, self.file.at(call), authority=_PARAM_FILE)
+        yield Proposal((edit, *imports), entries=(entry,))
+
+    def _file_of_manager(self, scope: ast.AST) -> str | None:
+        """The expression that the controller manager of the same function gets its only file by."""
+        for call, around in self.nodes:
+            given = keyword(call, "parameters")
+            if around is not scope or given is None or not isinstance(given.value, ast.List):
+                continue
+            values = [(item, self.file.value_of(item, scope)) for item in given.value.elts]
+            files = [item for item, value in values if not isinstance(value, (ast.Dict, ast.Starred))]
+            if len(files) == 1:
+                return " ".join(self.file.text(files[0]).split())
+        return None
+
+    def _file_in_package(self, path: str) -> tuple[str, tuple[Edit, ...]]:
+        """The expression for a file of a package, and the imports that it needs."""
+        package, parts = self._installed(path)
+        shown = ", ".join(f'"{part}"' for part in parts)
+        needed = (("launch.substitutions", "PathJoinSubstitution"), ("launch_ros.substitutions", "FindPackageShare"))
+        imports = [edit for module, one in needed if (edit := self.file.imports(module, one)) is not None]
+        merged = (Edit(imports[0].span, "".join(edit.text for edit in imports)),) if imports else ()
+        return f'PathJoinSubstitution([FindPackageShare("{package}"), {shown}])', merged
+
+    def _installed(self, path: str) -> tuple[str, list[str]]:
+        """The package of a file and its path in the share folder: as a description names it, or as it is installed."""
+        pattern = rb"\$\(find ([\w-]+)\)/([^<>\"'\s]*%s)" % re.escape(os.path.basename(path)).encode()
+        for description in self.packages.files(".xacro", ".urdf"):
+            found = re.search(pattern, self.packages.read(description).data)
+            if found:
+                return found[1].decode(), found[2].decode().split("/")
+        folder = package_around(path) or os.path.dirname(path)
+        name = package_name(os.path.join(folder, "package.xml")) or os.path.basename(folder)
+        parts = os.path.relpath(path, folder).split(os.sep)
+        rules = read_install_map(folder, name)
+        tails = (parts[index:] for index in range(len(parts)))
+        return name, next((tail for tail in tails if rules.source_of("/".join(tail)) == os.path.normpath(path)), parts)
+
+
+def _near(known: Sequence[Section], source: SourceText) -> dict[str, set[str]]:
+    """The controllers with parameters, with their files: those that a launch file names, or else of its package."""
+    package = package_around(os.path.dirname(source.path))
+    named = [one for one in known if os.path.basename(one.path).encode() in source.data]
+    beside = [one for one in known if package_around(os.path.dirname(one.path)) == package]
+    chosen = [one for one in named if one in beside] or named or beside
+    files: dict[str, set[str]] = {}
+    for section in chosen:
+        files.setdefault(section.node, set()).add(section.path)
+    return files
+
+
+def _arguments(call: ast.Call) -> list[ast.expr]:
+    given = keyword(call, "arguments")
+    return given.value.elts if given and isinstance(given.value, ast.List) else []
+
+
+LAUNCH_PYTHON = Step(
+    name="launch-files-in-python",
+    part=Part.LAUNCH,
+    summary="The controller manager and its spawners in launch files",
+    propose=_launch_python,
+    rows=(
+        Row("ros2_control_node: parameter robot_description", "topic robot_description", "jazzy", _TOPIC),
+        Row("ros2_control_node: remapping of ~/robot_description", "remapping of robot_description", "jazzy", _TOPIC),
+        Row("spawner: parameters through the controller manager", "--param-file FILE", "jazzy", _PARAM_FILE),
+        Row("spawner.py", "spawner", "humble", _OPTIONS),
+        Row("spawner: --stopped", "--inactive", "humble", _OPTIONS),
+    ),
+)

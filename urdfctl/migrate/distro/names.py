@@ -1,0 +1,102 @@
+"""Names that were replaced by others: plugins, packages, programs, environment variables, elements."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+
+from urdfctl.catalog.moves import Names, name_moves
+from urdfctl.diagnostic import Edit
+from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.tokens import XML, elements_in, tokens_in
+from urdfctl.migrate.wishes import Part
+from urdfctl.source.files import is_launch
+from urdfctl.source.packages import package_name
+from urdfctl.source.span import Place, SourceSpan, SourceText
+
+_READ = (*XML, ".yaml", ".yml", ".py")
+
+
+def part_of(path: str) -> Part | None:
+    """Return the part of a package that a file belongs to; None if it belongs to none."""
+    name = os.path.basename(path)
+    if name in ("package.xml", "CMakeLists.txt", "setup.py", "setup.cfg"):
+        return Part.MANIFEST
+    if is_launch(path):
+        return Part.LAUNCH
+    if name.endswith((".yaml", ".yml")):
+        return Part.YAML
+    return Part.URDF if name.endswith(XML) else None
+
+
+def _names_in(part: Part, packages: Packages) -> Iterator[Proposal]:
+    moves = [move for move in name_moves() if part.value in move.parts and packages.crosses(move.since)]
+    if not moves:
+        return
+    own = {package_name(path) for path in packages.files("package.xml")}
+    for path in packages.files(*_READ):
+        if part_of(path) is part and packages.may_change(path):
+            source = packages.read(path)
+            for move in moves:
+                if any(_may_hold(source, old, move) for old in move.names):
+                    yield from _renamed(source, move, own)
+
+
+def _may_hold(source: SourceText, old: str, move: Names) -> bool:
+    return re.search(old.encode(), source.data) is not None if move.is_pattern else old.encode() in source.data
+
+
+def _renamed(source: SourceText, move: Names, own: set[str | None]) -> Iterator[Proposal]:
+    for span in elements_in(source) if move.element == "*" else tokens_in(source, move.element):
+        text = span.text
+        new = _new_name(text, move)
+        if new != text and text not in own:
+            yield _proposal(span, text, new, move)
+
+
+def _new_name(text: str, move: Names) -> str:
+    if not move.is_pattern:
+        return move.names.get(text, text)
+    for old, new in move.names.items():
+        text = re.sub(old, new, text)
+    return text
+
+
+def _proposal(span: SourceSpan, old: str, new: str, move: Names) -> Proposal:
+    at = Place(span.source, span.start, end=span.end)
+    what = f"'{_short(old)}' was renamed to '{_short(new)}'"
+    return Proposal((Edit(span, new),), entries=(Entry(EntryKind.DONE, what, at, authority=move.authority),))
+
+
+_MOST = 80
+
+
+def _short(text: str) -> str:
+    text = " ".join(text.split())
+    return text if len(text) <= _MOST else f"{text[:_MOST]}…"
+
+
+def _rows(part: Part) -> tuple[Row, ...]:
+    return tuple(
+        Row(re.sub(r"\\b|\(\?:|\)\?|\\", "", old) if move.is_pattern else old, new, move.since, move.authority)
+        for move in name_moves()
+        if move.parts[0] == part.value
+        for old, new in move.names.items()
+    )
+
+
+def _step(part: Part, what: str) -> Step:
+    def propose(packages: Packages) -> Iterator[Proposal]:
+        return _names_in(part, packages)
+
+    return Step(f"names-in-{part.value}", part, f"Names in {what}", propose, _rows(part))
+
+
+NAMES = (
+    _step(Part.URDF, "descriptions and worlds"),
+    _step(Part.YAML, "parameter files"),
+    _step(Part.LAUNCH, "launch files"),
+    _step(Part.MANIFEST, "package.xml"),
+)

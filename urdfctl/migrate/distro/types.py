@@ -1,0 +1,65 @@
+"""Types of controllers that a later distro does not have, with the parameters that their successors need."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.catalog.catalog import CATALOG
+from urdfctl.catalog.distros import ROS2, generation
+from urdfctl.catalog.entries import Replacement
+from urdfctl.diagnostic import Edit
+from urdfctl.migrate.controller_files import Section, TypeName, sections, type_names
+from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.wishes import Part
+from urdfctl.migrate.yaml_edits import MapEdits
+
+_AUTHORITY = "ros2_controllers doc/migration.rst: removed types and their successors"
+
+
+def _types(packages: Packages) -> Iterator[Proposal]:
+    target = packages.wishes.target
+    known = sections(packages)
+    for declared in type_names(packages):
+        old = declared.value.text
+        instead = CATALOG.replacement(old, target)
+        is_ros2 = any(generation(distro) == 2 for distro in CATALOG.distros_of(old))  # noqa: PLR2004
+        if instead and is_ros2 and CATALOG.controller(old, target) is None and packages.may_change(declared.path):
+            own = [s for s in known if s.node == declared.controller and s.type == old]
+            yield _proposal(declared, instead, own)
+
+
+def _proposal(declared: TypeName, instead: Replacement, own: list[Section]) -> Proposal:
+    """The proposal to change the type of a controller, and to add the parameters that the new type needs."""
+    scalar = declared.value
+    by_path = {section.path: MapEdits(section.parameters.source) for section in own}
+    edits = by_path.setdefault(declared.path, MapEdits(scalar.source))
+    edits.replace(scalar, instead.type)
+    for section in own:
+        for name, value in instead.parameters.items():
+            if section.parameters.entries and section.parameters.get(name) is None:
+                by_path[section.path].insert(
+                    section.parameters, f"{name}: {_yaml(value)}", after=section.parameters.entries[-1]
+                )
+    what = f"controller type '{scalar.text}' became '{instead.type}'"
+    entries = [Entry(EntryKind.DONE, what, scalar.at, authority=_AUTHORITY)]
+    if instead.note:
+        entries.append(Entry(EntryKind.DECIDED, instead.note, scalar.at, authority=_AUTHORITY))
+    all_edits: list[Edit] = [edit for one in by_path.values() for edit in one.edits()]
+    return Proposal(tuple(all_edits), entries=tuple(entries), fixes=("UC422",))
+
+
+def _yaml(value: object) -> str:
+    return f"[{', '.join(map(str, value))}]" if isinstance(value, (list, tuple)) else str(value)
+
+
+def _rows() -> Iterator[Row]:
+    for name in sorted({name for distro in ROS2 for name in CATALOG.known_types(distro)}):
+        there = [distro for distro in CATALOG.distros_of(name) if distro in ROS2]
+        gone = ROS2[ROS2.index(there[-1]) + 1 :]
+        instead = CATALOG.replacement(name, gone[0]) if gone else None
+        if instead:
+            yield Row(name, instead.type, gone[0], _AUTHORITY)
+
+
+TYPES = Step("controller-types", Part.YAML, "Types of controllers", _types, tuple(_rows()))
