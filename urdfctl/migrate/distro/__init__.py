@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from urdfctl.migrate.distro.launch_python import LAUNCH_PYTHON
+from urdfctl.migrate.distro.moveit import MOVEIT
 from urdfctl.migrate.distro.names import NAMES
 from urdfctl.migrate.distro.parameters import PARAMETERS
 from urdfctl.migrate.distro.types import TYPES
 from urdfctl.migrate.step import Step
 
-STEPS: tuple[Step, ...] = (*NAMES, TYPES, PARAMETERS, LAUNCH_PYTHON)
+STEPS: tuple[Step, ...] = (*NAMES, TYPES, PARAMETERS, LAUNCH_PYTHON, MOVEIT)
