@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import os
+import re
+from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.migrate.packages import Packages
 from urdfctl.source.files import is_yaml
-from urdfctl.source.packages import package_around
+from urdfctl.source.install_maps import read_install_map
+from urdfctl.source.packages import package_around, package_name
+from urdfctl.source.span import SourceText
 from urdfctl.source.yaml import Mapping as Map
 from urdfctl.source.yaml import Scalar, read_yaml
 from urdfctl.startup.records import NamedTuple
@@ -62,6 +66,33 @@ def type_names(packages: Packages) -> Iterator[TypeName]:
                 value = entry.value.get("type") if isinstance(entry.value, Map) else None
                 if isinstance(value, Scalar):
                     yield TypeName(path, entry.key.text, value)
+
+
+def sections_near(known: Sequence[Section], source: SourceText) -> dict[str, set[str]]:
+    """Return the controllers with parameters, with their files: those that a launch file names, or its package's."""
+    package = package_around(os.path.dirname(source.path))
+    named = [one for one in known if os.path.basename(one.path).encode() in source.data]
+    beside = [one for one in known if package_around(os.path.dirname(one.path)) == package]
+    chosen = [one for one in named if one in beside] or named or beside
+    files: dict[str, set[str]] = {}
+    for section in chosen:
+        files.setdefault(section.node, set()).add(section.path)
+    return files
+
+
+def installed_path(packages: Packages, path: str) -> tuple[str, list[str]]:
+    """Return the package of a file and its path in the share folder: as a description names it, or as installed."""
+    pattern = rb"\$\(find ([\w-]+)\)/([^<>\"'\s]*%s)" % re.escape(os.path.basename(path)).encode()
+    for description in packages.files(".xacro", ".urdf"):
+        found = re.search(pattern, packages.read(description).data)
+        if found:
+            return found[1].decode(), found[2].decode().split("/")
+    folder = package_around(path) or os.path.dirname(path)
+    name = package_name(os.path.join(folder, "package.xml")) or os.path.basename(folder)
+    parts = os.path.relpath(path, folder).split(os.sep)
+    rules = read_install_map(folder, name)
+    tails = (parts[index:] for index in range(len(parts)))
+    return name, next((tail for tail in tails if rules.source_of("/".join(tail)) == os.path.normpath(path)), parts)
 
 
 def _type(node: str, in_file: Mapping[str, str], in_package: Mapping[str, str]) -> str:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from urdfctl.migrate.distro.launch_python import LAUNCH_PYTHON
+from urdfctl.migrate.distro.launch_xml import LAUNCH_XML
+from urdfctl.migrate.distro.mimic import MIMIC
 from urdfctl.migrate.distro.moveit import MOVEIT
 from urdfctl.migrate.distro.names import NAMES
 from urdfctl.migrate.distro.parameters import PARAMETERS
 from urdfctl.migrate.distro.types import TYPES
 from urdfctl.migrate.step import Step
 
-STEPS: tuple[Step, ...] = (*NAMES, TYPES, PARAMETERS, LAUNCH_PYTHON, MOVEIT)
+STEPS: tuple[Step, ...] = (*NAMES, MIMIC, TYPES, PARAMETERS, LAUNCH_PYTHON, LAUNCH_XML, MOVEIT)

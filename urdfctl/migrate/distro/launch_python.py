@@ -3,25 +3,20 @@
 from __future__ import annotations
 
 import ast
-import os
-import re
 from collections.abc import Iterator, Sequence
 from itertools import takewhile
 
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.controller_files import MANAGER, Section, sections
+from urdfctl.migrate.controller_files import MANAGER, Section, installed_path, sections, sections_near
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.python_edits import PythonFile, keyword, text_of
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import for_you
 from urdfctl.migrate.wishes import Part
-from urdfctl.source.install_maps import read_install_map
-from urdfctl.source.packages import package_around, package_name
-from urdfctl.source.span import SourceText
 
-_TOPIC = "ros2_control#1358, #1410: the robot description is read from the topic robot_description"
-_PARAM_FILE = "ros2_control#1694: parameters given to the controller manager alone do not reach its controllers"
-_OPTIONS = "controller_manager spawner.py: the options of each distro"
+AUTHORITY_OF_TOPIC = "ros2_control#1358, #1410: the robot description is read from the topic robot_description"
+AUTHORITY_OF_FILE = "ros2_control#1694: parameters given to the controller manager alone do not reach its controllers"
+AUTHORITY_OF_OPTIONS = "controller_manager spawner.py: the options of each distro"
 _WITH_FILE = "spawn controllers that have parameters by a spawner with --param-file FILE"
 _DESCRIPTION = "robot_description"
 _OLD_TOPIC = "~/robot_description"
@@ -40,7 +35,7 @@ class _File:
 
     def __init__(self, packages: Packages, file: PythonFile, known: Sequence[Section]) -> None:
         self.packages, self.file = packages, file
-        self.known = _near(known, file.source)
+        self.known = sections_near(known, file.source)
         self.nodes = [
             (call, scope)
             for call, scope in file.calls("Node", "LifecycleNode")
@@ -67,7 +62,7 @@ class _File:
         for item in given.value.elts:
             if self._is_description(item, scope):
                 what = f"'{_DESCRIPTION}' is no longer a parameter of the controller manager"
-                entry = Entry(EntryKind.DONE, what, self.file.at(item), authority=_TOPIC)
+                entry = Entry(EntryKind.DONE, what, self.file.at(item), authority=AUTHORITY_OF_TOPIC)
                 yield Proposal((self.file.without(given.value.elts, item),), entries=(entry,))
                 return
 
@@ -84,7 +79,7 @@ class _File:
                 continue
             is_same = text_of(pair.elts[-1]) in (f"/{_DESCRIPTION}", _DESCRIPTION)
             what = f"the topic '{_OLD_TOPIC}' of the controller manager is now '{_DESCRIPTION}'"
-            entry = Entry(EntryKind.DONE, what, self.file.at(pair), authority=_TOPIC)
+            entry = Entry(EntryKind.DONE, what, self.file.at(pair), authority=AUTHORITY_OF_TOPIC)
             if not is_same or keyword(call, "namespace"):
                 span = self.file.span(pair.elts[0])
                 edit = Edit(span, span.text.replace(_OLD_TOPIC, _DESCRIPTION))
@@ -108,7 +103,7 @@ class _File:
     def _renamed(self, item: ast.expr, old: str, new: str) -> Proposal:
         span = self.file.span(item)
         what = f"'{old}' of the spawner is now '{new}'"
-        entry = Entry(EntryKind.DONE, what, self.file.at(item), authority=_OPTIONS)
+        entry = Entry(EntryKind.DONE, what, self.file.at(item), authority=AUTHORITY_OF_OPTIONS)
         return Proposal((Edit(span, span.text.replace(old, new)),), entries=(entry,))
 
     def _parameter_file(self, call: ast.Call, scope: ast.AST) -> Iterator[Proposal]:
@@ -127,12 +122,12 @@ class _File:
         if expression is None and len(files) == 1:
             expression, imports = self._file_in_package(next(iter(files)))
         if expression is None or not all(with_parameters):
-            yield for_you(self.file.at(call), _WITH_FILE, authority=_PARAM_FILE)
+            yield for_you(self.file.at(call), _WITH_FILE, authority=AUTHORITY_OF_FILE)
             return
         quote = "'" if self.file.text(given.value.elts[0]).startswith("'") else '"'
         edit = self.file.appended(given.value, [f"{quote}--param-file{quote}", expression])
         what = "the spawner gives its controllers their parameters: --param-file"
-        entry = Entry(EntryKind.DONE, what, self.file.at(call), authority=_PARAM_FILE)
+        entry = Entry(EntryKind.DONE, what, self.file.at(call), authority=AUTHORITY_OF_FILE)
         yield Proposal((edit, *imports), entries=(entry,))
 
     def _file_of_manager(self, scope: ast.AST) -> str | None:
@@ -149,38 +144,12 @@ class _File:
 
     def _file_in_package(self, path: str) -> tuple[str, tuple[Edit, ...]]:
         """The expression for a file of a package, and the imports that it needs."""
-        package, parts = self._installed(path)
+        package, parts = installed_path(self.packages, path)
         shown = ", ".join(f'"{part}"' for part in parts)
         needed = (("launch.substitutions", "PathJoinSubstitution"), ("launch_ros.substitutions", "FindPackageShare"))
         imports = [edit for module, one in needed if (edit := self.file.imports(module, one)) is not None]
         merged = (Edit(imports[0].span, "".join(edit.text for edit in imports)),) if imports else ()
         return f'PathJoinSubstitution([FindPackageShare("{package}"), {shown}])', merged
-
-    def _installed(self, path: str) -> tuple[str, list[str]]:
-        """The package of a file and its path in the share folder: as a description names it, or as it is installed."""
-        pattern = rb"\$\(find ([\w-]+)\)/([^<>\"'\s]*%s)" % re.escape(os.path.basename(path)).encode()
-        for description in self.packages.files(".xacro", ".urdf"):
-            found = re.search(pattern, self.packages.read(description).data)
-            if found:
-                return found[1].decode(), found[2].decode().split("/")
-        folder = package_around(path) or os.path.dirname(path)
-        name = package_name(os.path.join(folder, "package.xml")) or os.path.basename(folder)
-        parts = os.path.relpath(path, folder).split(os.sep)
-        rules = read_install_map(folder, name)
-        tails = (parts[index:] for index in range(len(parts)))
-        return name, next((tail for tail in tails if rules.source_of("/".join(tail)) == os.path.normpath(path)), parts)
-
-
-def _near(known: Sequence[Section], source: SourceText) -> dict[str, set[str]]:
-    """The controllers with parameters, with their files: those that a launch file names, or else of its package."""
-    package = package_around(os.path.dirname(source.path))
-    named = [one for one in known if os.path.basename(one.path).encode() in source.data]
-    beside = [one for one in known if package_around(os.path.dirname(one.path)) == package]
-    chosen = [one for one in named if one in beside] or named or beside
-    files: dict[str, set[str]] = {}
-    for section in chosen:
-        files.setdefault(section.node, set()).add(section.path)
-    return files
 
 
 def _arguments(call: ast.Call) -> list[ast.expr]:
@@ -194,10 +163,10 @@ LAUNCH_PYTHON = Step(
     summary="The controller manager and its spawners in launch files",
     propose=_launch_python,
     rows=(
-        Row("ros2_control_node: parameter robot_description", "topic robot_description", "jazzy", _TOPIC),
-        Row("ros2_control_node: remapping of ~/robot_description", "remapping of robot_description", "jazzy", _TOPIC),
-        Row("spawner: parameters through the controller manager", "--param-file FILE", "jazzy", _PARAM_FILE),
-        Row("spawner.py", "spawner", "humble", _OPTIONS),
-        Row("spawner: --stopped", "--inactive", "humble", _OPTIONS),
+        Row("manager: parameter robot_description", "topic robot_description", "jazzy", AUTHORITY_OF_TOPIC),
+        Row("remapping of ~/robot_description", "remapping of robot_description", "jazzy", AUTHORITY_OF_TOPIC),
+        Row("spawner without parameters", "spawner --param-file FILE", "jazzy", AUTHORITY_OF_FILE),
+        Row("spawner.py", "spawner", "humble", AUTHORITY_OF_OPTIONS),
+        Row("spawner: --stopped", "--inactive", "humble", AUTHORITY_OF_OPTIONS),
     ),
 )

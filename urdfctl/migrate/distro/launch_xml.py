@@ -1,0 +1,83 @@
+"""The controller manager and its spawners in launch files in XML."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+from itertools import takewhile
+
+from urdfctl.diagnostic import Edit
+from urdfctl.migrate.controller_files import MANAGER, Section, installed_path, sections, sections_near
+from urdfctl.migrate.distro.launch_python import AUTHORITY_OF_FILE, AUTHORITY_OF_OPTIONS, AUTHORITY_OF_TOPIC
+from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.step import Entry, EntryKind, Proposal, Step
+from urdfctl.migrate.wishes import Part
+from urdfctl.migrate.xml_edits import elements_of, removed
+from urdfctl.source.dom import Element
+from urdfctl.source.span import SourceSpan
+
+_ENDINGS = (".launch.xml", "_launch.xml", ".launch")
+
+
+def _launch_xml(packages: Packages) -> Iterator[Proposal]:
+    known = [section for section in sections(packages) if section.type != MANAGER]
+    for path in packages.files(*_ENDINGS):
+        source = packages.read(path)
+        if b"controller_manager" not in source.data or not packages.may_change(path):
+            continue
+        all_nodes = (element for element in elements_of(source) if element.tagName == "node")
+        nodes = [one for one in all_nodes if one.attrs.get("pkg") == "controller_manager" and "exec" in one.attrs]
+        for node in nodes:
+            if node.attrs["exec"] == "ros2_control_node" and packages.crosses("jazzy"):
+                yield from _manager(node)
+            elif node.attrs["exec"].startswith("spawner"):
+                yield from _spawner(packages, node, nodes, known)
+
+
+def _manager(node: Element) -> Iterator[Proposal]:
+    """Remove what gives the manager the robot description: it reads the topic robot_description."""
+    for child in node.elements():
+        is_parameter = child.tagName == "param" and child.attrs.get("name") == "robot_description"
+        is_remapping = child.tagName == "remap" and child.attrs.get("from") == "~/robot_description"
+        if is_remapping and child.attrs.get("to", "").lstrip("/") != "robot_description":
+            edit = Edit(child.at["from"].span, "robot_description")
+            yield Proposal((edit,), entries=(_done("the topic is now robot_description", child),))
+        elif is_parameter or is_remapping:
+            what = "the controller manager reads the robot description from the topic robot_description"
+            yield Proposal((removed(child),), entries=(_done(what, child),))
+
+
+def _done(what: str, element: Element, authority: str = AUTHORITY_OF_TOPIC) -> Entry:
+    return Entry(EntryKind.DONE, what, element.at, authority=authority)
+
+
+def _spawner(
+    packages: Packages, node: Element, nodes: Sequence[Element], known: Sequence[Section]
+) -> Iterator[Proposal]:
+    span = node.at["args"].span
+    words = span.text.split()
+    if "--stopped" in words:
+        edit = Edit(span, span.text.replace("--stopped", "--inactive"))
+        yield Proposal((edit,), entries=(_done("'--stopped' is now '--inactive'", node, AUTHORITY_OF_OPTIONS),))
+        return
+    if not packages.crosses("jazzy") or {"--param-file", "-p"} & set(words) or "args" not in node.attrs:
+        return
+    files = sections_near(known, node.source)
+    names = list(takewhile(lambda word: not word.startswith("-"), words))
+    own = {path for name in names for path in files.get(name, ())}
+    if len(own) != 1 or not all(name in files for name in names):
+        return
+    edit = Edit(SourceSpan(span.source, span.end, span.end), f" --param-file {_file(packages, nodes, own.pop())}")
+    what = "the spawner gives its controllers their parameters: --param-file"
+    yield Proposal((edit,), entries=(_done(what, node, AUTHORITY_OF_FILE),))
+
+
+def _file(packages: Packages, nodes: Sequence[Element], path: str) -> str:
+    """The file as the controller manager of the same launch file names it, or else in its package."""
+    name = os.path.basename(path)
+    given = (child.attrs.get("from", "") for node in nodes for child in node.elements() if child.tagName == "param")
+    package, parts = installed_path(packages, path)
+    return next((one for one in given if one.endswith(name)), f"$(find-pkg-share {package})/{'/'.join(parts)}")
+
+
+LAUNCH_XML = Step("launch-files-in-xml", Part.LAUNCH, "The controller manager in launch files in XML", _launch_xml)

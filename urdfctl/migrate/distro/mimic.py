@@ -1,0 +1,107 @@
+"""Mimic joints: from parameters in <ros2_control> to <mimic> in the URDF."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from xml.sax.saxutils import quoteattr
+
+from urdfctl.diagnostic import Edit
+from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.todo import for_you
+from urdfctl.migrate.tokens import XML
+from urdfctl.migrate.wishes import Part
+from urdfctl.migrate.xml_edits import elements_of, inserted, removed, span_of
+from urdfctl.source.dom import Element
+
+_AUTHORITY = "ros2_control doc/migration.rst of jazzy, #1256: mimic joints are those of the URDF, and are not commanded"
+_PARAMETERS = ("mimic", "multiplier", "offset")
+
+
+def _mimic(packages: Packages) -> Iterator[Proposal]:
+    if not packages.crosses("jazzy"):
+        return
+    files = [path for path in packages.files(*XML) if b"<joint" in packages.read(path).data]
+    joints = [element for path in files for element in elements_of(packages.read(path)) if element.tagName == "joint"]
+    in_urdf: dict[str, list[Element]] = {}
+    for joint in joints:
+        if _child(joint, "parent") is not None:
+            in_urdf.setdefault(joint.attrs.get("name", ""), []).append(joint)
+    mimics = _mimics(packages)
+    for joint in joints:
+        mimicked = _parameter(joint, "mimic")
+        if mimicked is not None:
+            own = in_urdf.get(joint.attrs.get("name", ""), [])
+            yield _moved(joint, mimicked, own, is_known=mimics.get((joint.source.path, joint.start), False))
+
+
+def _mimics(packages: Packages) -> dict[tuple[str, int], bool]:
+    """Whether the URDF says of each joint of <ros2_control> that it mimics another, in all robots that have it."""
+    found: dict[tuple[str, int], bool] = {}
+    for loaded in packages.loaded():
+        robot = loaded.project.robot
+        for control in robot.ros2_controls if robot else ():
+            for part in control.of_kind("joint"):
+                joint = robot.joint(part.name) if robot and part.name else None
+                key = part.at.source.path, part.at.start
+                found[key] = found.get(key, True) and bool(joint and joint.mimic)
+    return found
+
+
+def _moved(joint: Element, mimicked: Element, in_urdf: list[Element], *, is_known: bool) -> Proposal:
+    """The proposal for one joint of <ros2_control>.
+
+    in_urdf: the joints in the URDF whose names are written in the same way.
+    is_known: whether the URDF has the <mimic> already.
+    """
+    name = joint.attrs.get("name", "")
+    edits = [removed(one) for key in _PARAMETERS if (one := _parameter(joint, key)) is not None]
+    edits += [removed(one) for one in joint.elements() if one.tagName == "command_interface"]
+    without = [one for one in in_urdf if _child(one, "mimic") is None]
+    added = [edit for one in without if (edit := inserted(one, _element(joint, mimicked))) is not None]
+    if is_known:
+        added = []
+    elif not in_urdf or len(added) < len(without):
+        text = f"joint '{name}' mimics '{_text(mimicked)}': move this to <mimic> of the joint in the URDF"
+        return for_you(mimicked.at, text, authority=_AUTHORITY)
+    what = f"joint '{name}' mimics '{_text(mimicked)}' by <mimic> in the URDF, and has no command interface"
+    return Proposal(_distinct([*edits, *added]), entries=(Entry(EntryKind.DONE, what, joint.at, authority=_AUTHORITY),))
+
+
+def _distinct(edits: list[Edit]) -> tuple[Edit, ...]:
+    return tuple(dict.fromkeys(edits))
+
+
+def _element(joint: Element, mimicked: Element) -> str:
+    """The <mimic> element of the URDF, with the values as they are written."""
+    attributes = f"joint={quoteattr(_text(mimicked))}"
+    for key in _PARAMETERS[1:]:
+        value = _parameter(joint, key)
+        if value is not None:
+            attributes += f" {key}={quoteattr(_text(value))}"
+    return f"<mimic {attributes}/>"
+
+
+def _text(element: Element) -> str:
+    """The text of an element as it is written."""
+    span = span_of(element)
+    tag = span.source.start_tag(span.start)
+    start, end = (tag.end if tag else span.start), element.close or span.end
+    return span.source.data[start:end].decode("utf-8", "replace").strip()
+
+
+def _parameter(joint: Element, name: str) -> Element | None:
+    return next((one for one in joint.elements() if one.tagName == "param" and one.attrs.get("name") == name), None)
+
+
+def _child(element: Element, name: str) -> Element | None:
+    return next((one for one in element.elements() if one.tagName == name), None)
+
+
+MIMIC = Step(
+    name="mimic-joints",
+    part=Part.URDF,
+    summary="Mimic joints of <ros2_control>",
+    propose=_mimic,
+    rows=(Row('<ros2_control>: <param name="mimic">', "<mimic> in the URDF, no command", "jazzy", _AUTHORITY),),
+)
