@@ -16,6 +16,7 @@ from typer.main import get_command
 from urdfctl.catalog.log_messages import log_messages
 from urdfctl.cli.app import app
 from urdfctl.logs.cookbook import COMMONEST, cookbook
+from urdfctl.migrate.document import document
 from urdfctl.rules import all_rules
 
 PAGES = [
@@ -85,6 +86,11 @@ def test_every_link_of_a_page_leads_to_a_file(page: str) -> None:
 def test_the_cookbook_is_up_to_date() -> None:
     written = (CHECKOUT / "docs/cookbook.md").read_text(encoding="utf-8")
     assert written == cookbook(), "python -m urdfctl.logs.cookbook > docs/cookbook.md"
+
+
+def test_the_page_on_migrating_is_up_to_date() -> None:
+    written = (CHECKOUT / "docs/migrating.md").read_text(encoding="utf-8")
+    assert written == document(), "python -m urdfctl.migrate.document > docs/migrating.md"
 
 
 def test_the_cookbook_has_ten_messages_with_nothing_left_to_fill_in() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import shlex
 import shutil
@@ -85,4 +86,14 @@ def test_a_sound_sample_has_neither_errors_nor_warnings(
 ) -> None:
     monkeypatch.chdir(CHECKOUT)
     ran = command("lint", str(Path("samples", sample)), "--distro", distro, "--fail-on", "warning")
+    assert ran.returncode == 0, ran.stdout
+
+
+@pytest.mark.parametrize("distro", ["jazzy", "kilted", "lyrical", "rolling"])
+def test_the_gripper_migrates_to_later_distros_with_nothing_left_to_do(distro: str, tmp_path: Path) -> None:
+    report, migrated = tmp_path / "report.json", tmp_path / "gripper"
+    words = ("--from", "humble", "--to", distro, "-o", str(migrated), "--report", str(report))
+    assert command("migrate", str(CHECKOUT / "samples/gripper"), *words).returncode == 0
+    assert json.loads(report.read_text(encoding="utf-8"))["for_you"] == []
+    ran = command("lint", str(migrated), "--distro", distro, "--ignore", "UC704", "--fail-on", "warning")
     assert ran.returncode == 0, ran.stdout

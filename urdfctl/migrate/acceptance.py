@@ -22,11 +22,15 @@ Kinematics = Mapping[tuple[str, tuple[tuple[str, str], ...]], Mapping[str, objec
 class Objection(NamedTuple):
     """A reason against a migration.
 
+    kind: what identifies it in another attempt.
     message: what would be wrong.
-    files: the files that it is about; the steps that changed them are responsible.
+    file: the file that it is in.
+    files: the files of the robot that it is about.
     """
 
+    kind: tuple[str, str]
     message: str
+    file: str
     files: frozenset[str]
 
 
@@ -88,13 +92,14 @@ def objections(
         for code in codes:
             known = state.by_file[code, os.path.realpath(file)]
             if known and after[code, os.path.realpath(file)] >= known:
-                yield Objection(f"{code} would not be gone", frozenset({file}))
+                yield Objection((code, file), f"{code} would not be gone", file, frozenset({file}))
     now = kinematics_of(robots)
     for key, old in state.kinematics.items():
         changed = [name for name in differences(old, now.get(key, old)) if name.partition(" ")[2] not in moved]
         if changed:
             read = next(loaded.sources for loaded in robots if (loaded.project.path, loaded.arguments) == key)
-            yield Objection(f"{changed[0]} of the robot would change", frozenset(read))
+            message = f"{changed[0]} of the robot would change"
+            yield Objection((changed[0], key[0]), message, key[0], frozenset(read))
 
 
 def _of_findings(state: Before, linted: Linted) -> Iterator[Objection]:
@@ -102,7 +107,8 @@ def _of_findings(state: Before, linted: Linted) -> Iterator[Objection]:
     for _, result in linted:
         for finding in result.outcome.diagnostics:
             if finding.code not in state.codes and finding.code != TODO_CODE and finding.severity is not Severity.INFO:
-                yield Objection(_said(finding), frozenset({finding.at.file, *result.files}))
+                file = finding.at.file
+                yield Objection((finding.code, file), _said(finding), file, frozenset({file, *result.files}))
 
 
 def _said(finding: Diagnostic) -> str:

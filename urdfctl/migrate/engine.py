@@ -43,16 +43,9 @@ def migrate(scratch: Scratch, wishes: Wishes, settings: Settings, lint: Lint, st
     packages = Packages(scratch, wishes, settings, source)
     wanted = [step for step in steps if _is_wanted(step, packages)]
     state = before(source, target, packages.loaded())
-    barred: dict[tuple[str, str], str] = {}
-    for _ in range(MOST_ATTEMPTS):
-        attempt = _Attempt(packages, barred)
-        attempt.run(wanted)
-        found = attempt.judged(state, lint, settings) if scratch.changes() else []
-        if not _bar(barred, attempt, found):
-            break
-        scratch.reset()
-        packages.forget()
-    lines = attempt.lines(found) if scratch.changes() or barred else ()
+    trials = _Trials(packages, wanted, state, lint, settings)
+    attempt, found = trials.best()
+    lines = attempt.lines(found) if scratch.changes() or attempt.barred else ()
     return Migration(scratch.changes(), tuple(lines))
 
 
@@ -61,15 +54,66 @@ def _is_wanted(step: Step, packages: Packages) -> bool:
     return (not only or step.part in only) and (step.generation != 1 or packages.is_ros1)
 
 
-def _bar(barred: dict[tuple[str, str], str], attempt: _Attempt, found: Sequence[Objection]) -> bool:
-    """Bar the last step that changed a file of an objection from that file; return whether there is any."""
-    for objection in found:
-        files = {os.path.realpath(file) for file in objection.files}
-        responsible = [key for key in attempt.touched if key[1] in files]
-        if responsible:
-            barred[responsible[-1]] = objection.message
-            return True
-    return False
+Barred = dict[tuple[str, str], str]
+"""The steps that must not change a file, by step and real path, with the objection."""
+
+
+class _Trials:
+    """Attempts to apply all steps, each without those that the objections to the earlier ones bar."""
+
+    def __init__(
+        self, packages: Packages, steps: Sequence[Step], state: Before, lint: Lint, settings: Settings
+    ) -> None:
+        self.packages, self.steps = packages, steps
+        self.state, self.lint, self.settings = state, lint, settings
+        self.made = 0
+
+    def best(self) -> tuple[_Attempt, list[Objection]]:
+        """Return the last attempt, and the objections to it that no step is responsible for."""
+        attempt, found = self._attempt({})
+        hopeless: set[str] = set()
+        while self.made < MOST_ATTEMPTS:
+            objection = next((one for one in found if one.message not in hopeless), None)
+            if objection is None:
+                return attempt, found
+            better = self._without_culprit(attempt, objection)
+            if better is None:
+                hopeless.add(objection.message)
+            else:
+                attempt, found = better
+        everything = dict.fromkeys(attempt.touched, "too many changes would cause findings of a new kind")
+        return self._attempt(everything) if found else (attempt, found)
+
+    def _without_culprit(self, attempt: _Attempt, objection: Objection) -> tuple[_Attempt, list[Objection]] | None:
+        """The attempt without the step that causes an objection, or without all that may; None if it stays."""
+        candidates = _candidates(attempt, objection)
+        choices = [[one] for one in candidates] + ([candidates] if len(candidates) > 1 else [])
+        for choice in choices:
+            if self.made >= MOST_ATTEMPTS:
+                return None
+            barred = {**attempt.barred, **dict.fromkeys(choice, objection.message)}
+            other, found = self._attempt(barred)
+            if all(one.kind != objection.kind for one in found):
+                return other, found
+        self._attempt(attempt.barred)
+        return None
+
+    def _attempt(self, barred: Barred) -> tuple[_Attempt, list[Objection]]:
+        self.made += 1
+        self.packages.scratch.reset()
+        self.packages.forget()
+        attempt = _Attempt(self.packages, barred)
+        attempt.run(self.steps)
+        found = attempt.judged(self.state, self.lint, self.settings) if self.packages.scratch.changes() else []
+        return attempt, found
+
+
+def _candidates(attempt: _Attempt, objection: Objection) -> list[tuple[str, str]]:
+    """The steps that may be responsible for an objection: those that changed its own file first, the last one first."""
+    own, files = os.path.realpath(objection.file), {os.path.realpath(file) for file in objection.files}
+    touched = list(reversed(attempt.touched))
+    direct = [key for key in touched if key[1] == own]
+    return direct + [key for key in touched if key[1] in files and key not in direct]
 
 
 class _Noted:
@@ -98,7 +142,7 @@ class _Attempt:
     touched: the steps with the files that they changed, in order, by name and real path.
     """
 
-    def __init__(self, packages: Packages, barred: dict[tuple[str, str], str]) -> None:
+    def __init__(self, packages: Packages, barred: Barred) -> None:
         self.packages = packages
         self.barred = barred
         self.touched: dict[tuple[str, str], None] = {}

@@ -59,3 +59,11 @@ def inserted(parent: Element, text: str) -> Edit | None:
     newline = "\r\n" if b"\r\n" in source.data[:4096] else "\n"
     lead = "" if indent.strip() else f"{newline}{indent.decode('utf-8', 'replace')}"
     return Edit(SourceSpan(source, last.end, last.end), f"{lead}{text}")
+
+
+def words_of(element: Element) -> str:
+    """Return the content of an element as it is written, without surrounding blanks."""
+    source, start, end = span_of(element)
+    tag = source.start_tag(start)
+    content = source.data[tag.end if tag else start : element.close or end]
+    return content.decode("utf-8", "replace").strip()

@@ -8,7 +8,7 @@ from urdfctl.migrate.distro.mimic import MIMIC
 from urdfctl.migrate.distro.moveit import MOVEIT
 from urdfctl.migrate.distro.names import NAMES
 from urdfctl.migrate.distro.parameters import PARAMETERS
-from urdfctl.migrate.distro.types import TYPES
+from urdfctl.migrate.distro.types import DEPENDENCIES, TYPES
 from urdfctl.migrate.step import Step
 
-STEPS: tuple[Step, ...] = (*NAMES, MIMIC, TYPES, PARAMETERS, LAUNCH_PYTHON, LAUNCH_XML, MOVEIT)
+STEPS: tuple[Step, ...] = (*NAMES, MIMIC, TYPES, DEPENDENCIES, PARAMETERS, LAUNCH_PYTHON, LAUNCH_XML, MOVEIT)

@@ -11,7 +11,7 @@ from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import for_you
 from urdfctl.migrate.tokens import XML
 from urdfctl.migrate.wishes import Part
-from urdfctl.migrate.xml_edits import elements_of, inserted, removed, span_of
+from urdfctl.migrate.xml_edits import elements_of, inserted, removed, words_of
 from urdfctl.source.dom import Element
 
 _AUTHORITY = "ros2_control doc/migration.rst of jazzy, #1256: mimic joints are those of the URDF, and are not commanded"
@@ -62,9 +62,9 @@ def _moved(joint: Element, mimicked: Element, in_urdf: list[Element], *, is_know
     if is_known:
         added = []
     elif not in_urdf or len(added) < len(without):
-        text = f"joint '{name}' mimics '{_text(mimicked)}': move this to <mimic> of the joint in the URDF"
+        text = f"joint '{name}' mimics '{words_of(mimicked)}': move this to <mimic> of the joint in the URDF"
         return for_you(mimicked.at, text, authority=_AUTHORITY)
-    what = f"joint '{name}' mimics '{_text(mimicked)}' by <mimic> in the URDF, and has no command interface"
+    what = f"joint '{name}' mimics '{words_of(mimicked)}' by <mimic> in the URDF, and has no command interface"
     return Proposal(_distinct([*edits, *added]), entries=(Entry(EntryKind.DONE, what, joint.at, authority=_AUTHORITY),))
 
 
@@ -74,20 +74,12 @@ def _distinct(edits: list[Edit]) -> tuple[Edit, ...]:
 
 def _element(joint: Element, mimicked: Element) -> str:
     """The <mimic> element of the URDF, with the values as they are written."""
-    attributes = f"joint={quoteattr(_text(mimicked))}"
+    attributes = f"joint={quoteattr(words_of(mimicked))}"
     for key in _PARAMETERS[1:]:
         value = _parameter(joint, key)
         if value is not None:
-            attributes += f" {key}={quoteattr(_text(value))}"
+            attributes += f" {key}={quoteattr(words_of(value))}"
     return f"<mimic {attributes}/>"
-
-
-def _text(element: Element) -> str:
-    """The text of an element as it is written."""
-    span = span_of(element)
-    tag = span.source.start_tag(span.start)
-    start, end = (tag.end if tag else span.start), element.close or span.end
-    return span.source.data[start:end].decode("utf-8", "replace").strip()
 
 
 def _parameter(joint: Element, name: str) -> Element | None:

@@ -80,11 +80,17 @@ def _short(text: str) -> str:
 
 def _rows(part: Part) -> tuple[Row, ...]:
     return tuple(
-        Row(re.sub(r"\\b|\(\?:|\)\?|\\", "", old) if move.is_pattern else old, new, move.since, move.authority)
+        Row(_readable(old) if move.is_pattern else old, new.replace("\\1", "X"), move.since, move.authority)
         for move in name_moves()
         if move.parts[0] == part.value
         for old, new in move.names.items()
     )
+
+
+def _readable(pattern: str) -> str:
+    """A pattern as a name, with X for what stays and N for a number."""
+    text = pattern.replace("([a-z0-9-]+)", "X").replace(r"\d+", "N")
+    return re.sub(r"\\b|\(\?:|\)\??|\\", "", text).replace(".so?", ".so").replace("lib?", "lib")
 
 
 def _step(part: Part, what: str) -> Step:

@@ -12,7 +12,10 @@ from urdfctl.migrate.controller_files import Section, TypeName, sections, type_n
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.wishes import Part
+from urdfctl.migrate.xml_edits import elements_of, span_of, words_of
 from urdfctl.migrate.yaml_edits import MapEdits
+from urdfctl.source.dom import Element
+from urdfctl.source.span import SourceSpan
 
 _AUTHORITY = "ros2_controllers doc/migration.rst: removed types and their successors"
 
@@ -53,6 +56,47 @@ def _yaml(value: object) -> str:
     return f"[{', '.join(map(str, value))}]" if isinstance(value, (list, tuple)) else str(value)
 
 
+# -- the packages that provide them ------------------------------------------------------------------------------------
+
+
+def _dependencies(packages: Packages) -> Iterator[Proposal]:
+    """Depend on the packages of the new types; no longer on those of the old ones if nothing uses them."""
+    target = packages.wishes.target
+    used = {declared.value.text for declared in type_names(packages)}
+    needed = {kind.package for name in used if (kind := CATALOG.controller(name, target))}
+    successors = _successors(target)
+    for path in packages.files("package.xml"):
+        elements = list(elements_of(packages.read(path)))
+        known = {words_of(one) for one in elements if one.tagName.endswith("depend")}
+        for element in elements:
+            old = words_of(element)
+            new = successors.get(old, "") if element.tagName.endswith("depend") else ""
+            if new in needed and new not in known:
+                yield _renamed_dependency(element, old, new, is_gone=old not in needed)
+
+
+def _successors(target: str) -> dict[str, str]:
+    """The packages of types that the target does not have, each with the package of their successors."""
+    found: dict[str, str] = {}
+    for name in sorted({name for distro in ROS2 for name in CATALOG.known_types(distro)}):
+        instead = CATALOG.replacement(name, target)
+        old = next((kind for distro in reversed(ROS2) if (kind := CATALOG.controller(name, distro))), None)
+        new = CATALOG.controller(instead.type, target) if instead else None
+        if old and new and CATALOG.controller(name, target) is None and old.package != new.package:
+            found[old.package] = new.package
+    return found
+
+
+def _renamed_dependency(element: Element, old: str, new: str, *, is_gone: bool) -> Proposal:
+    span = span_of(element)
+    text = span.text.replace(old, new)
+    line = span.source.data.rfind(b"\n", 0, span.start) + 1
+    indent = span.source.data[line : span.start].decode("utf-8", "replace")
+    edit = Edit(span, text) if is_gone else Edit(SourceSpan(span.source, span.end, span.end), f"\n{indent}{text}")
+    what = f"'{new}' provides the controllers that '{old}' provided"
+    return Proposal((edit,), entries=(Entry(EntryKind.DONE, what, element.at, authority=_AUTHORITY),))
+
+
 def _rows() -> Iterator[Row]:
     for name in sorted({name for distro in ROS2 for name in CATALOG.known_types(distro)}):
         there = [distro for distro in CATALOG.distros_of(name) if distro in ROS2]
@@ -62,4 +106,5 @@ def _rows() -> Iterator[Row]:
             yield Row(name, instead.type, gone[0], _AUTHORITY)
 
 
+DEPENDENCIES = Step("controller-packages", Part.MANIFEST, "Packages of controllers", _dependencies)
 TYPES = Step("controller-types", Part.YAML, "Types of controllers", _types, tuple(_rows()))
