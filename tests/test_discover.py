@@ -15,6 +15,17 @@ from urdfctl.errors import UserError
 ROBOT = '<robot name="r"><link name="a"/></robot>'
 INCLUDES = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:include filename="{}"/></robot>'
 
+WHEEL = """<robot xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="wheel" params="name radius"><link name="${name}"/></xacro:macro>
+</robot>
+"""
+CALLS_WHEEL = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:include filename="wheel.xacro"/>
+  <link name="base"/>
+  <xacro:wheel name="left"/>
+</robot>
+"""
+
 
 def package(name: str) -> str:
     return f"<package><name>{name}</name></package>"
@@ -189,6 +200,13 @@ def test_an_ignored_folder_is_linted_if_there_is_nothing_else(folder: Folder, na
     ran = folder.run("lint", ".", "--format", "json", "--exit-zero")
     assert [target["robot"] for target in json.loads(ran.stdout)["targets"]] == ["arm/urdf/arm.urdf"]
     assert ran.stderr == "urdfctl: checked although COLCON_IGNORE or CATKIN_IGNORE leaves nothing else: ./arm\n"
+
+
+def test_a_robot_of_a_folder_that_loses_all_but_one_link_by_a_fault_is_linted(folder: Folder) -> None:
+    folder.write({"package.xml": package("p"), "wheel.xacro": WHEEL, "robot.xacro": CALLS_WHEEL})
+    ran = folder.run("lint", ".", "--format", "concise")
+    assert ran.stdout == "robot.xacro:4:3: error UC009 the macro call passes no value for 'radius'\n"
+    assert ran.returncode == 1
 
 
 @pytest.mark.parametrize(

@@ -21,6 +21,7 @@ from urdfctl.cli.init_options import InitOptions
 from urdfctl.cli.migrate_options import MigrateOptions
 from urdfctl.cli.options import ExpandOptions, ExplainOptions, LintOptions, RulesOptions, ShowOptions, SmokeOptions
 from urdfctl.cli.see_options import DiffOptions, WhyOptions
+from urdfctl.cli.server_options import ServerOptions
 from urdfctl.cli.slips import command_hint
 from urdfctl.errors import UserError
 
@@ -86,6 +87,12 @@ def _migrate(options: MigrateOptions) -> int:
     return run_migrate(options)
 
 
+def _server(options: ServerOptions) -> int:
+    from urdfctl.cli.server_command import run_server
+
+    return run_server(options)
+
+
 def _generate(options: GenerateOptions) -> int:
     from urdfctl.cli.generate_command import run_generate
 
@@ -110,6 +117,7 @@ _RUN: dict[type, Callable[[Any], int]] = {
     CheckGeneratedOptions: _check_generated,
     InitOptions: _init,
     MigrateOptions: _migrate,
+    ServerOptions: _server,
     **dict.fromkeys(GENERATORS.values(), _generate),
 }
 
@@ -170,6 +178,7 @@ _command("rules")(RulesOptions)
 _command("explain", short_help="Explain a rule, an error message, or a whole log.")(ExplainOptions)
 _command("init", short_help="Write a configuration with the robots of a project.")(InitOptions)
 _command("migrate", short_help="Migrate packages to another ROS distro.")(MigrateOptions)
+_command("server", short_help="Serve an editor: findings while you type.")(ServerOptions)
 for name, generator in GENERATORS.items():
     app.command(name, cls=OneDashCommand, short_help=short_help(generator))(generator)
 _command("gen-check", short_help="Check that generated files are up to date.")(CheckGeneratedOptions)

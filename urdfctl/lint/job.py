@@ -91,7 +91,7 @@ def run_on_targets(
     memory = RuleMemory() if len(jobs) > 1 else None
     return run_jobs(
         jobs,
-        partial(_perform, function, workers.loader or Loader(settings), memory=memory),
+        partial(perform, function, workers.loader or Loader(settings), memory=memory),
         Limits(settings.timeout, settings.memory, settings.environ),
         workers.parallel or processors(),
         function_name="urdfctl.lint.job:perform_alone",
@@ -134,7 +134,8 @@ def job_for(
     }
 
 
-def _perform(function: WorkFunction, loader: Loader, job: Json, *, memory: RuleMemory | None = None) -> Json:
+def perform(function: WorkFunction, loader: Loader, job: Json, *, memory: RuleMemory | None = None) -> Json:
+    """Do a job with what this process shares among its jobs."""
     target, selection = Target.from_json(job["target"]), Selection.from_json(job["selection"])
     return function(Work(loader, target, selection, job["details"], memory))
 
@@ -142,7 +143,7 @@ def _perform(function: WorkFunction, loader: Loader, job: Json, *, memory: RuleM
 def perform_alone(job: Json) -> Json:
     """Do a job in a process that knows nothing but the job."""
     module, _, name = job["function"].partition(":")
-    return _perform(getattr(import_module(module), name), Loader(Settings.from_json(job["settings"])), job)
+    return perform(getattr(import_module(module), name), Loader(Settings.from_json(job["settings"])), job)
 
 
 # -- linting ---------------------------------------------------------------------------------------------------------

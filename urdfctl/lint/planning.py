@@ -169,7 +169,7 @@ def with_bringups(
 
 
 def is_robot(result: TargetResult) -> bool:
-    """Return whether a description is a robot: two links, and complete or at least named; or unreadable."""
+    """Return whether a description is a robot: complete with two links, or named with one; or unreadable."""
     if result.links is None:
         return True
-    return result.links > 1 and (result.complete or result.robot is not None)
+    return result.links > 1 if result.complete else result.links > 0 and result.robot is not None

@@ -1,0 +1,69 @@
+"""Run jobs in this process: for an editor's server, and where the system has no other processes (a browser).
+
+The limit on time is the same as in a worker. There is none on memory: this process lives on. What a job may read of
+the environment is that of its settings, as everywhere.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from types import TracebackType
+
+from urdfctl.run.limits import Json, Limits, Result
+from urdfctl.run.results import decoded_result, encoded_result
+from urdfctl.source.budget import OverBudget
+
+
+def run_all_here(jobs: Sequence[Json], function: Callable[[Json], Json], limits: Limits) -> Iterator[Result]:
+    """Yield the result of each job, in order."""
+    for job in jobs:
+        try:
+            with Clock(limits):
+                text = encoded_result(job, function)
+        except OverBudget:  # between the end of the job and that of the clock
+            text = encoded_result(job, _raiser(OverBudget(limits.too_slow)))
+        yield decoded_result(text)
+
+
+def _raiser(error: Exception) -> Callable[[Json], Json]:
+    def function(_: Json) -> Json:
+        raise error
+
+    return function
+
+
+class Clock:
+    """Raises OverBudget in the thread that entered it, after `limits.seconds` or when `stop` is called.
+
+    Python code is interrupted at its next bytecode. Without threads, nothing is interrupted.
+    """
+
+    def __init__(self, limits: Limits) -> None:
+        self._limits = limits
+        self._lock = threading.Lock()
+        self._thread: int | None = None
+        self._timer: threading.Timer | None = None
+
+    def __enter__(self) -> None:
+        self._thread = threading.get_ident()
+        self._timer = threading.Timer(self._limits.seconds, self.stop)
+        self._timer.daemon = True
+        try:
+            self._timer.start()
+        except RuntimeError:  # a browser has no threads
+            self._timer = None
+
+    def __exit__(self, kind: type[BaseException] | None, _: BaseException | None, __: TracebackType | None) -> None:
+        if self._timer is not None:
+            self._timer.cancel()
+        with self._lock:
+            self._thread = None
+
+    def stop(self) -> None:
+        """Interrupt the thread that is between entering and leaving."""
+        with self._lock:
+            if self._thread is not None:
+                ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self._thread), ctypes.py_object(OverBudget))
+                self._thread = None
