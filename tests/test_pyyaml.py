@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import datetime as dt
 import re
+import subprocess
 import sys
 
 import pytest
@@ -42,3 +43,30 @@ def test_it_types_values_as_ever_and_leaves_re_as_it_was() -> None:
 
 def test_what_is_loaded_already_is_taken() -> None:
     assert pyyaml.load() is sys.modules["yaml"]
+
+
+def test_reading_with_libyaml_imports_neither_the_writer_nor_the_reader_in_python() -> None:
+    program = """
+import sys
+from urdfctl.startup.lazy_yaml import yaml
+assert yaml.load("a: [1, 2.5, 2026-11-21]", yaml.CSafeLoader)["a"][:2] == [1, 2.5]
+try:
+    yaml.load("a: [", yaml.CSafeLoader)
+except yaml.MarkedYAMLError as error:
+    assert error.problem_mark.line == 1
+assert [type(event).__name__ for event in yaml.parse("&a x", yaml.CSafeLoader)][2] == "ScalarEvent"
+print(sorted({"yaml.scanner", "yaml.emitter", "yaml.representer"} & set(sys.modules)), yaml.__with_libyaml__)
+print(yaml.safe_dump(yaml.load("a: 1", yaml.SafeLoader)), sorted({"yaml.scanner", "yaml.emitter"} & set(sys.modules)))
+"""
+    lines = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout.split(
+        "\n"
+    )
+    assert lines[0] == "[] True"
+    assert lines[1] == "a: 1"
+    assert lines[2] == " ['yaml.emitter', 'yaml.scanner']"
+
+
+def test_a_date_is_a_date_of_the_standard_module_though_that_is_imported_late() -> None:
+    program = "from urdfctl.startup.lazy_yaml import yaml; print(repr(yaml.load('2026-11-21', yaml.CSafeLoader)))"
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert done.stdout == "datetime.date(2026, 11, 21)\n"

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import os
-import signal
 import sys
 import time
 from collections.abc import Callable, Sequence
 
 from urdfctl.run.limits import GRACE, Json, Limits, Result, WorkerFailure, restrict, start_clock
 from urdfctl.run.results import decoded_result, encoded_result
+from urdfctl.startup.signals import signal
 
 MAX_RESULT = 64 << 20
 """Bytes that a worker may send without ending a line."""
@@ -157,7 +157,9 @@ def _write(pipe: int, text: bytes) -> None:
 
 
 def _failure_of(status: int) -> WorkerFailure:
-    signal_name = signal.Signals(-status).name if status < 0 else ""
+    from signal import Signals
+
+    signal_name = Signals(-status).name if status < 0 else ""
     if signal_name in {"SIGXCPU", "SIGKILL"}:
         return WorkerFailure("it uses more time or memory than one robot may use")
     how = f"was ended by {signal_name}" if signal_name else f"ended with status {status}"

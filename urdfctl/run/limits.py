@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import gc
 import os
-import signal
 import sys
 import time
 from collections.abc import Callable, Mapping
@@ -13,6 +12,7 @@ from types import FrameType
 from urdfctl.source.budget import OverBudget
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
+from urdfctl.startup.signals import signal
 
 Json = dict[str, Any]
 GRACE = 2.0
@@ -68,7 +68,7 @@ def restrict(limits: Limits) -> None:
     os.environ.update(limits.environ)
     _limit(resource.RLIMIT_AS, limits.memory)
     _limit(resource.RLIMIT_CORE, 0)
-    if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:  # a shell's background jobs ignore it
+    if signal.getsignal(signal.SIGINT) != signal.SIG_IGN:  # a shell's background jobs ignore it
         signal.signal(signal.SIGINT, signal.SIG_DFL)  # the parent reports the interruption
     signal.signal(signal.SIGALRM, _raise_over_budget(limits))
 

@@ -8,10 +8,10 @@ time.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from xml.dom import NotFoundErr
 
 from urdfctl.source.span import Call, Place, SourceText
 from urdfctl.startup.records import NamedTuple
+from urdfctl.startup.xacro_imports import NotFoundErr
 
 ELEMENT, TEXT, CDATA, INSTRUCTION, COMMENT, DOCUMENT, DOCTYPE = 1, 3, 4, 7, 8, 9, 10
 

@@ -13,7 +13,7 @@ import re
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import BOM, Place, SourceText
 from urdfctl.startup.hints import Any
-from urdfctl.startup.lazy_yaml import yaml
+from urdfctl.startup.lazy_yaml import SAFE_LOADER, yaml
 from urdfctl.startup.per_object import once_per_object
 from urdfctl.startup.records import NamedTuple
 
@@ -24,7 +24,6 @@ _UNPRINTABLE = "[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ff
 _TAB_INDENT = r" *\t[ \t]*(?=[^\s#])"
 _PYTHON = "tag:yaml.org,2002:python/"
 _OPENED = ("while parsing a flow", "while scanning a quoted")
-_LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
 class Scalar(NamedTuple):
@@ -126,7 +125,7 @@ def _by_python(source: SourceText) -> YamlFile:
 
 @once_per_object
 def _by_fastest(source: SourceText) -> YamlFile:
-    return _read(source, _LOADER)
+    return _read(source, SAFE_LOADER)
 
 
 def _read(source: SourceText, loader: Any) -> YamlFile:

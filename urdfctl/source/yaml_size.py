@@ -23,12 +23,12 @@ def check_size(text: bytes) -> None:
     """
     if len(text) < _HARMLESS_BYTES and b"*" not in text and sum(map(text.count, _OPENINGS)) < _HARMLESS_OPENINGS:
         return
-    from urdfctl.startup.lazy_yaml import yaml
+    from urdfctl.startup.lazy_yaml import SAFE_LOADER, yaml
 
     total = 0
     sizes: dict[str | None, int] = {}
     opened: list[tuple[str | None, int]] = []
-    for event in yaml.parse(text, getattr(yaml, "CSafeLoader", yaml.SafeLoader)):
+    for event in yaml.parse(text, SAFE_LOADER):
         if isinstance(event, yaml.AliasEvent):
             total += sizes.get(event.anchor, 1)
         elif isinstance(event, yaml.ScalarEvent):

@@ -74,10 +74,9 @@ def _safe_eval(expression: str, symbols: Any, _local: object = None) -> Any:
 
 def _load_yaml(module: Any, files: Files, loaded: dict[str, None], filename: str) -> Any:
     """Return the content of a YAML file, wrapped as xacro does it. It is read by libyaml if that is installed."""
-    from urdfctl.startup.lazy_yaml import yaml
+    from urdfctl.startup.lazy_yaml import SAFE_LOADER, yaml
 
-    base: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-    loader = type("Loader", (base,), {})
+    loader = type("Loader", (SAFE_LOADER,), {})
     for unit in module.ConstructUnits:
         loader.add_constructor(unit.value.tag, unit.constructor)  # type: ignore[attr-defined]
     path = module.abs_filename_spec(filename)
