@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache
 
 from urdfctl.discover.walk import LAUNCHES
@@ -81,13 +81,19 @@ def _is_broken_xml(text: bytes) -> bool:
 
 def launch_roots(texts: Mapping[str, bytes], naming: Sequence[bytes] = ()) -> list[str]:
     """The launch files that no other one includes, and which describe a robot, load parameters or start controllers,
-    themselves or by what they include, in order."""
+    themselves or by what they include, in order.
+
+    naming: if given, only those which also name one of these, themselves or by what they include.
+    """
+    named = {path for name in naming for path, text in texts.items() if name in text} if naming else {*texts}
+    if not named:
+        return []
     by_name: dict[str, list[str]] = {}
     for path in texts:
         by_name.setdefault(os.path.basename(path), []).append(path)
     included = {path: list(_included(path, text, by_name)) for path, text in texts.items()}
     inner = {path for paths in included.values() for path in paths}
-    return [path for path in texts if path not in inner and _is_relevant(path, included, texts, naming)]
+    return [path for path in texts if path not in inner and _is_relevant(path, included, texts, named)]
 
 
 def _included(path: str, text: bytes, by_name: Mapping[str, Sequence[str]]) -> Iterator[str]:
@@ -96,8 +102,8 @@ def _included(path: str, text: bytes, by_name: Mapping[str, Sequence[str]]) -> I
         yield from _named(path, text, by_name)
         return
     for tail in _tails(text):
-        for candidate in by_name.get(os.path.basename(tail), ()):
-            if candidate != path and f"/{os.path.abspath(candidate)}".replace(os.sep, "/").endswith(f"/{tail}"):
+        for candidate in by_name.get(tail.rpartition("/")[2], ()):
+            if candidate != path and _with_slashes(candidate, os.getcwd()).endswith(f"/{tail}"):
                 yield candidate
 
 
@@ -107,6 +113,12 @@ def _tails(text: bytes) -> tuple[str, ...]:
     addresses = re.findall(_INCLUDE, re.sub(_COMMENT, b"", text))
     decoded = (address.decode("utf-8", "replace") for address in addresses)
     return tuple(re.sub(r"^.*\$\([^)]*\)+/?", "", address).lstrip("./") for address in decoded)
+
+
+@lru_cache(maxsize=_MOST_TEXTS)
+def _with_slashes(path: str, current: str) -> str:
+    """A path relative to the current folder, from the root."""
+    return "/" + os.path.normpath(os.path.join(current, path)).replace(os.sep, "/")
 
 
 @lru_cache(maxsize=_MOST_TEXTS)
@@ -136,16 +148,16 @@ def _named(path: str, text: bytes, by_name: Mapping[str, Sequence[str]]) -> Iter
 
 
 def _is_relevant(
-    path: str, included: Mapping[str, Iterable[str]], texts: Mapping[str, bytes], naming: Sequence[bytes]
+    path: str, included: Mapping[str, Iterable[str]], texts: Mapping[str, bytes], named: Collection[str]
 ) -> bool:
+    """Whether a launch file or one that it includes starts robots, and it or one that it includes is in `named`."""
     pending, seen = [path], {path}
-    relevant, named = False, not naming
+    starts, names = False, False
     while pending:
         current = pending.pop()
-        text = texts[current]
-        relevant = relevant or _starts_robots(text)
-        named = named or any(name in text for name in naming)
-        if relevant and named:
+        starts = starts or _starts_robots(texts[current])
+        names = names or current in named
+        if starts and names:
             return True
         new = [other for other in included[current] if other not in seen]
         seen.update(new)
