@@ -13,6 +13,7 @@ from urdfctl.lint.files import LintRun
 from urdfctl.lint.job import launch_variants, lint_all
 from urdfctl.lint.planning import Arguments
 from urdfctl.lint.results import TargetResult
+from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
 from urdfctl.startup.records import NamedTuple
 
@@ -22,6 +23,7 @@ class _InWorkers(NamedTuple):
 
     settings: Settings
     request: LintRequest
+    loader: Loader
 
     def lint(self, targets: Sequence[Target], focus: Sequence[Sequence[str]] = ()) -> Iterator[TargetResult]:
         """Yield the result of each target, in order."""
@@ -30,6 +32,7 @@ class _InWorkers(NamedTuple):
             self.settings,
             self.request.selection,
             focus=focus,
+            loader=self.loader,
             parallel=self.request.jobs or None,
             meanwhile=self.request.import_reports,
         )
@@ -37,10 +40,10 @@ class _InWorkers(NamedTuple):
 
     def variants(self, targets: Sequence[Target]) -> list[list[Target]]:
         """Return, for each launch file, a target for each choice of the arguments that it needs."""
-        return launch_variants(targets, self.settings, self.request.jobs or None)
+        return launch_variants(targets, self.settings, self.loader, self.request.jobs or None)
 
 
 def lint_files(files: DiscoveredFiles, arguments: Arguments, settings: Settings, request: LintRequest) -> LintRun:
     """Lint the robots among some files as a command asks for it, then the files that none of them uses."""
-    linter = _InWorkers(settings, request)
+    linter = _InWorkers(settings, request, Loader(settings))
     return whole_runs.lint_files(files, arguments, linter, request.config.robots, request.shard)

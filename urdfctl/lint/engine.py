@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from functools import lru_cache
 
 from urdfctl.catalog.distros import APPLIES, applies_to
 from urdfctl.diagnostic import Diagnostic, Finding, Note, diagnosed, located
@@ -95,7 +96,12 @@ def _uses(
 def _applies(rule: Rule, project: Project) -> bool:
     if (rule.whole_robot and not project.complete) or (project.library and not rule.in_library):
         return False
-    return bool(set(rule.distros) & set(project.distros))
+    return _have_one_in_common(rule.distros, project.distros)
+
+
+@lru_cache(256)
+def _have_one_in_common(distros: tuple[str, ...], others: tuple[str, ...]) -> bool:
+    return not set(distros).isdisjoint(others)
 
 
 def _diagnostic(rule: Rule, project: Project, finding: Finding, selection: Selection) -> Diagnostic:

@@ -30,7 +30,7 @@ _INDEX_FROM = 4
 """From this many targets on, index packages once before forking."""
 _PRELOAD_FROM = 12
 """From this many targets on, import all rules once before forking: cheaper than what each worker needs."""
-_TARGETS_PER_WORKER = 16
+_TARGETS_PER_WORKER = 64
 
 
 class Work(NamedTuple):
@@ -155,17 +155,19 @@ def lint_all(
     selection: Selection,
     *,
     focus: Sequence[Sequence[str]] = (),
+    loader: Loader | None = None,
     parallel: int | None = None,
     meanwhile: Callable[[], object] = _nothing,
 ) -> Iterator[TargetResult]:
     """Yield the findings of each target, in order, each from a limited worker.
 
     focus: as in `lint_target`, for each target; no target has one if empty.
+    loader: one that has read some of what the targets need; a new one if None.
     parallel, meanwhile: as in `Workers`.
     """
     if not targets:
         return
-    workers = Workers(shared_loader(targets, settings), parallel, _TARGETS_PER_WORKER, meanwhile)
+    workers = Workers(shared_loader(targets, settings, loader), parallel, _TARGETS_PER_WORKER, meanwhile)
     details = [{"focus": list(paths)} for paths in focus] or None
     results = run_on_targets(lint_work, targets, settings, selection, details=details, workers=workers)
     for target, result in zip(targets, results, strict=True):
@@ -178,9 +180,11 @@ def lint_work(work: Work) -> Json:
     return result_to_json(lint_target(work.loader, work.target, work.selection, focus=focus, memory=work.memory).result)
 
 
-def launch_variants(targets: Sequence[Target], settings: Settings, parallel: int | None = None) -> list[list[Target]]:
+def launch_variants(
+    targets: Sequence[Target], settings: Settings, loader: Loader, parallel: int | None = None
+) -> list[list[Target]]:
     """Return, for each launch file, a target for each choice of the arguments that it needs, or only itself."""
-    results = run_on_targets(variants_work, targets, settings, workers=Workers(parallel=parallel))
+    results = run_on_targets(variants_work, targets, settings, workers=Workers(loader, parallel))
     return [
         [Target.from_json(one) for one in result["targets"]] if isinstance(result, dict) else [target]
         for target, result in zip(targets, results, strict=True)
@@ -192,12 +196,13 @@ def variants_work(work: Work) -> Json:
     return {"targets": [target._asdict() for target in work.loader.variants(work.target)]}
 
 
-def shared_loader(targets: Sequence[Target], settings: Settings) -> Loader:
+def shared_loader(targets: Sequence[Target], settings: Settings, loader: Loader | None = None) -> Loader:
     """Return a loader for forked workers that already knows what each of many targets needs."""
-    loader = Loader(settings)
+    loader = loader or Loader(settings)
     if len(targets) >= _INDEX_FROM:
         loader.index_packages(targets)
     if len(targets) >= _PRELOAD_FROM:
+        loader.read_exports(targets)
         _preload()
     return loader
 

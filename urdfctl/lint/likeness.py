@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 from urdfctl.catalog.distros import ALL
 from urdfctl.startup.patterns import lazy_pattern
@@ -12,6 +13,7 @@ _LIST = lazy_pattern(r"''(?:, '')*(?:,? and (?:''|# more))?")
 _ADVICE = lazy_pattern(r"(?:did you mean|\buse|\bwrite|replacement:|\binstead of) .*")
 
 
+@lru_cache(4096)
 def shape(message: str) -> str:
     """Return a message without its names and numbers.
 

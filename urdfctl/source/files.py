@@ -81,7 +81,7 @@ class Files:
         """Allow reading files below another folder."""
         if self.bounds is not None:
             real = os.path.realpath(folder)
-            if real not in self.bounds:
+            if not self._is_within(real):
                 self.bounds.append(real)
                 self._within = {}
 
@@ -116,10 +116,13 @@ class Files:
         if self.bounds is None:
             return True
         if path not in self._within:
-            real = os.path.realpath(path)
-            inside = (real == bound or real.startswith(bound.rstrip(os.sep) + os.sep) for bound in self.bounds)
-            self._within[path] = any(inside)
+            self._within[path] = self._is_within(os.path.realpath(path))
         return self._within[path]
+
+    def _is_within(self, real: str) -> bool:
+        """Whether a path without links is a bound or below one."""
+        bounds = self.bounds or ()
+        return any(real == bound or real.startswith(bound.rstrip(os.sep) + os.sep) for bound in bounds)
 
     def _check_bounds(self, path: str) -> None:
         if self.bounds is not None and not self.may_read(path):

@@ -1,6 +1,6 @@
 """A module that is imported when an attribute of it is read.
 
-Saves: `datetime` and `base64`, which PyYAML imports and a run does not use, take 1.5 ms; `ast` and `glob` of xacro more.
+Saves: `datetime` and `base64`, which PyYAML imports and hardly uses, take 1.5 ms; `ast` and `glob` of xacro take more.
 """
 
 from __future__ import annotations

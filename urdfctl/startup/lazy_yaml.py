@@ -81,7 +81,7 @@ def _add_reader_in_c(package: Any) -> None:
         for part in (*_MARKED, *_PLAIN):
             delattr(package, part)
 
-    class CSafeLoader(in_c.CParser, package.constructor.SafeConstructor, package.resolver.Resolver):  # type: ignore[misc]
+    class CSafeLoader(in_c.CParser, package.constructor.SafeConstructor, package.resolver.Resolver):  # type: ignore[misc,name-defined]
         def __init__(self, stream: str | bytes) -> None:
             in_c.CParser.__init__(self, stream)
             package.constructor.SafeConstructor.__init__(self)

@@ -10,7 +10,4 @@ from urdfctl.startup.hints import TYPE_CHECKING
 if TYPE_CHECKING:
     import signal as signal  # noqa: PLC0414 (so that it is exported)
 else:
-    try:
-        import _signal as signal
-    except ImportError:  # pragma: no cover (another Python than CPython and PyPy)
-        pass
+    import _signal as signal  # noqa: F401 (so that it is exported)
