@@ -23,7 +23,9 @@ from urdfctl.rules.claims.joint_states_published_twice import joint_states_publi
 from urdfctl.rules.claims.joint_without_transmission import joint_without_transmission
 from urdfctl.rules.claims.mapped_interface_not_exported import mapped_interface_not_exported
 from urdfctl.rules.claims.nothing_to_claim import nothing_to_claim
+from urdfctl.rules.claims.sensor_frame_not_a_link import sensor_frame_not_a_link
 from urdfctl.rules.claims.state_interface_not_exported import state_interface_not_exported
+from urdfctl.rules.claims.wheel_speed_beyond_limit import wheel_speed_beyond_limit
 
 RULES: tuple[Rule, ...] = (
     command_interface_not_exported,
@@ -47,4 +49,6 @@ RULES: tuple[Rule, ...] = (
     mapped_interface_not_exported,
     controllers_without_hardware,
     nothing_to_claim,
+    sensor_frame_not_a_link,
+    wheel_speed_beyond_limit,
 )

@@ -6,9 +6,10 @@ from collections.abc import Iterator
 
 from urdfctl.control.readers import Reader, in_each_distro
 from urdfctl.model.parameters import Kind
-from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import Names, replaced
 from urdfctl.rules.controllers.joints import robot_of
+from urdfctl.source.span import Place
 
 _BASE = """
     states: {type: joint_state_controller/JointStateController, publish_rate: 50}
@@ -61,8 +62,13 @@ def base_frame_not_a_link(project: Project) -> Iterator[Finding]:
 
 
 def _missing_frame(reader: Reader, names: Names) -> Iterator[Finding]:
-    given = reader.located.get("base_frame_id") if "base_frame_id" in reader.known else None
-    if given is None or given.value.kind is not Kind.STRING or not given.value.is_known or not given.value.text:
+    parameter, given = reader.known.get("base_frame_id"), reader.located.get("base_frame_id")
+    if parameter is None or reader.at is None:
+        return
+    if given is None:
+        yield from _missing_default(reader, reader.at, str(parameter.default or ""), names)
+        return
+    if given.value.kind is not Kind.STRING or not given.value.is_known or not given.value.text:
         return
     name = given.value.text.rpartition("/")[2]
     if name in names:
@@ -72,3 +78,12 @@ def _missing_frame(reader: Reader, names: Names) -> Iterator[Finding]:
     fix = replaced(given.value.at, name, right) if right else None
     message = f"'base_frame_id' is '{given.value.text}', but the robot has no such link{hint}"
     yield Finding(given.value.at, message, fix=fix, severity=Severity.WARNING)
+
+
+def _missing_default(reader: Reader, at: Place, default: str, names: Names) -> Iterator[Finding]:
+    """A finding at the section of a drive that takes its base frame from a default."""
+    if default and default not in names and reader.given.get("enable_odom_tf") is not False:
+        message = f"{reader.name} has no 'base_frame_id', and the robot has no link '{default}' (its default)"
+        yield Finding(
+            at, message, (Note("add base_frame_id with the name of the base link"),), severity=Severity.WARNING
+        )

@@ -24,7 +24,7 @@ from urdfctl.rules.ros2_control.common import component, is_deaf, known_hardware
         "robot.urdf": """
             <link name="finger"/>
             <joint name="grip" type="prismatic">
-              <parent link="fore"/><child link="finger"/><limit lower="0" upper="0.1" effort="1" velocity="1"/>
+              <parent link="fore"/><child link="finger"/><limit lower="-1" upper="1" effort="1" velocity="1"/>
             </joint>
             <ros2_control name="arm" type="system">
               <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
@@ -42,7 +42,7 @@ from urdfctl.rules.ros2_control.common import component, is_deaf, known_hardware
               <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
             </link>
             <joint name="grip" type="prismatic">
-              <parent link="fore"/><child link="finger"/><limit lower="0" upper="0.1" effort="1" velocity="1"/>
+              <parent link="fore"/><child link="finger"/><limit lower="-1" upper="1" effort="1" velocity="1"/>
               <mimic joint="elbow"/>
             </joint>
             <ros2_control name="arm" type="system">

@@ -15,7 +15,7 @@ _FINGER = """
             </link>
             <joint name="«grip»" type="prismatic">
               <parent link="fore"/><child link="finger"/>
-              <limit lower="0" upper="0.1" effort="1" velocity="1"/><mimic joint="elbow"/>
+              <limit lower="-1" upper="1" effort="1" velocity="1"/><mimic joint="elbow"/>
             </joint>
 """
 _CONTROL = """

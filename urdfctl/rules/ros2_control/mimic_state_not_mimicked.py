@@ -23,7 +23,7 @@ from urdfctl.rules.ros2_control.facts import MOCK
             <link name="finger"/>
             <joint name="grip" type="prismatic">
               <parent link="fore"/><child link="finger"/>
-              <limit lower="0" upper="0.1" effort="1" velocity="1"/><mimic joint="elbow"/>
+              <limit lower="-1" upper="1" effort="1" velocity="1"/><mimic joint="elbow"/>
             </joint>
             <ros2_control name="arm" type="system">
               <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
@@ -42,7 +42,7 @@ from urdfctl.rules.ros2_control.facts import MOCK
             </link>
             <joint name="grip" type="prismatic">
               <parent link="fore"/><child link="finger"/>
-              <limit lower="0" upper="0.1" effort="1" velocity="1"/><mimic joint="elbow"/>
+              <limit lower="-1" upper="1" effort="1" velocity="1"/><mimic joint="elbow"/>
             </joint>
             <ros2_control name="arm" type="system">
               <hardware><plugin>mock_components/GenericSystem</plugin></hardware>

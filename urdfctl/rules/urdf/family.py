@@ -12,6 +12,7 @@ from urdfctl.rules.urdf.duplicate_link import duplicate_link
 from urdfctl.rules.urdf.duplicate_material import duplicate_material
 from urdfctl.rules.urdf.dynamics_empty import dynamics_empty
 from urdfctl.rules.urdf.dynamics_negative import dynamics_negative
+from urdfctl.rules.urdf.effort_limit_zero import effort_limit_zero
 from urdfctl.rules.urdf.element_given_twice import element_given_twice
 from urdfctl.rules.urdf.element_misspelt import element_misspelt
 from urdfctl.rules.urdf.gazebo_reference_unknown import gazebo_reference_unknown
@@ -47,6 +48,7 @@ from urdfctl.rules.urdf.mesh_not_found import mesh_not_found
 from urdfctl.rules.urdf.mesh_package_not_found import mesh_package_not_found
 from urdfctl.rules.urdf.mesh_path_of_one_machine import mesh_path_of_one_machine
 from urdfctl.rules.urdf.mesh_path_relative import mesh_path_relative
+from urdfctl.rules.urdf.mimic_range_beyond_limits import mimic_range_beyond_limits
 from urdfctl.rules.urdf.mimic_without_joint import mimic_without_joint
 from urdfctl.rules.urdf.mimics_in_a_circle import mimics_in_a_circle
 from urdfctl.rules.urdf.moving_link_without_inertial import moving_link_without_inertial
@@ -123,4 +125,6 @@ RULES: tuple[Rule, ...] = (
     link_named_without_prefix,
     inertia_zero,
     dollar_in_name,
+    mimic_range_beyond_limits,
+    effort_limit_zero,
 )

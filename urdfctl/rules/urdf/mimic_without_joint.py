@@ -19,7 +19,7 @@ from urdfctl.rules.common import label, robot_in
             <link name="finger"/>
             <joint name="finger_joint" type="prismatic">
               <parent link="fore"/><child link="finger"/>
-              <limit lower="0" upper="0.1" effort="1" velocity="1"/>
+              <limit lower="-1" upper="1" effort="1" velocity="1"/>
               «<mimic multiplier="-1"/>»
             </joint>
         """,
@@ -31,7 +31,7 @@ from urdfctl.rules.common import label, robot_in
             </link>
             <joint name="finger_joint" type="prismatic">
               <parent link="fore"/><child link="finger"/>
-              <limit lower="0" upper="0.1" effort="1" velocity="1"/>
+              <limit lower="-1" upper="1" effort="1" velocity="1"/>
               <mimic joint="elbow" multiplier="-1"/>
             </joint>
         """,

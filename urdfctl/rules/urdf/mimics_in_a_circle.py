@@ -20,7 +20,7 @@ from urdfctl.rules.common import in_words, robot_in
             <link name="finger"/>
             <joint name="finger_joint" type="prismatic">
               <parent link="fore"/><child link="finger"/>
-              <limit lower="0" upper="0.1" effort="1" velocity="1"/>
+              <limit lower="-1" upper="1" effort="1" velocity="1"/>
               <mimic joint="«finger_joint»"/>
             </joint>
         """,
@@ -32,7 +32,7 @@ from urdfctl.rules.common import in_words, robot_in
             </link>
             <joint name="finger_joint" type="prismatic">
               <parent link="fore"/><child link="finger"/>
-              <limit lower="0" upper="0.1" effort="1" velocity="1"/>
+              <limit lower="-1" upper="1" effort="1" velocity="1"/>
               <mimic joint="elbow"/>
             </joint>
         """,

@@ -20,7 +20,7 @@ from urdfctl.rules.written import at_written
             <link name="finger"/>
             <joint name="finger_joint" type="prismatic">
               <parent link="fore"/><child link="finger"/>
-              <limit lower="0" upper="0.1" effort="1" velocity="1"/>
+              <limit lower="-1" upper="1" effort="1" velocity="1"/>
               <mimic joint="«elbo»"/>
             </joint>
         """,
@@ -32,7 +32,7 @@ from urdfctl.rules.written import at_written
             </link>
             <joint name="finger_joint" type="prismatic">
               <parent link="fore"/><child link="finger"/>
-              <limit lower="0" upper="0.1" effort="1" velocity="1"/>
+              <limit lower="-1" upper="1" effort="1" velocity="1"/>
               <mimic joint="elbow"/>
             </joint>
         """,
