@@ -526,6 +526,42 @@ def test_a_file_that_is_not_there_is_told_of_unless_it_may_be_made(folder: Folde
     ]
 
 
+WORLDS = """
+    import os
+    from ament_index_python.packages import get_package_share_directory
+    from launch import LaunchDescription
+    from launch.actions import IncludeLaunchDescription
+
+    def generate_launch_description():
+        gazebo = os.path.join(get_package_share_directory("gazebo_ros"), "launch", "gazebo.launch.py")
+        world = os.path.join(get_package_share_directory("arm"), "worlds", "empty.world")
+        return LaunchDescription([IncludeLaunchDescription(gazebo, launch_arguments={"world": world}.items())])
+"""
+
+
+@pytest.mark.parametrize(
+    ("beside", "told"),
+    [(None, ["warning"]), ("full.world", ["warning"]), ("README", ["info"]), ("empty.world", [])],
+)
+def test_a_world_that_does_not_exist_is_told_of_also_if_its_folder_is_missing(
+    folder: Folder, beside: str | None, told: list[str]
+) -> None:
+    files = {"arm.launch.py": WORLDS, "package.xml": MANIFEST, "CMakeLists.txt": "ament_package()"}
+    files |= {f"worlds/{beside}": ""} if beside else {}
+    assert [one[1:] for one in found(folder, files, "UC616")] == [
+        (severity, "world file does not exist: 'arm/worlds/empty.world'") for severity in told
+    ]
+
+
+@pytest.mark.parametrize("text", ["$(var side)", "$(arg side)", "$(find-pkg-share arm)", "${side}"])
+def test_what_launch_would_substitute_is_text_in_a_controller_file(folder: Folder, text: str) -> None:
+    controllers = CONTROLLERS.replace("joints: [shoulder, elbow]", f"joints: ['{text}shoulder', elbow]")
+    files = launched(PUBLISHER, MANAGER, BROADCASTER, ARM, controllers=controllers)
+    assert found(folder, files, "UC033", distro="jazzy") == [
+        ("UC033", "error", f"'{text}' in 'joints' is not expanded: nothing evaluates it in a controller file")
+    ]
+
+
 def test_an_argument_that_hangs_on_the_file_s_name_is_told(folder: Folder) -> None:
     publisher = PUBLISHER.replace("arm.urdf'", "arm.urdfprefix:=left_'")
     assert [one[2] for one in found(folder, launched(publisher), "UC617")] == [

@@ -89,8 +89,10 @@ def test_a_folder_of_a_package_is_no_package(tmp_path: Path) -> None:
     _write(tmp_path, arm__urdf=whole("arm.urdf", mesh))
     (tmp_path / "meshes").mkdir()
     (tmp_path / "meshes" / "tool.stl").write_text("", encoding="utf-8")
-    found = findings(tmp_path / "arm.urdf", ("UC150",), workspace=str(tmp_path))
-    assert [finding.message for finding in found] == ["mesh package 'meshes' was not found in this workspace"]
+    [found] = findings(tmp_path / "arm.urdf", ("UC150",), workspace=str(tmp_path))
+    assert found.message == "'meshes' is not a package, but a folder of package 'arm'"
+    assert found.fix is not None
+    assert [edit.text for edit in found.fix.edits] == ["package://arm/meshes/tool.stl"]
 
 
 @pytest.mark.parametrize(

@@ -488,9 +488,30 @@ def test_a_mimicked_joint_of_a_library_is_looked_up_in_the_library(tmp_path: Pat
     assert codes(tmp_path, text.replace('name="${prefix}finger_joint"', 'name="${prefix}"'), "lib.xacro") == []
 
 
-def test_an_effort_limit_of_0_is_not_reported(tmp_path: Path) -> None:
-    text = joint('<limit lower="-1" upper="1" effort="0" velocity="1"/>').replace("</robot>", COMMANDED + "</robot>")
-    assert codes(tmp_path, text) == []
+def test_an_effort_limit_of_0_is_reported_if_the_joint_is_commanded_by_effort(tmp_path: Path) -> None:
+    passive = joint('<limit lower="-1" upper="1" effort="0" velocity="1"/>')
+    assert codes(tmp_path, passive) == []
+    assert codes(tmp_path, with_more(passive, COMMANDED)) == ["UC161 warning"]
+    assert codes(tmp_path, with_more(passive, COMMANDED.replace("Effort", "Position"))) == []
+
+
+@pytest.mark.parametrize(
+    ("limits", "mimic", "told"),
+    [
+        ('lower="-1" upper="1"', "", []),
+        ('lower="-1" upper="1"', 'multiplier="-1"', []),
+        ('lower="-0.99" upper="0.99"', "", []),
+        ('lower="-1" upper="1"', 'multiplier="2"', ["UC160 warning"]),
+        ('lower="-1" upper="1"', 'offset="0.5"', ["UC160 warning"]),
+        ('lower="0" upper="2"', 'offset="1"', []),
+        ('lower="0" upper="1"', 'multiplier="-0.5"', ["UC160 warning"]),
+    ],
+)
+def test_a_mimic_joint_is_compared_with_its_limits(tmp_path: Path, limits: str, mimic: str, told: list[str]) -> None:
+    follower = joint(f'<limit {limits} effort="1" velocity="1"/><mimic joint="elbow" {mimic}/>')
+    leader = """<link name="lower"/><joint name="elbow" type="revolute"><parent link="base"/><child link="lower"/>
+      <limit lower="-1" upper="1" effort="1" velocity="1"/></joint>"""
+    assert [one for one in codes(tmp_path, with_more(follower, leader)) if "UC160" in one] == told
 
 
 def test_equal_limits_of_a_passive_joint_are_fine(tmp_path: Path) -> None:

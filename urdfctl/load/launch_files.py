@@ -57,12 +57,14 @@ def read_launch(
 
 
 def _has_siblings(reference: Reference) -> bool:
-    """Whether the folder of a missing file has another file with its ending."""
+    """Whether a missing file should be there: its folder has another one with its ending, or is missing too."""
     path = reference.file.path
     if reference.use != "argument" or reference.file.exists is not False or not path:
         return False
     try:
         names = os.listdir(os.path.dirname(path))
+    except FileNotFoundError:
+        return True
     except OSError:
         return False
     return any(name.endswith(os.path.splitext(path)[1]) for name in names)

@@ -59,11 +59,13 @@ def _in_package(address: str, packages: Packages) -> MeshFile | None:
     try:
         folder = packages.find(package)
     except PackageNotFound as error:
+        own = os.path.join(packages.own() or "", address)
         return MeshFile(
             exists=False,
             package=package,
             package_found=False,
             nearest=nearest(package, error.known),
+            meant=packages.address_of(own) if os.path.isfile(own) else None,
             package_declared=bool(packages.declares(package)),
         )
     return _file(packages.source_of(os.path.join(folder, path)), package, packages)

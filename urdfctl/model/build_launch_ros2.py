@@ -314,6 +314,7 @@ class _Walk:
                 at=term.at,
                 state=state,
             )
+            self.nodes(scope).worlds(given, texts, sure=state.sure)
         elif package_outside(path) not in _WITHOUT_CONTROLLERS:
             at = source.at if source is not None else term.at
             self._follow(path, Word(path, at), scope, state)

@@ -186,7 +186,7 @@ class Reference(NamedTuple):
     """A file that the launch file uses.
 
     use: `description`, `parameters`, `include` or `argument`.
-    has_siblings: whether its folder has other files of its kind, so that it should be there too.
+    has_siblings: whether it should be there: its folder has other files of its kind, or is missing too.
     package: the package that contains it; None if unknown.
     """
 

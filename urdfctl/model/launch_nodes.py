@@ -277,6 +277,13 @@ class Nodes:
             )
         )
 
+    def worlds(self, given: Table | None, texts: Texts, *, sure: bool) -> None:
+        """Add the world files in the arguments of a simulator."""
+        for value in given.entries.values() if given else ():
+            for word in texts.of(value).split():
+                if word.endswith((".world", ".sdf")) and os.path.isabs(word) and UNKNOWN not in word:
+                    self.reference(word, value.at, "argument", sure=sure)
+
     def _described_by(self, words: Sequence[Word], executable: str, namespace: str | None, *, sure: bool) -> None:
         """Add the files in a node's arguments.
 

@@ -130,6 +130,7 @@ class MeshFile(NamedTuple):
     package_found: whether that package was found.
     nearest: the known package or file with the most similar name, if the named one was not found.
     address: the package:// address of the file, of which the mesh gives the path.
+    meant: the package:// address that was meant, if the package in the address is a folder of the robot's package.
     package_declared: whether the package was not found, although package.xml declares it.
     """
 
@@ -138,6 +139,7 @@ class MeshFile(NamedTuple):
     package_found: bool = True
     nearest: str | None = None
     address: str | None = None
+    meant: str | None = None
     package_declared: bool = False
 
 

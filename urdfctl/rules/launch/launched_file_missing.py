@@ -33,7 +33,8 @@ def launched_file_missing(project: Project) -> Iterator[Finding]:
 
     The file is the robot description, a parameter file or another launch file. The launch stops there, or the node that
     reads the file exits. Without its world the simulator exits or is empty, and without its configuration RViz starts
-    with a default view: a warning if the folder has other such files, and worth knowing if the file may be made later.
+    with a default view: a warning if the folder has other such files or is missing too, and worth knowing if the file may
+    be made later.
     """
     for reference in project.launch.references if project.launch else ():
         if reference.file.exists is False and reference.use in _NEEDED:

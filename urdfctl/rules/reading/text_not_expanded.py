@@ -11,7 +11,7 @@ from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.launch_samples import ARM, BROADCASTER, CONTROLLERS, MANAGER, PUBLISHER, SOUND, launched
 
 _BRACES = re.compile(r"\$\{[^{}]*\}")
-_ARGUMENT = re.compile(r"\$\(arg\s[^()]*\)")
+_ANY_OF_ROS2 = re.compile(r"\$\((?:arg|var|env|eval|find|find-pkg-share|find-pkg-prefix|dirname|command)\b[^()]*\)")
 _ANY_OF_ROS1 = re.compile(r"\$\((?:arg|find|env|optenv|eval|anon|dirname)\b[^()]*\)")
 _NAMES = ("joint", "wheel", "interface")
 
@@ -57,7 +57,7 @@ def text_not_expanded(project: Project) -> Iterator[Finding]:
         text = fault.at.span.text
         found = _BRACES.search(text)
         if found is None and fault.at.source.path not in evaluated:
-            found = (_ANY_OF_ROS1 if launch and launch.ros == 1 else _ARGUMENT).search(text)
+            found = (_ANY_OF_ROS1 if launch and launch.ros == 1 else _ANY_OF_ROS2).search(text)
         if found:
             severity = Severity.ERROR if any(name in fault.subject for name in _NAMES) else None
             message = f"'{found[0]}' in '{fault.subject}' is not expanded: nothing evaluates it in a controller file"

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.model.robot import Mesh
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, robot_in
+from urdfctl.rules.urdf.mesh_addresses import in_packages
 
 
 @rule(
@@ -57,16 +59,20 @@ def mesh_package_not_found(project: Project) -> Iterator[Finding]:
     package.xml, source its environment or use --package-path.
     """
     robot = robot_in(project)
-    meshes_by_package: dict[str, int] = {}
+    by_package: dict[str, list[Mesh]] = {}
     files = ((mesh, mesh.file) for mesh in (robot.meshes if robot else ()))
     lost = [mesh for mesh, file in files if file and not file.package_found and not file.package_declared]
     for mesh in lost:
-        package = mesh.file.package if mesh.file else None
-        meshes_by_package[package or ""] = meshes_by_package.get(package or "", 0) + 1
-    for mesh in lost:
-        package = (mesh.file.package if mesh.file else None) or ""
-        meshes = meshes_by_package.pop(package, 0)
-        if meshes and is_known(package):
-            hint = f"; did you mean '{mesh.file.nearest}'?" if mesh.file and mesh.file.nearest else ""
-            count = f" ({meshes} meshes)" if meshes > 1 else ""
-            yield Finding(mesh.at, f"mesh package '{package}' was not found in this workspace{count}{hint}")
+        by_package.setdefault((mesh.file.package if mesh.file else None) or "", []).append(mesh)
+    for package, meshes in by_package.items():
+        file = meshes[0].file
+        if file is None or not is_known(package):
+            continue
+        count = f" ({len(meshes)} meshes)" if len(meshes) > 1 else ""
+        if file.meant:
+            own = file.meant.split("/")[2]
+            message = f"'{package}' is not a package, but a folder of package '{own}'{count}"
+        else:
+            hint = f"; did you mean '{file.nearest}'?" if file.nearest else ""
+            message = f"mesh package '{package}' was not found in this workspace{count}{hint}"
+        yield Finding(meshes[0].at, message, fix=in_packages(meshes))
