@@ -7,10 +7,12 @@ from collections.abc import Callable, Iterator, Mapping
 from urdfctl.catalog.distros import applies_to, generation, since
 from urdfctl.catalog.entries import ControllerType, FormerParameter, Parameter
 from urdfctl.control.given import given_values
+from urdfctl.control.robots import whole_robot_in
 from urdfctl.diagnostic import Finding, Note, Severity
 from urdfctl.model.controllers import Controller, Controllers, Manager
 from urdfctl.model.parameters import Kind, Parameters
 from urdfctl.model.project import Project
+from urdfctl.model.robot import Robot
 from urdfctl.source.span import Place
 from urdfctl.startup.per_object import once_for_the_last
 from urdfctl.startup.records import NamedTuple
@@ -51,6 +53,14 @@ NOTHING = Controllers(())
 def controllers_in(project: Project) -> Controllers:
     """Return the contents of the controller files; empty if the project has none."""
     return project.controllers or NOTHING
+
+
+def robot_of(project: Project) -> Robot | None:
+    """Return the robot if it and its controllers are completely known: only then can a name be called unknown."""
+    robot = whole_robot_in(project)
+    if robot is None or project.library or not project.complete or not robot.joints:
+        return None
+    return robot if controllers_in(project).complete else None
 
 
 Judge = Callable[[Reader], Iterator[Finding]]

@@ -120,13 +120,13 @@ def _configured(controller: Controller, project: Project, distro: str, facts: Ro
     known = project.catalog.controller(kind, distro) if isinstance(kind, str) else None
     if known is None:
         return Configured(controller, None, {}, NOT_KNOWN, Exports(complete=False))
-    values = _readable(known, given_values(controller.parameters))
+    values = readable(known, given_values(controller.parameters))
     claimed = claims(known, controller.name, values, facts)
     return Configured(controller, known, values, claimed or NOT_KNOWN, exports(known, controller.name, values))
 
 
-def _readable(kind: ControllerType, given: Mapping[str, object]) -> dict[str, object]:
-    """The values, UNKNOWN for those of the wrong type: with them a controller fails before it claims anything."""
+def readable(kind: ControllerType, given: Mapping[str, object]) -> dict[str, object]:
+    """Return the values, UNKNOWN for those of the wrong type: a controller fails with them before it claims anything."""
 
     def wrong(name: str, value: object) -> bool:
         matched = matching(name, kind.parameters)

@@ -6,10 +6,11 @@ import math
 from collections.abc import Iterator, Mapping
 
 from urdfctl.catalog.distros import ROS1, since
-from urdfctl.control.readers import Reader, in_each_distro
+from urdfctl.control.claims import claims
+from urdfctl.control.readers import Reader, in_each_distro, robot_of
+from urdfctl.control.session import readable
 from urdfctl.model.robot import Joint
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.controllers.joints import named, robot_of
 
 _WHEELS = """
     <ros2_control name="base" type="system">
@@ -94,7 +95,8 @@ def _too_fast(reader: Reader, joints: Mapping[str, Joint]) -> Iterator[Finding]:
 
 def _limits(reader: Reader, joints: Mapping[str, Joint]) -> dict[str, float]:
     """The velocity limits of the wheels by name, in rad/s. A limit of 0 has a rule of its own."""
-    wheels = {one.name for one in named(reader) if one.claim.interface in ("velocity", None) and one.name in joints}
+    claimed = claims(reader.type, reader.name, readable(reader.type, reader.given)) if reader.type else None
+    wheels = [claim.component for claim in claimed.command if claim.component in joints] if claimed else []
     found = {}
     for name in wheels:
         limit = joints[name].limit

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.control.readers import Reader, in_each_distro
+from urdfctl.control.readers import Reader, in_each_distro, robot_of
 from urdfctl.model.parameters import Kind
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import Names, replaced
-from urdfctl.rules.controllers.joints import robot_of
 from urdfctl.source.span import Place
 
 _BASE = """

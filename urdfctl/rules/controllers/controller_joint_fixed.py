@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 from urdfctl.control.hardware import Hardware
 from urdfctl.control.names import is_misnamed
-from urdfctl.control.readers import Reader, in_each_distro
+from urdfctl.control.readers import Reader, in_each_distro, robot_of
 from urdfctl.model.robot import Robot
 from urdfctl.rule import Finding, Note, Project, Severity, Stage, rule
-from urdfctl.rules.controllers.joints import hardware_in, named, robot_of, severity_of
+from urdfctl.rules.controllers.joints import hardware_in, named, severity_of
 
 _ROBOT = """
     <transmission name="arm">

@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 from urdfctl.control.hardware import Hardware
 from urdfctl.control.names import is_misnamed
-from urdfctl.control.readers import Reader, in_each_distro
+from urdfctl.control.readers import Reader, in_each_distro, robot_of
 from urdfctl.model.robot import Robot
 from urdfctl.rule import Finding, Project, Severity, Stage, rule
 from urdfctl.rules.common import Names, in_words, replaced
-from urdfctl.rules.controllers.joints import Named, hardware_in, links_called, meant_by, named, robot_of, severity_of
+from urdfctl.rules.controllers.joints import Named, hardware_in, links_called, meant_by, named, severity_of
 
 _ROBOT = """
     <ros2_control name="arm" type="system">

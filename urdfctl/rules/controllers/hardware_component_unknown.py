@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
-from urdfctl.control.readers import controllers_in
+from urdfctl.control.readers import controllers_in, robot_of
 from urdfctl.names import nearest
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import is_known, replaced
-from urdfctl.rules.controllers.joints import robot_of
 
 _STATES = "hardware_components_initial_state"
 _ROBOT = """

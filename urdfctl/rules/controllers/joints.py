@@ -9,10 +9,10 @@ from urdfctl.catalog.value_types import type_problem
 from urdfctl.control.claims import Claim, claims
 from urdfctl.control.hardware import Hardware, fixed_joints
 from urdfctl.control.offered_hardware import hardware_of
-from urdfctl.control.readers import Reader, controllers_in
+from urdfctl.control.readers import Reader
 from urdfctl.model.robot import Robot
 from urdfctl.rule import Note, Project, Severity
-from urdfctl.rules.common import Names, whole_robot_in
+from urdfctl.rules.common import Names
 from urdfctl.rules.controllers.parameters import known_as
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Place
@@ -34,14 +34,6 @@ class Named(NamedTuple):
     def name(self) -> str:
         """The joint's name."""
         return self.claim.component
-
-
-def robot_of(project: Project) -> Robot | None:
-    """Return the robot if it and its controllers are completely known: only then can a name be called unknown."""
-    robot = whole_robot_in(project)
-    if robot is None or project.library or not project.complete or not robot.joints:
-        return None
-    return robot if controllers_in(project).complete else None
 
 
 @once_per_object

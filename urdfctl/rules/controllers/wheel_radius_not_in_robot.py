@@ -6,11 +6,10 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import until
 from urdfctl.catalog.values import elements
-from urdfctl.control.readers import Reader, in_each_distro
+from urdfctl.control.readers import Reader, in_each_distro, robot_of
 from urdfctl.model.robot import Link, Robot
 from urdfctl.rule import Finding, Note, Project, Severity, rule
 from urdfctl.rules.common import is_known
-from urdfctl.rules.controllers.joints import robot_of
 
 _TYPE = "diff_drive_controller/DiffDriveController"
 _ROBOT = """
