@@ -126,7 +126,7 @@ def _configured(controller: Controller, project: Project, distro: str, facts: Ro
 
 
 def readable(kind: ControllerType, given: Mapping[str, object]) -> dict[str, object]:
-    """Return the values, UNKNOWN for those of the wrong type: a controller fails with them before it claims anything."""
+    """Return the values, UNKNOWN for those of the wrong type: the controller fails before it claims anything."""
 
     def wrong(name: str, value: object) -> bool:
         matched = matching(name, kind.parameters)
