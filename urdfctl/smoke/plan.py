@@ -24,7 +24,8 @@ class Plan(NamedTuple):
     `engine` is the name of the engine. `urdf` is the text that the engine loads. `rate` is the update rate of the
     controllers, in Hz. `fixed` is whether the root link is fixed to the world. `shapeless` is whether collision
     geometry was left out. `duration` is the time for which each controller moves, in s. `gui` shows a window. `budget`
-    is the processor time that the engine may use, in s; then the remaining controllers are not tested.
+    is the processor time that the engine may use, in s; then the remaining controllers are not tested. `standing` is
+    the text of the URDF with which a legged robot is put on the ground, or empty.
     """
 
     engine: str
@@ -37,6 +38,7 @@ class Plan(NamedTuple):
     duration: float = MOTION
     gui: bool = False
     budget: float = BUDGET
+    standing: str = ""
 
     def within(self, seconds: float) -> Plan:
         """Return the plan with a budget: some seconds of processor time, and more for many joints and controllers."""

@@ -10,6 +10,8 @@ from urdfctl.smoke.judgement import Judgement
 from urdfctl.smoke.plan import MOTION, Plan
 from urdfctl.smoke.prepare import Prepared, names_of_wheels, prepared
 from urdfctl.smoke.results import ROBOT, Trouble, trouble_of
+from urdfctl.smoke.shapes import shapes_of
+from urdfctl.smoke.standing import feet_of
 from urdfctl.source.packages import Packages
 
 MOST_BODIES = 800
@@ -34,14 +36,15 @@ def plan_of(
         wheels |= names_of_wheels(mechanism, (*drive.left, *drive.right, *drive.driven, *drive.steered), drive.radius)
     damped = {joint for task in tasks if task.interface == "effort" for joint in task.joints}
     path = judgement.seen.result.path
-    ready = prepared(
-        robot,
-        mechanism,
-        lambda address: mesh_path(address, packages, path),
-        wheels,
-        standing=bool(drives),
-        damped=damped,
-    )
+
+    def find_mesh(address: str) -> str | None:
+        return mesh_path(address, packages, path)
+
+    def on_ground(*, standing: bool) -> Prepared:
+        return prepared(robot, mechanism, find_mesh, wheels, standing=standing, damped=damped)
+
+    ready = on_ground(standing=bool(drives))
+    legged = not drives and not mechanism.is_fixed and bool(feet_of(mechanism, shapes_of(robot, find_mesh)))
     plan = Plan(
         engine="",
         urdf=ready.urdf,
@@ -52,6 +55,7 @@ def plan_of(
         shapeless=bool(ready.left_out),
         duration=duration,
         gui=gui,
+        standing=on_ground(standing=True).urdf if legged else "",
     )
     return plan, _left_out(ready) if drives else _left_out(ready._replace(left_out=ready.broken))
 

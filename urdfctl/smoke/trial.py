@@ -20,6 +20,7 @@ from urdfctl.smoke.motions import FREELY, Goal, Loop, goal_of, hold, motion_of
 from urdfctl.smoke.plan import Plan, Tried
 from urdfctl.smoke.results import ROBOT, Curve, Trouble, trouble_of
 from urdfctl.smoke.simulation import Exploded, OutOfTime, Simulation, Tipped
+from urdfctl.smoke.standing import HELD_IN_THE_AIR, why_not_standing
 from urdfctl.smoke.tasks import Drive, Family, Task, is_loop, is_skidding
 
 SETTLING = 0.5
@@ -72,25 +73,32 @@ def tried(plan: Plan, seen: Callable[[Tried], None] = lambda _: None) -> Tried:
         trial.run(seen)
     finally:
         engine.close()
+    if plan.standing and trial.acts:
+        trial.lying = why_not_standing(plan, setup, began)
     return trial.result()
 
 
-def _untested(plan: Plan, task: Task) -> dict[str, str]:
-    """What was not modelled while a controller was tested, with the reason."""
+def _tested(act: str, *, stood: bool) -> tuple[str, ...]:
+    """What a controller was seen to do; if the whole robot stood, so did it."""
+    return (*ACTS[act], "stood") if stood and act in ("moves", "follows") else ACTS[act]
+
+
+def _untested(plan: Plan, task: Task, lying: str) -> dict[str, str]:
+    """What was not modelled while a controller was tested, with the reason; `lying` is why the robot does not stand."""
     if task.family is Family.NOTHING:
         return {}
     mechanism = plan.mechanism
     moved = (hinge.child for hinge in mechanism.hinges if hinge.name in task.joints)
     empty = [name for name in moved if not any(mechanism.bodies[part].mass for part in mechanism.body_of(name))]
     masses = {"mass": f"link '{empty[0]}' has none; 1 g was taken"} if empty else {}
-    return {**masses, **dict(task.left_out), **_not_modelled(plan, task)}
+    return {**masses, **dict(task.left_out), **_not_modelled(plan, task, lying)}
 
 
-def _not_modelled(plan: Plan, task: Task) -> dict[str, str]:
+def _not_modelled(plan: Plan, task: Task, lying: str) -> dict[str, str]:
     if task.rolling:
         return {"contact": "its wheels turned in the air; their rollers are not modelled"}
     if task.drive is None:
-        standing = {} if not plan.fixed or plan.mechanism.is_fixed else {"standing": "the base is held in the air"}
+        standing = {"standing": lying} if lying and plan.fixed and not plan.mechanism.is_fixed else {}
         return {**standing, "contact": "links do not collide"}
     slipping = {"turning rate": "wheels slip; only the direction was tested"} if is_skidding(task.drive) else {}
     return {**slipping, "friction": "a wheel grips unless <gazebo> gives less, and all other parts slide"}
@@ -128,6 +136,7 @@ class Trial:
         self.acts: dict[str, str] = {}
         self.times: dict[str, float] = {}
         self.curves: list[Curve] = []
+        self.lying = HELD_IN_THE_AIR
         self._bases: dict[Drive, tuple[str, bool]] = {}
 
     def result(self) -> Tried:
@@ -137,8 +146,10 @@ class Trial:
             tuple(self.troubles),
             tuple(self.moved),
             {name: why for name, why in self.unjudged.items() if name not in self.moved},
-            tested={name: ACTS[act] for name, act in self.acts.items()},
-            untested={task.controller: _untested(plan, task) for task in plan.tasks if task.controller in self.acts},
+            tested={name: _tested(act, stood=not self.lying) for name, act in self.acts.items()},
+            untested={
+                one.controller: _untested(plan, one, self.lying) for one in plan.tasks if one.controller in self.acts
+            },
             curves=tuple(self.curves),
             seconds=time.process_time() - self._began,
             left_to_others=tuple(task.controller for task in plan.tasks if set(task.joints) & set(self._stiff)),
