@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from typing import Any
+
+import pytest
+
 from urdfctl.model.geometry import Pose
 from urdfctl.smoke.groups import groups_of
 from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
@@ -17,6 +21,7 @@ def task(name: str, *joints: str, family: Family = Family.FORWARD, interface: st
     return Task(name, family, joints, interface)
 
 
+LOOP: Any = {"family": Family.POSITION_PID, "interface": "effort"}
 HAND = (hinge("a1", "palm"), hinge("a2", "a1_link"), hinge("b1", "palm"), hinge("b2", "b1_link"))
 PALM = Mechanism("palm", {name: Body(name) for name in ("palm", *(h.child for h in HAND))}, HAND)
 
@@ -26,8 +31,14 @@ def names(*tasks: Task, fixed: bool = True, mechanism: Mechanism = PALM) -> list
 
 
 def test_fingers_move_at_the_same_time_but_not_two_joints_of_one() -> None:
-    tasks = [task(name, name) for name in ("a1", "a2", "b1", "b2")]
+    tasks = [task(name, name, **LOOP) for name in ("a1", "a2", "b1", "b2")]
     assert names(*tasks) == [["a1", "b1"], ["a2", "b2"]]
+
+
+@pytest.mark.parametrize("interface", ["position", "velocity"])
+def test_motors_that_follow_positions_or_velocities_move_at_the_same_time(interface: str) -> None:
+    tasks = [task(name, name, interface=interface) for name in ("a1", "a2", "b1")]
+    assert names(*tasks, task("a", "a1", interface=interface)) == [["a1", "a2", "b1"], ["a"]]
 
 
 def test_nothing_moves_together_on_a_base_that_is_not_fixed() -> None:
@@ -48,4 +59,7 @@ def test_pushes_drives_and_controllers_that_only_read_are_alone() -> None:
 
 def test_a_joint_that_mimics_another_moves_with_it() -> None:
     hinges = (*HAND[:3], hinge("b2", "b1_link", mimic="a1"))
-    assert names(task("a", "a1"), task("b", "b1"), mechanism=PALM._replace(hinges=hinges)) == [["a"], ["b"]]
+    assert names(task("a", "a1", **LOOP), task("b", "b1", **LOOP), mechanism=PALM._replace(hinges=hinges)) == [
+        ["a"],
+        ["b"],
+    ]

@@ -13,12 +13,13 @@ _ALONE = (Family.NOTHING, Family.STRUCTURAL)
 def groups_of(tasks: Sequence[Task], mechanism: Mechanism, *, fixed: bool) -> list[list[Task]]:
     """Return the controllers in groups that can be tested together, in the order of the first of each.
 
-    Joints of different branches do not disturb each other if the base is fixed. The controllers of a group command in
-    the same way, so that one motion takes the same time for all.
+    Joints of different branches do not disturb each other if the base is fixed, and motors that follow a position or a
+    velocity hardly do in one branch. The controllers of a group command in the same way, so that one motion takes the
+    same time for all.
     """
     groups: list[tuple[tuple[Family, str], set[str], list[Task]]] = []
     for task in tasks:
-        links = _moved(task, mechanism)
+        links = _driven(task, mechanism) if is_motor(task) else _moved(task, mechanism)
         kind = task.family, task.interface
         together = fixed and bool(links) and not _alone(task)
         for of_group, taken, members in groups if together else ():
@@ -35,6 +36,17 @@ def _alone(task: Task) -> bool:
     """Whether a controller is tested alone: it moves nothing, drives a base, or pushes one joint after the other."""
     pushes = task.family is Family.FORWARD and task.interface == "effort"
     return task.base is not None or pushes or task.family in _ALONE
+
+
+def is_motor(task: Task) -> bool:
+    """Return whether the hardware follows the commands of a controller: no loop of it answers to disturbances."""
+    return task.family in (Family.FORWARD, Family.TRAJECTORY) and task.interface in ("position", "velocity")
+
+
+def _driven(task: Task, mechanism: Mechanism) -> set[str]:
+    """The links whose joints a controller moves, with those of the joints that mimic them."""
+    names = set(task.joints)
+    return {h.child for h in mechanism.hinges if h.name in names or (h.mimic and h.mimic[0] in names)}
 
 
 def _moved(task: Task, mechanism: Mechanism) -> set[str]:
