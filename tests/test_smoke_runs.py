@@ -37,13 +37,13 @@ controller_manager:
   ros__parameters:
     update_rate: 100
     first: {type: forward_command_controller/ForwardCommandController}
-    second: {type: forward_command_controller/ForwardCommandController}
+    second: {type: joint_trajectory_controller/JointTrajectoryController}
 first:
   ros__parameters: {joints: [shoulder], interface_name: position}
 second:
-  ros__parameters: {joints: [elbow], interface_name: position}
+  ros__parameters: {joints: [elbow], command_interfaces: [position], state_interfaces: [position]}
 """
-"""Two controllers of one branch, which are tested one after the other."""
+"""Two controllers that command in different ways, and so are tested one after the other."""
 
 
 def reasons(made: Smoked) -> dict[str, str]:
