@@ -159,7 +159,7 @@ def test_a_drive_is_measured(folder: Folder) -> None:
     assert (drive["left_wheel_names"], drive["right_wheel_names"]) == (["left_joint"], ["right_joint"])
     assert (drive["wheel_separation"], drive["wheel_radius"]) == (0.5, 0.1)
     assert drive["linear"]["x"]["max_velocity"] == 1.0
-    assert "m, measured from the wheels' cylinders or spheres" in done.stdout
+    assert "m, measured from the wheels" in done.stdout
 
 
 def test_what_cannot_be_measured_is_a_todo() -> None:

@@ -6,10 +6,10 @@ import pytest
 from folder import Folder
 from generating import command
 
+from urdfctl.cli.generate_measuring import measure_work
 from urdfctl.config.settings import Settings
 from urdfctl.generate.facts import JointFacts, Load
 from urdfctl.generate.gains import Loop, starting_gains
-from urdfctl.generate.job import measure_work
 from urdfctl.lint.job import job_for, perform_alone
 from urdfctl.load.target import Target
 

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from urdfctl.cli.generate_measuring import measure_work
 from urdfctl.config.settings import Settings
 from urdfctl.generate.facts import JointFacts, PartFacts, RobotFacts
-from urdfctl.generate.job import measure_work
 from urdfctl.lint.job import job_for, perform_alone
 from urdfctl.load.target import Target
 

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping
 from urdfctl.catalog.catalog import catalog_with
 from urdfctl.cli.generate_again import words_of_generated_file
 from urdfctl.cli.generate_distro import known_distro, made_for_newest, simulator_of
+from urdfctl.cli.generate_measuring import measure_work
 from urdfctl.cli.generate_package import around_package
 from urdfctl.cli.generate_requests import needs_joints, with_requests
 from urdfctl.cli.generate_writing import Writing, deliver
@@ -170,7 +171,7 @@ def _sources(
             f"several robots found: {shown}" if descriptions else "no robot found; name one, or a list of joints"
         )
     path = robots[0] if robots and not os.path.isdir(robots[0]) else os.path.relpath(descriptions[0])
-    measured = measure_robot(path, arguments, settings)
+    measured = measure_robot(path, arguments, settings, measure_work)
     if measured.facts is None:
         raise Unreadable("\n".join(render(Report((), measured.problems)).splitlines()[:-1]) + "\n")
     return measured.facts, listed

@@ -8,6 +8,7 @@ import sys
 from collections.abc import Sequence
 
 from urdfctl.catalog.distros import ALL, SIMULATORS
+from urdfctl.cli.generate_measuring import measure_work
 from urdfctl.cli.init_options import InitOptions
 from urdfctl.cli.targets import discovered
 from urdfctl.cli.words import configured, settings_from
@@ -48,7 +49,7 @@ def run_init(options: InitOptions) -> int:
     settings = settings_from(config, options, distro=options.distro, simulator=options.simulator)
     found = discovered([folder], config._replace(robots=()))
     paths = list(dict.fromkeys(path for path, _ in found.descriptions()))
-    measured = [(path, measure_robot(path, {}, settings)) for path in paths[:_MOST]]
+    measured = [(path, measure_robot(path, {}, settings, measure_work)) for path in paths[:_MOST]]
     robots = {path: one.facts for path, one in measured if one.facts and one.facts.root}
     if not robots:
         raise UserError(f"no robot found in '{folder}'")

@@ -85,6 +85,8 @@ def launch_file(
         param_file=takes_param_file(options.distro),
         description=_description(options.distro),
         gz=_gz(options.distro),
+        model_path=_model_path(options),
+        mesh_packages=robot.mesh_packages if options.distro in since("humble") else (),
     )
     return File(f"launch/{name}", text)
 
@@ -165,13 +167,21 @@ def _gz(distro: str) -> dict[str, str]:
     return dict(zip(("package", "launch", "argument", "bridge", "messages"), names, strict=True))
 
 
+def _model_path(options: Options) -> str:
+    """The environment variable with the folders in which a simulator looks for packages with meshes."""
+    if options.simulator != "gz":
+        return "GAZEBO_MODEL_PATH"
+    return "GZ_SIM_RESOURCE_PATH" if options.distro in since("jazzy") else "IGN_GAZEBO_RESOURCE_PATH"
+
+
 def dependencies(
     made: Sequence[Controller], options: Options, catalog: Catalog, robot_package: str | None
 ) -> list[str]:
     """Return the packages that are required to start the robot, sorted."""
     packages = {"controller_manager", "robot_state_publisher", "xacro"}
     packages |= {package for controller in made for package in _packages_of(controller)}
-    packages |= {*_NAMED.findall(options.robot_text[1])} if options.robot_text else set()
+    if options.robot_text:
+        packages |= {*_NAMED.findall(options.robot_text[1])}
     if robot_package:
         packages.add(robot_package)
     if options.simulator in ("gz", "gazebo-classic"):

@@ -24,7 +24,8 @@ class Load(NamedTuple):
 class JointFacts(NamedTuple):
     """A joint that moves. Limits are in rad or m, N m or N, rad/s or m/s, and None if the robot has none.
 
-    `at` and `axis` are in the frame of the root link. `radius` is that of the wheel it turns, in m. `inertia` is the
+    `at` and `axis` are in the frame of the root link. `radius` is that of the wheel it turns, in m, and
+    `middle` the middle of its tread in the frame of the root link. `inertia` is the
     load that it moves with all joints at zero, in kg m2, or kg for a prismatic joint; `load` is that of the worst
     pose, None if it is unknown. `damping` and `friction` are its own, in N m s/rad and N m, or N s/m and N.
 
@@ -55,6 +56,7 @@ class JointFacts(NamedTuple):
     load: Load | None = None
     damping: float = 0.0
     friction: float = 0.0
+    middle: Vector | None = None
 
     @property
     def can_move(self) -> bool:
@@ -98,7 +100,8 @@ class RobotFacts(NamedTuple):
     `distro` is that of the robot, None if several `distros` are possible. `arguments` are its xacro arguments with
     their defaults. `skeleton` is there if the simulator is MuJoCo. `generated` are the components that
     gen-ros2-control wrote, with their parts, and the joints of transmissions that gen-transmissions wrote. `lowest` is
-    the height of the lowest point in the frame of the root, in m, with all joints at zero.
+    the height of the lowest point in the frame of the root, in m, with all joints at zero. `mesh_packages` contain its
+    meshes.
     """
 
     name: str | None = None
@@ -121,6 +124,7 @@ class RobotFacts(NamedTuple):
     skeleton: Skeleton | None = None
     generated: tuple[str, ...] = ()
     lowest: float | None = None
+    mesh_packages: tuple[str, ...] = ()
 
     def of_kind(self, kind: str) -> tuple[PartFacts, ...]:
         """Return the joints, sensors or gpios of its `<ros2_control>` tags."""

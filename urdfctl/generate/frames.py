@@ -47,12 +47,11 @@ NOTHING = Bulk(0.0, ZERO, (ZERO, ZERO, ZERO))
 
 
 class Measured(NamedTuple):
-    """A joint's position and axis in the root's frame, the inertia that it moves, and the radius of its wheel."""
+    """A joint's position and axis in the root's frame, and the inertia that it moves."""
 
     at: Vector
     axis: Vector
     inertia: float | None
-    radius: float | None
 
 
 def measured(robot: Robot) -> dict[str, Measured]:
@@ -66,8 +65,7 @@ def measured(robot: Robot) -> dict[str, Measured]:
         axis = axis_of(joint, frame)
         inertia = carried.mass if joint.type == "prismatic" else carried.about(frame.place, axis)
         if joint.name:
-            radius = _radius(links.get(child))
-            measurements[joint.name] = Measured(frame.place, axis, inertia if inertia > 0 else None, radius)
+            measurements[joint.name] = Measured(frame.place, axis, inertia if inertia > 0 else None)
         bulks[parent] = bulks[parent].plus(carried)
     return measurements
 
@@ -139,17 +137,6 @@ def axis_of(joint: Joint, frame: Pose) -> Vector:
     axis = _vector(joint.axis.text if joint.axis else None, (1.0, 0.0, 0.0))
     length = math.sqrt(dot(axis, axis))
     return turned(frame.turn, scaled(axis, 1 / length)) if length else (1.0, 0.0, 0.0)
-
-
-def _radius(link: Link | None) -> float | None:
-    """The radius of the largest cylinder or sphere of a link, in m. Collision geometry comes first."""
-    for role in ("collision", "visual"):
-        shapes = [each.shape for each in (link.geometries if link else ()) if each.role == role and each.shape]
-        found = [number_of(shape.attributes.get("radius")) for shape in shapes if shape.name in ("cylinder", "sphere")]
-        known = [radius for radius in found if radius]
-        if known:
-            return max(known)
-    return None
 
 
 def origin_of(tag: Tag | None) -> Pose:

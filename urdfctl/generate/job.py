@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
 from urdfctl.config.settings import Settings
@@ -12,7 +12,7 @@ from urdfctl.generate.facts import RobotFacts
 from urdfctl.generate.mjcf_bodies import skeleton_of
 from urdfctl.generate.survey import facts_of
 from urdfctl.lint.engine import lint
-from urdfctl.lint.job import Work, run_on_one
+from urdfctl.lint.job import Work, WorkFunction, run_on_one
 from urdfctl.lint.selection import Selection
 from urdfctl.lint.serialising import outcome_to_json
 from urdfctl.load.description import expansion_of
@@ -20,6 +20,7 @@ from urdfctl.load.distro import Beside, detect_distro
 from urdfctl.load.meshes import mesh_path
 from urdfctl.load.target import Target
 from urdfctl.model.build_robot import robot_of
+from urdfctl.model.geometry import Vector
 from urdfctl.model.project import Project
 from urdfctl.source.packages import package_name
 from urdfctl.startup.hints import Any
@@ -39,18 +40,18 @@ class MeasuredRobot(NamedTuple):
     crashed: bool = False
 
 
-def measure_robot(path: str, arguments: Mapping[str, str], settings: Settings) -> MeasuredRobot:
-    """Return the facts of the robot in a file."""
+def measure_robot(path: str, arguments: Mapping[str, str], settings: Settings, measure: WorkFunction) -> MeasuredRobot:
+    """Return the facts of the robot in a file. `measure` gives them in a worker."""
     target = Target(path, tuple(arguments.items()))
-    result, outcome = run_on_one(measure_work, target, settings)
+    result, outcome = run_on_one(measure, target, settings)
     if result is None:
         return MeasuredRobot(None, tuple(outcome.diagnostics), outcome.crashed)
     facts = RobotFacts.from_json(result["facts"]) if result["facts"] else None
     return MeasuredRobot(facts, tuple(outcome.diagnostics))
 
 
-def measure_work(work: Work) -> dict[str, Any]:
-    """Measure a robot in a worker."""
+def measured_facts(work: Work, corners_of: Callable[[str], Sequence[Vector]]) -> dict[str, Any]:
+    """Return the facts of a robot as plain data. `corners_of` returns corners of the mesh in a file."""
     path = os.path.abspath(work.target.path)
     expander = work.loader.expander(path)
     expansion = expansion_of(expander, path, dict(work.target.arguments))
@@ -61,7 +62,8 @@ def measure_work(work: Work) -> dict[str, Any]:
     robot = robot_of(root, whole=expansion.complete)
     folder = expander.packages.own()
     evidence = detect_distro(robot, Beside(folder), work.loader.settings)
-    facts = facts_of(robot)._replace(
+    find = partial(mesh_path, packages=expander.packages, robot_file=path)
+    facts = facts_of(robot, lambda address: corners_of(found) if (found := find(address)) else ())._replace(
         file=work.target.path,
         package=package_name(os.path.join(folder, "package.xml")) if folder else None,
         package_path=os.path.relpath(path, folder).replace(os.sep, "/") if folder else None,
@@ -72,6 +74,5 @@ def measure_work(work: Work) -> dict[str, Any]:
         simulator=evidence.simulator,
     )
     if (work.loader.settings.simulator or evidence.simulator) == "mujoco":
-        find = partial(mesh_path, packages=expander.packages, robot_file=path)
         facts = facts._replace(skeleton=skeleton_of(robot, facts.joints, find))
     return {"facts": facts.to_json(), "outcome": outcome_to_json(outcome)}

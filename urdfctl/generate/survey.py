@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.generate.facts import JointFacts, Load, PartFacts, RobotFacts
-from urdfctl.generate.frames import Measured, measured, number_of, root_of
+from urdfctl.generate.frames import Measured, axis_of, frames_of, measured, number_of, root_of
 from urdfctl.generate.loads import loads_of
+from urdfctl.generate.rims import Corners, no_corners, rim_of
 from urdfctl.generate.stance import lowest_of
+from urdfctl.model.geometry import Pose
 from urdfctl.model.parts import Number
 from urdfctl.model.robot import Joint, Robot
 from urdfctl.source.span import Place
@@ -20,11 +22,12 @@ _LEVEL = 0.3
 """The greatest vertical component of a wheel's axis: sin 17 deg."""
 
 
-def facts_of(robot: Robot) -> RobotFacts:
-    """Return the facts of a robot, except those of its files."""
+def facts_of(robot: Robot, corners: Corners = no_corners) -> RobotFacts:
+    """Return the facts of a robot, except those of its files. `corners` reads the meshes of wheels."""
     measurements = measured(robot)
     named = {joint.name: joint for joint in robot.joints if joint.name}
     moving = [_joint(name, joint, measurements.get(name)) for name, joint in named.items() if joint.type in _MOVING]
+    moving = list(_with_rims(robot, moving, corners))
     above = _moving_above(robot)
     moving = [joint._replace(above=above.get(joint.name)) for joint in moving]
     loads = loads_of(robot, moving)
@@ -42,7 +45,25 @@ def facts_of(robot: Robot) -> RobotFacts:
         sensor_links=_sensor_links(robot),
         generated=tuple(_generated(robot)),
         lowest=lowest_of(robot),
+        mesh_packages=tuple(dict.fromkeys(_mesh_packages(robot))),
     )
+
+
+def _with_rims(robot: Robot, joints: list[JointFacts], corners: Corners) -> Iterator[JointFacts]:
+    """The joints with the radius and the middle of the wheel that each turns."""
+    frames, links = frames_of(robot), {link.name: link for link in robot.links}
+    named = {joint.name: joint for joint in robot.joints}
+    for facts in joints:
+        joint, frame = named[facts.name], frames.get(facts.link or "")
+        rim = rim_of(joint, links.get(facts.link), axis_of(joint, Pose()), corners)
+        yield facts._replace(radius=rim.radius, middle=frame.at(rim.middle)) if rim and frame else facts
+
+
+def _mesh_packages(robot: Robot) -> Iterator[str]:
+    for mesh in robot.meshes:
+        scheme, found, path = mesh.filename.partition("://")
+        if found and scheme in ("package", "model"):
+            yield path.partition("/")[0]
 
 
 def _generated(robot: Robot) -> Iterator[str]:
@@ -143,7 +164,6 @@ def _joint(name: str, joint: Joint, measurement: Measured | None) -> JointFacts:
         velocity=_value(limit.velocity) if limit else None,
         at=measurement.at if measurement else None,
         axis=measurement.axis if measurement else None,
-        radius=measurement.radius if measurement else None,
         inertia=measurement.inertia if measurement else None,
         link=joint.child.name if joint.child else None,
         damping=_dynamics(joint, "damping"),

@@ -28,7 +28,7 @@ def radius(wheels: Sequence[JointFacts]) -> Measure:
     radii = [wheel.radius for wheel in wheels if wheel.radius]
     if not radii:
         return UNKNOWN
-    how = "measured from the wheels' cylinders or spheres"
+    how = "measured from the wheels"
     if max(radii) - min(radii) > 0.01 * max(radii):
         how = "measured; mean of wheels that differ"
     return Measure(_round(sum(radii) / len(radii)), how)
@@ -96,7 +96,7 @@ def _rolls(joint: JointFacts) -> bool:
 
 
 def _middle(joints: Sequence[JointFacts]) -> Vector | None:
-    places = [joint.at for joint in joints if joint.at]
+    places = [place for joint in joints if (place := joint.middle or joint.at)]
     if not places or len(places) < len(joints):
         return None
     x, y, z = (sum(axis) / len(places) for axis in zip(*places, strict=True))
