@@ -49,6 +49,38 @@ def test_a_broken_sample_fails(name: str) -> None:
     assert " failed   " in done.stdout
 
 
+def test_quiet_shows_only_the_findings_and_statistics_count_them() -> None:
+    sample = SAMPLES / "broken" / "mybot"
+    whole, quiet = smoke(sample, *NONE), smoke(sample, *NONE, "-q", "--statistics")
+    findings = [line for line in whole.stdout.splitlines() if " error UC9" in line]
+    assert [line for line in quiet.stdout.splitlines() if " error UC9" in line] == findings
+    assert quiet.stdout.startswith(findings[0])
+    assert whole.stdout.endswith(" failed\n")
+    assert re.search(r"\n +\d  error   UC9\d\d [a-z-]+\n$", quiet.stdout)
+
+
+def test_the_report_goes_to_a_file(tmp_path: Path) -> None:
+    done = smoke(SAMPLES / "mybot", *NONE, "-o", tmp_path / "report.json", "--format", "json")
+    assert (done.exit_code, done.stdout) == (0, "")
+    assert json.loads((tmp_path / "report.json").read_text(encoding="utf-8"))["controllers"]
+    refused = smoke(SAMPLES / "mybot", *NONE, "-o", "a", "--format", "json=b")
+    assert isinstance(refused.exception, UserError)
+    assert "--output-file takes one report" in str(refused.exception)
+
+
+@pytest.mark.parametrize(
+    ("environ", "coloured"),
+    [({}, False), ({"FORCE_COLOR": "1"}, True), ({"FORCE_COLOR": "1", "NO_COLOR": "1"}, False)],
+)
+def test_colours_are_forced_by_force_color(folder: Folder, environ: dict[str, str], *, coloured: bool) -> None:
+    done = folder.run("smoke", str(SAMPLES / "mybot"), *NONE, environ=environ)
+    assert ("\x1b[" in done.stdout) is coloured
+
+
+def test_the_help_lists_the_formats_of_smoke() -> None:
+    assert "--format [text|json|junit|sarif|github]" in smoke("--help").stdout
+
+
 @needs_pybullet
 @pytest.mark.parametrize("name", SOUND)
 def test_a_sound_sample_passes_when_it_is_moved(name: str) -> None:

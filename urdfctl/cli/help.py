@@ -75,6 +75,8 @@ class GroupedCommand(TyperCommand):
                 continue
             if parameter.metavar is None:
                 parameter.metavar = _metavar(parameter.name or "", choices)
+            elif parameter.metavar.startswith("["):
+                choices = tuple(parameter.metavar.strip("[]").split("|"))
             if choices:
                 parameter._custom_shell_complete = _completing(choices)
 

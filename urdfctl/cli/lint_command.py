@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import sys
 from collections.abc import Sequence
 
 from urdfctl.cli.lint_request import Fixing, LintRequest
@@ -14,12 +12,12 @@ from urdfctl.cli.words import (
     check_jobs,
     codes,
     configured,
-    output_of,
+    outputs_of,
     settings_to_check,
     severity_named,
     split_arguments,
 )
-from urdfctl.cli.writing import print_message, print_text, write_file
+from urdfctl.cli.writing import is_coloured, print_message, print_text, write_file
 from urdfctl.config.file import Config
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic
@@ -75,7 +73,7 @@ def _request(words: Sequence[str], config: Config, options: LintOptions) -> Lint
     return LintRequest(
         words=tuple(words),
         selection=_selection(config, options),
-        outputs=_outputs(options),
+        outputs=outputs_of(options.formats, options.output_file, FORMATS),
         fail_on=severity_named(options.fail_on or config.fail_on or "error"),
         exit_zero=options.exit_zero,
         jobs=options.jobs,
@@ -87,16 +85,6 @@ def _request(words: Sequence[str], config: Config, options: LintOptions) -> Lint
         cached=not options.no_cache,
         quiet=options.quiet,
     )
-
-
-def _outputs(options: LintOptions) -> tuple[tuple[str, str | None], ...]:
-    """The formats, each with its file; --output-file is that of the one that has none."""
-    outputs = [output_of(text, FORMATS) for text in options.formats or ("text",)]
-    if options.output_file is None:
-        return tuple(outputs)
-    if sum(file is None for _, file in outputs) != 1:
-        raise UserError("--output-file takes one report; give the others a file with --format FORMAT=FILE")
-    return tuple((name, file or options.output_file) for name, file in outputs)
 
 
 def lint(request: LintRequest, settings: Settings) -> int:
@@ -225,15 +213,10 @@ def _shard(text: str | None, to_write: str | None) -> Shard | None:
     return shard(text)
 
 
-def _is_coloured() -> bool:
-    """Whether standard output is a terminal, or FORCE_COLOR is set; never if NO_COLOR is."""
-    return not os.environ.get("NO_COLOR") and (bool(os.environ.get("FORCE_COLOR")) or sys.stdout.isatty())
-
-
 def _write(report: Report, name: str, file: str | None) -> None:
     if file is not None:
         write_file(file, render(report, name), force=True)
-    elif name == "text" and _is_coloured():
+    elif name == "text" and is_coloured():
         from urdfctl.report.text import print_coloured
 
         print_coloured(report)

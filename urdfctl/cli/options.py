@@ -14,8 +14,8 @@ from urdfctl.catalog.distros import ALL
 JOBS_HELP = "How many robots to check at the same time. 0: one for each processor."
 
 
-def _list(help: str, *flags: str) -> typer.models.OptionInfo:  # noqa: A002 (typer's own name)
-    info: typer.models.OptionInfo = typer.Option(*flags, help=f"{help} Repeatable.")
+def _list(help: str, *flags: str, metavar: str | None = None) -> typer.models.OptionInfo:  # noqa: A002 (typer's own name)
+    info: typer.models.OptionInfo = typer.Option(*flags, help=f"{help} Repeatable.", metavar=metavar)
     return info
 
 
@@ -157,8 +157,13 @@ class SmokeOptions(CheckOptions):
     timeout: Annotated[float, typer.Option(help="Processor time for one robot, in seconds.")] = 30.0
     formats: Annotated[
         list[str] | None,
-        _list("Output format: text, json, junit, sarif or github. FORMAT=FILE writes a file.", "--format"),
+        _list("Output format. FORMAT=FILE writes a file.", "--format", metavar="[text|json|junit|sarif|github]"),
     ] = None
+    output_file: Annotated[
+        str | None, typer.Option("-o", "--output-file", help="Write the report to this file, not to standard output.")
+    ] = None
+    quiet: Annotated[bool, typer.Option("-q", "--quiet", help="Show only the findings.")] = False
+    statistics: Annotated[bool, typer.Option("--statistics", help="Count the findings of each rule.")] = False
     report: Annotated[str | None, typer.Option(help="Write an HTML page to this file.")] = None
     select: Annotated[list[str] | None, _list("Select findings by code or prefix, e.g. UC91,UC931.")] = None
     ignore: Annotated[list[str] | None, _list("Ignore findings by code or prefix.")] = None

@@ -13,12 +13,12 @@ from urdfctl.cli.words import (
     check_jobs,
     codes,
     configured,
-    output_of,
+    outputs_of,
     settings_to_check,
     severity_named,
     split_arguments,
 )
-from urdfctl.cli.writing import print_text, write_file
+from urdfctl.cli.writing import is_coloured, print_text, write_file
 from urdfctl.config.file import Config
 from urdfctl.config.settings import Settings
 from urdfctl.errors import UserError
@@ -54,7 +54,7 @@ def run_smoke(options: SmokeOptions) -> int:
     selection = validate_selection(Selection(select=codes(options.select), ignore=codes(options.ignore)))
     fail_on = severity_named(options.fail_on or config.fail_on or "error")
     baseline = baseline_of(options.baseline, options.write_baseline)
-    outputs = tuple(output_of(text, SMOKE_FORMATS) for text in options.formats or ("text",))
+    outputs = outputs_of(options.formats, options.output_file, SMOKE_FORMATS)
     wanted = Wanted(
         only=tuple(name.strip() for text in options.only or () for name in text.split(",") if name.strip()),
         engines=engines_of(options.engine),
@@ -84,6 +84,7 @@ def run_smoke(options: SmokeOptions) -> int:
     hidden = [finding.message for finding in everything if finding.message not in shown]
     smoked = [robot.without(hidden) for robot in smoked]
     report = report_of(smoked, findings, fail_on)
+    report = report._replace(found=report.found._replace(quiet=options.quiet, statistics=options.statistics))
     report = report._replace(allow_empty=options.allow_empty or options.shard is not None)
     for name, file in outputs:
         _write(report, name, file)
@@ -184,7 +185,7 @@ def engines_of(name: str) -> tuple[str, ...]:
 def _write(report: SmokeReport, name: str, file: str | None) -> None:
     if file is not None:
         write_file(file, render_smoke(report, name), force=True)
-    elif name == "text" and sys.stdout.isatty() and not os.environ.get("NO_COLOR"):
+    elif name == "text" and is_coloured():
         from urdfctl.report.text import print_pieces
 
         print_pieces(text_pieces(report))

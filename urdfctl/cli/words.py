@@ -32,6 +32,19 @@ def output_of(text: str, formats: Collection[str]) -> tuple[str, str | None]:
     return name, file or None
 
 
+def outputs_of(
+    formats: Sequence[str] | None, file: str | None, known: Collection[str]
+) -> tuple[tuple[str, str | None], ...]:
+    """Return the formats, text if there are none, each with its file; --output-file is that of the one that has none.
+
+    Raises UserError if --output-file is given, but not exactly one format has no file.
+    """
+    outputs = [output_of(text, known) for text in formats or ("text",)]
+    if file is not None and sum(its_file is None for _, its_file in outputs) != 1:
+        raise UserError("--output-file takes one report; give the others a file with --format FORMAT=FILE")
+    return tuple((name, its_file or file) for name, its_file in outputs)
+
+
 def configured(words: Sequence[str], options: ReadingOptions) -> Config:
     """Return what the configuration file and the environment set: the file that is named, or the nearest one."""
     if options.config is None:

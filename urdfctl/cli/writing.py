@@ -27,6 +27,11 @@ def print_bytes(data: bytes) -> None:
         raise UserError(f"standard output cannot be written: {error.strerror}") from None
 
 
+def is_coloured() -> bool:
+    """Return whether to print colours: to a terminal, or if FORCE_COLOR is set; never if NO_COLOR is."""
+    return not os.environ.get("NO_COLOR") and (bool(os.environ.get("FORCE_COLOR")) or sys.stdout.isatty())
+
+
 def print_message(line: str) -> None:
     """Print a line to standard error after the program's name, with control characters escaped."""
     from urdfctl.report.common import visible

@@ -57,7 +57,10 @@ def render_smoke(report: SmokeReport, name: str) -> str:
 
 
 def text_pieces(report: SmokeReport) -> Iterator[Piece]:
-    """Yield the lines of the robots with their controllers, the findings, and a summary."""
+    """Yield the lines of the robots with their controllers, the findings, and a summary. Quiet: only the findings."""
+    if report.found.quiet:
+        yield from pieces(report.found)
+        return
     for robot in report.smoked:
         yield from robot_pieces(robot)
     yield from pieces(report.found)

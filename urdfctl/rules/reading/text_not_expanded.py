@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from urdfctl.control.readers import controllers_in
 from urdfctl.model.controllers import FaultKind
-from urdfctl.rule import Finding, Note, Project, Severity, rule
+from urdfctl.rule import Finding, Note, Project, Severity, Stage, rule
 from urdfctl.rules.launch_samples import ARM, BROADCASTER, CONTROLLERS, MANAGER, PUBLISHER, SOUND, launched
 
 _BRACES = re.compile(r"\$\{[^{}]*\}")
@@ -20,6 +20,7 @@ _NAMES = ("joint", "wheel", "interface")
     "UC033",
     severity=Severity.WARNING,
     runtime="misbehaves",
+    stage=Stage.ACTIVATE,
     authority="rcl rcl_yaml_param_parser/src/parse.c and rosparam load_file() read values as they are; roslaunch evaluates "
     '$(...) with subst_value="true", launch_ros with allow_substs, and nothing evaluates ${...}',
     bad=launched(
