@@ -30,9 +30,13 @@ def _mimic(packages: Packages) -> Iterator[Proposal]:
     mimics = _mimics(packages)
     for joint in joints:
         mimicked = _parameter(joint, "mimic")
+        is_known = mimics.get((joint.source.path, joint.start), False)
         if mimicked is not None:
-            own = in_urdf.get(joint.attrs.get("name", ""), [])
-            yield _moved(joint, mimicked, own, is_known=mimics.get((joint.source.path, joint.start), False))
+            yield _moved(joint, mimicked, in_urdf.get(joint.attrs.get("name", ""), []), is_known=is_known)
+        elif is_known and _commands(joint) and joint.attrs.get("mimic") != "false":
+            what = f"mimic joint '{joint.attrs.get('name', '')}' has no command interface"
+            entry = Entry(EntryKind.DONE, what, joint.at, authority=_AUTHORITY)
+            yield Proposal(tuple(map(removed, _commands(joint))), entries=(entry,))
 
 
 def _mimics(packages: Packages) -> dict[tuple[str, int], bool]:
@@ -56,7 +60,7 @@ def _moved(joint: Element, mimicked: Element, in_urdf: list[Element], *, is_know
     """
     name = joint.attrs.get("name", "")
     edits = [removed(one) for key in _PARAMETERS if (one := _parameter(joint, key)) is not None]
-    edits += [removed(one) for one in joint.elements() if one.tagName == "command_interface"]
+    edits += map(removed, _commands(joint))
     without = [one for one in in_urdf if _child(one, "mimic") is None]
     added = [edit for one in without if (edit := inserted(one, _element(joint, mimicked))) is not None]
     if is_known:
@@ -66,6 +70,16 @@ def _moved(joint: Element, mimicked: Element, in_urdf: list[Element], *, is_know
         return for_you(mimicked.at, text, authority=_AUTHORITY)
     what = f"joint '{name}' mimics '{words_of(mimicked)}' by <mimic> in the URDF, and has no command interface"
     return Proposal(_distinct([*edits, *added]), entries=(Entry(EntryKind.DONE, what, joint.at, authority=_AUTHORITY),))
+
+
+def _commands(joint: Element) -> list[Element]:
+    """The command interfaces of a joint, also those in conditions."""
+    found, pending = [], joint.elements()
+    while pending:
+        element = pending.pop()
+        pending += element.elements()
+        found += [element] if element.tagName == "command_interface" else []
+    return found
 
 
 def _distinct(edits: list[Edit]) -> tuple[Edit, ...]:
