@@ -14,4 +14,5 @@ from test_generate_corpus import (
     test_a_package_for_a_robot_without_control_adds_nothing_to_what_lint_says_of_it,
 )
 from test_hostile_files import test_no_expression_of_a_public_robot_is_refused
+from test_migrate_corpus import test_a_migration_does_not_depend_on_its_path_and_is_not_repeated
 from test_shards import test_each_file_of_the_corpus_is_in_one_share_and_the_shares_are_alike

@@ -1,0 +1,41 @@
+"""Migrations of the corpus: a second one changes nothing, and two over a distro between equal one over both."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+from corpus import CORPUS, needs_corpus
+from generating import command
+from sampling import WHOLE, sample
+
+SAMPLE = ["PickNikRobotics__ros2_robotiq_gripper", "kroshu__kuka_robot_descriptions", "botsync__volta"]
+PAIRS = Path(os.environ.get("URDFCTL_PAIRS", "pairs"))
+"""Robots as they were before people migrated them, ID/before, as ../shared/tools/wild.py --pairs lays them out."""
+
+
+def repositories() -> list[Path]:
+    """The repositories to migrate: a few of the corpus, or all of them and all pairs."""
+    if not WHOLE or not CORPUS.is_dir():
+        return [CORPUS / name for name in sample(SAMPLE, 3)]
+    whole = sorted(path for path in CORPUS.iterdir() if path.is_dir() and path.name != "known_bad")
+    return [*whole, *sorted(PAIRS.glob("*/before"))]
+
+
+def migrated(source: Path, distro: str, target: Path) -> dict[str, bytes]:
+    """The files of a migrated copy, without the report."""
+    ran = command("migrate", str(source), "--to", distro, "-o", str(target))
+    assert ran.returncode == 0, ran.stderr
+    files = (path for path in target.rglob("*") if path.is_file() and path.name != "MIGRATION.md")
+    return {path.relative_to(target).as_posix(): path.read_bytes() for path in files}
+
+
+@needs_corpus
+@pytest.mark.parametrize("source", repositories(), ids=lambda path: path.parent.name if WHOLE else path.name)
+def test_a_migration_does_not_depend_on_its_path_and_is_not_repeated(source: Path, tmp_path: Path) -> None:
+    at_once = migrated(source, "lyrical", tmp_path / "lyrical")
+    migrated(source, "jazzy", tmp_path / "jazzy")
+    assert migrated(tmp_path / "jazzy", "lyrical", tmp_path / "both") == at_once
+    again = command("migrate", str(tmp_path / "lyrical"), "--to", "lyrical")
+    assert (again.returncode, again.stdout) == (0, "")

@@ -1,0 +1,153 @@
+"""What a migration between distros changes in descriptions, launch files in XML, and MoveIt's configuration."""
+
+from __future__ import annotations
+
+import re
+
+from folder import Folder
+from test_migrate_distro import controllers, migrated
+
+DIFF = "diff_drive_controller/DiffDriveController"
+FINGERS = """\
+<robot name="hand">
+  <link name="palm"/><link name="left"/><link name="right"/>
+  <joint name="finger" type="prismatic">
+    <parent link="palm"/><child link="left"/>
+    <limit lower="0" upper="1" effort="1" velocity="1"/>
+  </joint>
+  <joint name="other" type="prismatic">
+    <parent link="palm"/><child link="right"/>
+    <limit lower="0" upper="1" effort="1" velocity="1"/>
+  </joint>
+  <ros2_control name="hand" type="system">
+    <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+    <joint name="finger"><command_interface name="position"/><state_interface name="position"/></joint>
+    <joint name="other">
+      <param name="mimic">finger</param>
+      <param name="multiplier">-1</param>
+      <command_interface name="position"/>
+      <state_interface name="position"/>
+    </joint>
+  </ros2_control>
+</robot>
+"""
+
+
+def test_a_mimic_joint_of_ros2_control_becomes_one_of_the_urdf_without_commands(folder: Folder) -> None:
+    after = migrated(folder, {"urdf/hand.urdf": FINGERS}, "--to", "jazzy")["urdf/hand.urdf"]
+    wanted = re.sub(r' +<param name="(mimic|multiplier)">.*\n', "", FINGERS)
+    wanted = wanted.replace(
+        '    <joint name="other">\n      <command_interface name="position"/>\n', '    <joint name="other">\n'
+    )
+    head, limit, tail = wanted.rpartition('    <limit lower="0" upper="1" effort="1" velocity="1"/>\n')
+    assert after == f'{head}{limit}    <mimic joint="finger" multiplier="-1"/>\n{tail}'
+
+
+def test_a_mimic_joint_whose_urdf_is_elsewhere_is_left_to_the_user(folder: Folder) -> None:
+    part = FINGERS.replace('<joint name="other" type', '<joint name="${x}other" type').replace(
+        "<robot", "<robot xmlns:xacro='x'"
+    )
+    after = migrated(folder, {"urdf/hand.xacro": part}, "--to", "jazzy")["urdf/hand.xacro"]
+    assert "<!-- TODO(urdfctl): joint 'other' mimics 'finger'" in after
+    assert '<param name="mimic">finger</param>' in after
+
+
+def test_launch_files_in_xml_get_the_topic_and_the_file_of_the_spawner(folder: Folder) -> None:
+    launch = """\
+<launch>
+  <node pkg="controller_manager" exec="ros2_control_node">
+    <param from="$(find-pkg-share arm)/config/controllers.yaml"/>
+    <remap from="~/robot_description" to="/robot_description"/>
+  </node>
+  <node pkg="controller_manager" exec="spawner" args="ctl --stopped"/>
+</launch>
+"""
+    files = {"launch/a.launch.xml": launch, "config/controllers.yaml": controllers(DIFF, "odom_frame_id: odom\n")}
+    after = migrated(folder, files, "--to", "jazzy", "--only", "launch")["launch/a.launch.xml"]
+    wanted = re.sub(" +<remap.*\n", "", launch)
+    file = "$(find-pkg-share arm)/config/controllers.yaml"
+    assert after == wanted.replace("ctl --stopped", f"ctl --inactive --param-file {file}")
+
+
+def test_planning_pipelines_get_lists_of_the_adapters_of_jazzy(folder: Folder) -> None:
+    text = """\
+planning_plugin: ompl_interface/OMPLPlanner
+request_adapters: >-
+  default_planner_request_adapters/AddTimeOptimalParameterization
+  default_planner_request_adapters/FixStartStateBounds
+  own/Adapter
+range: 0.1  # keep
+"""
+    name = "config/ompl_planning.yaml"
+    after = migrated(folder, {name: text}, "--to", "jazzy", "--only", "moveit")[name]
+    assert (
+        after
+        == """\
+planning_plugins:
+  - ompl_interface/OMPLPlanner
+request_adapters:
+  - default_planning_request_adapters/CheckStartStateBounds
+  - own/Adapter
+response_adapters:
+  - default_planning_response_adapters/AddTimeOptimalParameterization
+  - default_planning_response_adapters/ValidateSolution
+  - default_planning_response_adapters/DisplayMotionPath
+range: 0.1  # keep
+"""
+    )
+    assert migrated(folder, {name: after}, "--to", "lyrical")[name] == after
+
+
+def test_planning_pipelines_in_launch_files_change_in_the_same_way(folder: Folder) -> None:
+    launch = """\
+pipeline = {
+    'planning_plugin': 'p/P',
+    'request_adapters': (
+        'default_planner_request_adapters/FixWorkspaceBounds '
+        'default_planner_request_adapters/FixStartStatePathConstraints'
+    ),
+}
+"""
+    name = "launch/a.launch.py"
+    after = migrated(folder, {name: launch}, "--to", "jazzy", "--only", "moveit")[name]
+    scope: dict[str, dict[str, list[str]]] = {}
+    exec(after, scope)  # noqa: S102 (the text is above)
+    assert scope["pipeline"] == {
+        "planning_plugins": ["p/P"],
+        "request_adapters": ["default_planning_request_adapters/ValidateWorkspaceBounds"],
+        "response_adapters": [
+            "default_planning_response_adapters/ValidateSolution",
+            "default_planning_response_adapters/DisplayMotionPath",
+        ],
+    }
+
+
+def test_moveit_commands_a_parallel_gripper_by_its_action(folder: Folder) -> None:
+    moveit = """\
+moveit_simple_controller_manager:
+  controller_names: [ctl]
+  ctl:
+    type: GripperCommand
+    action_ns: gripper_cmd
+    joints: [finger]
+"""
+    files = {
+        "config/moveit_controllers.yaml": moveit,
+        "config/c.yaml": controllers("position_controllers/GripperActionController", "joint: finger\n"),
+    }
+    after = migrated(folder, files, "--to", "kilted")
+    assert "type: parallel_gripper_action_controller/GripperActionController" in after["config/c.yaml"]
+    assert after["config/moveit_controllers.yaml"] == moveit.replace("GripperCommand", "ParallelGripperCommand")
+    assert migrated(folder, files, "--to", "jazzy") == files
+
+
+def test_package_xml_depends_on_the_package_of_the_new_type(folder: Folder) -> None:
+    manifest = """\
+<package format="3">
+  <name>arm</name>
+  <exec_depend>position_controllers</exec_depend>
+</package>
+"""
+    file = controllers("position_controllers/JointGroupPositionController", "joints: [a]\n")
+    after = migrated(folder, {"config/c.yaml": file, "package.xml": manifest}, "--to", "lyrical")
+    assert after["package.xml"] == manifest.replace("position_controllers", "forward_command_controller")
