@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from functools import lru_cache
 
+from urdfctl.catalog.distros import ROS2
 from urdfctl.catalog.store import moves_data
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
@@ -86,6 +88,44 @@ def name_moves() -> tuple[Names, ...]:
 def parameter_moves() -> tuple[Move, ...]:
     """Return what becomes of parameters, in the order in which the moves of one parameter are tried."""
     return tuple(_move(group, entry) for group in moves_data()["parameters"] for entry in group["moves"])
+
+
+def replacement_in_words(kind: str, name: str, distro: str) -> str | None:
+    """Return what takes the place of a controller's parameter in a distro, for a message; None if no move says it.
+
+    name: the parameter's name in the catalogue, with placeholders.
+    """
+    order = ROS2.index
+    moves = [
+        move for move in parameter_moves() if kind in move.controllers and move.name == name and not move.is_default
+    ]
+    moves = [move for move in moves if distro in ROS2 and order(move.since) <= order(distro)]
+    texts = [" and ".join(in_words(new, value) for new, value in move.becomes.items()) for move in moves]
+    wanted = [(text, move) for text, move in zip(texts, moves, strict=True) if text]
+    return " or ".join(f"{text}{_condition(move.when)}" for text, move in wanted) or None
+
+
+def in_words(name: str, value: object) -> str:
+    """Return a parameter with the value that a move gives it: the name alone if that is the old value."""
+    return name if value == "same" else f"{name}: {'-value' if value == 'negative' else as_yaml(value)}"
+
+
+def as_yaml(value: object) -> str:
+    """Return a literal of the moves as YAML."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, str) and not re.fullmatch(r"[.\w]+", value):
+        return f'"{value}"'
+    return str(value)
+
+
+def _condition(when: When | None) -> str:
+    """A condition in words, for a message."""
+    if when is None:
+        return ""
+    if when.is_set:
+        return f" (if {when.param} is set)"
+    return f" (if {when.param or 'it'} is {as_yaml(when.value)})"
 
 
 def _move(group: Mapping[str, Any], entry: Mapping[str, Any]) -> Move:

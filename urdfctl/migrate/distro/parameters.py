@@ -9,7 +9,7 @@ from urdfctl.catalog.catalog import CATALOG
 from urdfctl.catalog.distros import ROS2
 from urdfctl.catalog.entries import ControllerType
 from urdfctl.catalog.map_parameters import matching
-from urdfctl.catalog.moves import Move, When, parameter_moves
+from urdfctl.catalog.moves import Move, When, as_yaml, in_words, parameter_moves
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.controller_files import MANAGER, Section, sections
 from urdfctl.migrate.packages import Packages
@@ -118,7 +118,7 @@ class _Moving:
 
     def _report(self, move: Move, parameter: _Parameter, old: str, becomes: Mapping[str, object]) -> None:
         at = parameter.path[-1][1].key.at if parameter.path else self.section.parameters.at
-        now = " and ".join(f"'{_new(name, value)}'" for name, value in becomes.items())
+        now = " and ".join(f"'{in_words(name, value)}'" for name, value in becomes.items())
         what = f"'{old}' of '{self.section.node}' " + (f"became {now}" if now else "is dropped")
         if self.entries and self.entries[-1].message == what:
             return
@@ -130,7 +130,7 @@ class _Moving:
         if self._find(move.name) is not None or not self.all:
             return
         added = _Parameter(move.name, ())
-        added.value = _yaml(move.becomes[move.name])
+        added.value = as_yaml(move.becomes[move.name])
         self.all.append(added)
         what = f"the default of '{move.name}' changed: the old value {added.value} is written for '{self.section.node}'"
         option = f"remove {move.name}"
@@ -199,24 +199,11 @@ def _converted(value: object, parameter: _Parameter) -> str | None:
     if value == "same":
         return None
     if value != "negative":
-        return _yaml(value)
+        return as_yaml(value)
     text = parameter.text or ""
     if not re.fullmatch(r"[+-]?[\d.][\d.eE+-]*|[+-]?\.inf", text):
         return None
     return text[1:] if text.startswith("-") else f"-{text.removeprefix('+')}"
-
-
-def _yaml(value: object) -> str:
-    if isinstance(value, bool):
-        return str(value).lower()
-    if isinstance(value, str) and not re.fullmatch(r"[.\w]+", value):
-        return f'"{value}"'
-    return str(value)
-
-
-def _new(name: str, value: object) -> str:
-    """A parameter with the value that a move gives it, in words."""
-    return name if value == "same" else f"{name}: {'-value' if value == 'negative' else _yaml(value)}"
 
 
 # -- the moves of a type -----------------------------------------------------------------------------------------------
@@ -260,8 +247,8 @@ def _rows() -> tuple[Row, ...]:
 
 
 def _row(move: Move) -> Row:
-    value = f": {_yaml(move.when.value)}" if move.when and not move.when.param else ""
-    new = ", ".join(_new(name, to) for name, to in move.becomes.items())
+    value = f": {as_yaml(move.when.value)}" if move.when and not move.when.param else ""
+    new = ", ".join(in_words(name, to) for name, to in move.becomes.items())
     new = f"the old default, {new}" if move.is_default else new
     return Row(f"{_short(move)}: {move.name}{value}", new, move.since, move.authority)
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.control.readers import Reader, in_each_distro
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.controllers.parameters import known_as
+from urdfctl.rules.controllers.parameters import known_as, replacement_of
 
 
 @rule(
@@ -58,7 +58,8 @@ def _deprecated(reader: Reader) -> Iterator[Finding]:
         matched = known_as(reader, leaf.name)
         parameter = reader.known[matched[0]] if matched else None
         if parameter is not None and parameter.deprecated:
-            replacement = f"; replacement: {parameter.replacement}" if parameter.replacement else ""
+            instead = replacement_of(reader, parameter)
+            replacement = f"; replacement: {instead}" if instead else ""
             why = f": {parameter.note}" if parameter.note and not replacement else ""
             message = f"parameter '{leaf.name}' is deprecated{replacement}{why}"
             yield Finding(leaf.key, message, severity=Severity.WARNING)

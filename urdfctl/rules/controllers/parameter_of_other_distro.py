@@ -9,7 +9,7 @@ from urdfctl.catalog.entries import FormerParameter
 from urdfctl.catalog.map_parameters import matching
 from urdfctl.control.readers import Reader, in_each_distro
 from urdfctl.rule import Finding, Project, Severity, rule
-from urdfctl.rules.controllers.parameters import known_as
+from urdfctl.rules.controllers.parameters import known_as, replacement_of
 
 
 @rule(
@@ -59,7 +59,8 @@ def _of_others(reader: Reader) -> Iterator[Finding]:
     for leaf in reader.own.leaves:
         matched = None if known_as(reader, leaf.name) else matching(leaf.name, reader.former)
         if matched is not None:
-            why = _why(reader.former[matched[0]], reader.distro)
+            former = reader.former[matched[0]]
+            why = _why(former._replace(replacement=replacement_of(reader, former)), reader.distro)
             message = f"controller '{reader.name}' does not read '{leaf.name}'{why}"
             yield Finding(leaf.key, message, severity=Severity.WARNING)
 

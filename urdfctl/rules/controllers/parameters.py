@@ -53,6 +53,14 @@ def _known_as(reader: Reader) -> dict[str, tuple[str, str | None] | None]:
     return {parameter.name: matching(parameter.name, reader.known) for parameter in reader.located}
 
 
+def replacement_of(reader: Reader, parameter: Parameter | FormerParameter) -> str | None:
+    """Return what takes the place of a parameter, in words: as a migration writes it, or as the catalogue says."""
+    from urdfctl.catalog.moves import replacement_in_words
+
+    kind = reader.type.type if reader.type else "controller_manager"
+    return replacement_in_words(kind, parameter.name, reader.distro) or parameter.replacement
+
+
 def is_ros1(reader: Reader) -> bool:
     """Return whether the node is one of ROS 1, which reads its parameters one by one and ignores all others."""
     return generation(reader.distro) == 1
