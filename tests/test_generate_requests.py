@@ -118,6 +118,13 @@ def test_each_controller_commands_the_interfaces_that_it_names(folder: Folder) -
     assert "which has only 'velocity' in <ros2_control>: use --controller arm=trajectory[velocity], or add" in line
 
 
+def test_a_gripper_alone_gets_the_fingers_and_a_drive_the_wheels_without_casters(folder: Folder) -> None:
+    assert list(written(folder, robot(*ARM, *HAND), "--type", "gripper")) == ["finger_gripper_controller"]
+    aside = [part.replace('xyz="-0.3 0 0.1"', 'xyz="-0.3 0.1 0.1"') for part in CASTER]
+    found = written(folder, robot(*WHEELS, *aside), "--type", "diff_drive")["diff_drive_controller"]
+    assert (found["left_wheel_names"], found["right_wheel_names"]) == (["left_wheel"], ["right_wheel"])
+
+
 def test_two_controllers_of_the_same_joints_are_refused_unless_both_name_them(folder: Folder) -> None:
     arm = robot(*ARM)
     line = refused(folder, arm, "--type", "trajectory", "--type", "position")

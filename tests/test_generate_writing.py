@@ -82,6 +82,18 @@ def test_what_the_robot_itself_cannot_do_is_said_after_writing(folder: Folder) -
             "jazzy has no 'fake_components/GenericSystem'; use 'mock_components/GenericSystem'",
         ),
         (
+            ("gen-all", "two/r.urdf", "--type", "effort", "--distro", "noetic", "--hardware", "mock", "-o", "x"),
+            "noetic has no hardware plugins in the description; leave out --hardware",
+        ),
+        (
+            ("gen-all", "two/r.urdf", "--type", "effort", "--distro", "foxy", "--simulator", "mujoco", "-o", "x"),
+            "foxy has no 'mujoco' hardware; choose from: mock",
+        ),
+        (
+            ("gen-all", "two/r.urdf", *EFFORT, "--simulator", "gazebo-classic", "-o", "x"),
+            "jazzy has no plugin that runs controllers in 'gazebo-classic'; use --simulator gz, mujoco or none",
+        ),
+        (
             ("gen-gazebo", "two/r.urdf", "--distro", "noetic", "--simulator", "gz"),
             "noetic does not support controllers in 'gz'",
         ),

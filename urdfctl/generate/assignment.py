@@ -8,7 +8,7 @@ from urdfctl.control.claims import claims
 from urdfctl.errors import UserError
 from urdfctl.generate.anatomy import Anatomy, anatomy_of
 from urdfctl.generate.facts import JointFacts, PartFacts, RobotFacts
-from urdfctl.generate.options import Options, Request
+from urdfctl.generate.options import Options, Request, Roles
 from urdfctl.generate.parameters import Controller
 from urdfctl.generate.recipes import Kind
 from urdfctl.generate.requests import joints_of
@@ -56,7 +56,8 @@ def assigned(
     Joints that a wish names go to it. Of the others, drives get their wheels, grippers the fingers, and one more
     controller the rest. UserError if it is ambiguous, or if joints do not exist.
     """
-    parts = anatomy_of(robot, joints) if sum(wish.moves for wish in wishes) > 1 else None
+    anatomy = anatomy_of(robot, joints)
+    parts = anatomy if sum(wish.moves for wish in wishes) > 1 else None
     named = [joints_of(wish.request, joints, robot) if wish.names_joints else () for wish in wishes]
     taken = {joint.name for members in named for joint in members}
     free = [joint for joint in joints if joint.name not in taken]
@@ -68,8 +69,8 @@ def assigned(
             yield from ((index, reading) for reading in _reading(wish, joints, options, robot))
             continue
         if not members:
-            members = _fitting(wish, free, parts, rest, options)
-        roles = wish.request.roles or options.roles
+            members = _alone(wish, free, anatomy) if parts is None else _fitting(wish, free, parts, rest, options)
+        roles = wish.request.roles or (options.roles if any(options.roles) else _roles(wish, members, anatomy))
         its = options._replace(roles=roles, interfaces=wish.request.interfaces or options.interfaces)
         if wish.request.interfaces:
             members = tuple(joint._replace(interface=None) for joint in members)
@@ -86,11 +87,30 @@ def _turn(wish: Wish, *, shared: bool) -> int:
     return 2 if shared and wish.kind.short in ("gripper", "omni") else 3
 
 
+def _alone(wish: Wish, free: Sequence[JointFacts], anatomy: Anatomy) -> tuple[JointFacts, ...]:
+    """The joints of the only controller that moves any: the fingers for a gripper, or all."""
+    names = {joint.name for joint in free}
+    fingers = tuple(joint for tool in anatomy.tools for joint in tool.joints if joint.name in names)
+    return (fingers if wish.kind.short == "gripper" else ()) or tuple(free)
+
+
+def _roles(wish: Wish, members: Sequence[JointFacts], anatomy: Anatomy) -> Roles:
+    """The roles of the robot's wheels in a drive of the same kind; none if the joints do not include them."""
+    base, names = anatomy.base, {joint.name for joint in members}
+    alike = {*_ON_TWO_SIDES} if wish.kind.short in _ON_TWO_SIDES else {wish.kind.short}
+    if not wish.kind.roles or base is None or base.kind not in alike:
+        return Roles()
+    return base.roles if {name for role in base.roles for name in role} <= names else Roles()
+
+
+_ON_TWO_SIDES = ("diff_drive", "mecanum")
+
+
 def _fitting(
-    wish: Wish, free: Sequence[JointFacts], parts: Anatomy | None, rest: list[Wish], options: Options
+    wish: Wish, free: Sequence[JointFacts], parts: Anatomy, rest: list[Wish], options: Options
 ) -> tuple[JointFacts, ...]:
-    """The joints of a controller whose joints the user did not name."""
-    if parts is None or wish.kind.roles:
+    """The joints of one of several controllers whose joints the user did not name."""
+    if wish.kind.roles:
         return tuple(free)
     names = {joint.name for joint in free}
     if wish.kind.short == "gripper":

@@ -261,4 +261,6 @@ def files(command: str, order: Order) -> list[File]:
         raise UserError(
             f"{options.distro} does not support controllers in '{options.simulator}'; use gazebo-classic or none"
         )
+    if options.ros == 1 and options.hardware:
+        raise UserError(f"{options.distro} has no hardware plugins in the description; leave out --hardware")
     return [checked(file) for file in GENERATORS[command](order)]

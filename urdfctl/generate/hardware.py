@@ -8,7 +8,7 @@ from urdfctl.catalog.hardware import HardwareType, SimulatorPlugin
 from urdfctl.errors import UserError
 from urdfctl.generate.facts import RobotFacts
 from urdfctl.generate.options import Options
-from urdfctl.names import did_you_mean
+from urdfctl.names import did_you_mean, enumerated
 
 _PREFERRED = ("mujoco_ros2_control/MujocoSystemInterface",)
 """Of several hardware plugins for one simulator, the one whose node the launch files start."""
@@ -22,7 +22,12 @@ def host(options: Options, catalog: Catalog) -> SimulatorPlugin:
     hosts = [plugin for plugin in catalog.simulator_plugins(options.distro) if plugin.hosts_control]
     fit = [plugin for plugin in hosts if plugin.simulator == options.simulator]
     if not fit:
-        raise UserError(f"{options.distro} has no plugin that runs controllers in '{options.simulator}'")
+        there = dict.fromkeys(plugin.simulator for plugin in hosts if plugin.simulator)
+        mujoco = [name for name in _PREFERRED if name in catalog.known_hardware(options.distro)]
+        choices = enumerated([*there, *(["mujoco"] if mujoco else []), "none"], "or")
+        raise UserError(
+            f"{options.distro} has no plugin that runs controllers in '{options.simulator}'; use --simulator {choices}"
+        )
     return min(fit, key=lambda plugin: (plugin.deprecated, plugin.id != options.simulator))  # not a manufacturer's
 
 
@@ -64,10 +69,11 @@ def hardware(options: Options, catalog: Catalog) -> HardwareType:
         found = catalog.hardware(name, options.distro)
         if found is not None:
             return found
-    known = (catalog.hardware(name, options.distro) for name in catalog.known_hardware(options.distro))
-    fit = [
-        entry for entry in known if entry and entry.simulator == _SHORT[wanted] and "system" in entry.component_types
-    ]
+    known = [catalog.hardware(name, options.distro) for name in catalog.known_hardware(options.distro)]
+    systems = [entry for entry in known if entry and "system" in entry.component_types]
+    fit = [entry for entry in systems if entry.simulator == _SHORT[wanted]]
     if not fit:
-        raise UserError(f"{options.distro} has no '{wanted}' hardware")
+        there = {entry.simulator for entry in systems}
+        choices = ", ".join(short for short, simulator in _SHORT.items() if simulator in there)
+        raise UserError(f"{options.distro} has no '{wanted}' hardware; choose from: {choices}")
     return min(fit, key=lambda plugin: (plugin.deprecated, plugin.type not in _PREFERRED))

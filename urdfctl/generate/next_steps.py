@@ -122,23 +122,6 @@ def _admittance(name: str, controller: Controller) -> str:
     return f'ros2 topic pub --once {name}/joint_references trajectory_msgs/msg/JointTrajectoryPoint "{value}"'
 
 
-def _gpio(name: str, controller: Controller) -> str | None:
-    """All outputs of the first gpio that has any; None if it only publishes inputs."""
-    for joint in controller.task.joints:
-        outputs = controller.values.get(f"command_interfaces.{joint.name}.interfaces")
-        if isinstance(outputs, list) and outputs:
-            values = f"{{interface_names: [{', '.join(outputs)}], values: {[1.0] * len(outputs)}}}"
-            value = f"{{interface_groups: [{joint.name}], interface_values: [{values}]}}"
-            return f'ros2 topic pub --once {name}/commands control_msgs/msg/DynamicInterfaceGroupValues "{value}"'
-    return None
-
-
-def _admittance(name: str, controller: Controller) -> str:
-    positions = [_target(joint) for joint in controller.task.joints]
-    value = f"{{positions: {positions}, velocities: {[0.0] * len(positions)}}}"
-    return f'ros2 topic pub --once {name}/joint_references trajectory_msgs/msg/JointTrajectoryPoint "{value}"'
-
-
 def _pid(name: str, controller: Controller) -> str:
     value = f"{{dof_names: [{_names(controller)}], values: {_values(controller)}}}"
     return f'ros2 topic pub --once {name}/reference control_msgs/msg/MultiDOFCommand "{value}"'
