@@ -24,7 +24,7 @@ FINGERS = """\
     <joint name="finger"><command_interface name="position"/><state_interface name="position"/></joint>
     <joint name="other">
       <param name="mimic">finger</param>
-      <param name="multiplier">-1</param>
+      <param name="multiplier">1</param>
       <command_interface name="position"/>
       <state_interface name="position"/>
     </joint>
@@ -40,7 +40,7 @@ def test_a_mimic_joint_of_ros2_control_becomes_one_of_the_urdf_without_commands(
         '    <joint name="other">\n      <command_interface name="position"/>\n', '    <joint name="other">\n'
     )
     head, limit, tail = wanted.rpartition('    <limit lower="0" upper="1" effort="1" velocity="1"/>\n')
-    assert after == f'{head}{limit}    <mimic joint="finger" multiplier="-1"/>\n{tail}'
+    assert after == f'{head}{limit}    <mimic joint="finger" multiplier="1"/>\n{tail}'
 
 
 def test_a_mimic_joint_whose_urdf_is_elsewhere_is_left_to_the_user(folder: Folder) -> None:
