@@ -152,6 +152,9 @@ class SmokeOptions(CheckOptions):
     engine: Annotated[
         str, typer.Option(help="Physics engine: auto, pybullet, mujoco, both, or none to move nothing.")
     ] = "auto"
+    tasks: Annotated[
+        str | None, typer.Option(help="YAML file with your own targets, trajectories, tolerances and start pose.")
+    ] = None
     duration: Annotated[float, typer.Option(help="Seconds of simulation for each controller.")] = 2.0
     gui: Annotated[bool, typer.Option("--gui", help="Show pybullet's window.")] = False
     timeout: Annotated[float, typer.Option(help="Processor time for one robot, in seconds.")] = 30.0

@@ -27,6 +27,7 @@ from urdfctl.lint.planning import PlannedTarget, of_shard, planned
 from urdfctl.lint.selection import Selection, validate_selection
 from urdfctl.load.target import Target
 from urdfctl.names import did_you_mean, enumerated, nearest_path
+from urdfctl.smoke.assignments import read_tasks
 from urdfctl.smoke.engines import NAMES, installed
 from urdfctl.smoke.job import Wanted, smoke_all
 from urdfctl.smoke.reports import SMOKE_FORMATS, SmokeReport, render_smoke, report_of, text_pieces
@@ -62,6 +63,7 @@ def run_smoke(options: SmokeOptions) -> int:
         duration=options.duration,
         gui=options.gui,
         picture=options.report is not None,
+        tasks=read_tasks(options.tasks) if options.tasks is not None else None,
         live=sys.stderr.isatty() and os.environ.get("TERM") != "dumb",
     )
     plan = _plan(words, config, options)
@@ -120,6 +122,8 @@ def _validate(options: SmokeOptions) -> None:
         raise UserError(f"--duration must be a number of seconds up to {MAX_DURATION:g}, not {options.duration:g}")
     if options.report == "":
         raise UserError("--report requires the name of a file")
+    if options.tasks is not None and options.engine == "none":
+        raise UserError("--tasks requires a physics engine, not --engine none")
     if "" in (options.controllers or ()):
         raise UserError("--controllers requires the name of a file")
     for path in options.controllers or ():

@@ -67,7 +67,7 @@ def joint_troubles(task: Task, goals: Sequence[Goal], tracks: Sequence[Track], s
     """Yield what is wrong with the motion of a controller's joints."""
     for index, (goal, track) in enumerate(zip(goals, tracks, strict=True)):
         if not (task.family is Family.FORWARD and task.interface == "effort"):
-            yield from _limits(task, goal, track)
+            yield from limit_troubles(task, goal, track)
         if task.family is Family.VELOCITY_PID or (task.family is Family.FORWARD and task.interface == "velocity"):
             yield from _turned(task, goal, track, seconds)
         elif task.family is Family.FORWARD and task.interface == "effort":
@@ -81,7 +81,8 @@ def _trouble(rule: Rule, task: Task, goal: Goal, *notes: str, **fields: object) 
     return trouble_of(rule, f"joint:{hinge.name}", task.controller, notes, joint=hinge.name, unit=hinge.unit, **fields)
 
 
-def _limits(task: Task, goal: Goal, track: Track) -> Iterator[Trouble]:
+def limit_troubles(task: Task, goal: Goal, track: Track) -> Iterator[Trouble]:
+    """Yield where a joint exceeds its limits."""
     lower, upper = goal.hinge.span
     least, most = min(track.positions), max(track.positions)
     if goal.hinge.type != "continuous" and (least < lower - PAST_LIMIT or most > upper + PAST_LIMIT):

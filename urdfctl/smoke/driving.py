@@ -34,32 +34,36 @@ def driven(simulation: Simulation, task: Task) -> Driven:
     if not drive.radius or (drive.left and not drive.separation) or (drive.steered and not drive.wheelbase):
         return Driven(why_not="not simulated: the radius or separation of its wheels is unknown")
     slipping = SLIPPING if plan.engine == "mujoco" else 0.0
-    hinges, engine = simulation.hinges, simulation.engine
-    sides = assumed_sides(mechanism, task, drive)
+    hinges = simulation.hinges
     speed = speed_of(drive, (hinges.get(name) for name in drive.wheels))
-    gains = dict(zip(task.joints, task.gains, strict=False)) if not drive.plain else {}
-    loops = {name: gain for name, gain in gains.items() if name in drive.wheels}
-    straight = Wheels(engine, hinges, drive, speed, 0.0, sides=sides)
-    if loops:
-        straight.close_loops(loops, task.interface)
+    straight = wheels_of(simulation, task, drive, speed, 0.0)
     journey, curve = _journey(simulation, straight, task, drive, "ahead")
     troubles, curves = list(forward_troubles(task, journey, slipping)), [curve]
     if not troubles:
         forward = speed if drive.steered else 0.0
-        turning = Wheels(engine, hinges, drive, forward, turning_of(drive, speed), sides=sides)
-        if loops:
-            turning.close_loops(loops, task.interface)
+        turning = wheels_of(simulation, task, drive, forward, turning_of(drive, speed))
         journey, curve = _journey(simulation, turning, task, drive, "yaw")
         troubles += turn_troubles(task, drive, journey, slipping)
         curves.append(curve)
-    _stop(simulation, drive)
+    stop(simulation, drive)
     return Driven(tuple(troubles), tuple(curves))
+
+
+def wheels_of(simulation: Simulation, task: Task, drive: Drive, forward: float, turning: float) -> Wheels:
+    """Return the wheels of a base that drives forward, in m/s, and turns left, in rad/s."""
+    sides = assumed_sides(simulation.mechanism, task, drive)
+    wheels = Wheels(simulation.engine, simulation.hinges, drive, forward, turning, sides=sides)
+    gains = dict(zip(task.joints, task.gains, strict=False)) if not drive.plain else {}
+    loops = {name: gain for name, gain in gains.items() if name in drive.wheels}
+    if loops:
+        wheels.close_loops(loops, task.interface)
+    return wheels
 
 
 def _journey(simulation: Simulation, wheels: Wheels, task: Task, drive: Drive, quantity: str) -> tuple[Journey, Curve]:
     engine, period = simulation.engine, simulation.period
     before = now = engine.standing()
-    start, facing = _rolled(simulation, drive), _facing(simulation.mechanism, drive)
+    start, facing = _rolled(simulation, drive), facing_of(simulation.mechanism, drive)
     yaw, yaws, ahead, wanted = 0.0, [], [], []
     for update in range(round(simulation.plan.duration / period)):
         wheels.update(update * period, period)
@@ -79,14 +83,15 @@ def _rolled(simulation: Simulation, drive: Drive) -> float:
     return sum(simulation.engine.position(name) * drive.radius_of(name) for name in drive.wheels) / len(drive.wheels)
 
 
-def _stop(simulation: Simulation, drive: Drive) -> None:
+def stop(simulation: Simulation, drive: Drive) -> None:
+    """Stop the wheels of a base."""
     for name in drive.wheels:
         simulation.engine.at_velocity(name, 0.0, FREELY)
     simulation.run_for(0.1)
 
 
-def _facing(mechanism: Mechanism, drive: Drive) -> float:
-    """The direction of the frame that a controller drives, from the root's x axis, in rad."""
+def facing_of(mechanism: Mechanism, drive: Drive) -> float:
+    """Return the direction of the frame that a controller drives, from the root's x axis, in rad."""
     pose = mechanism.poses(mechanism.start()).get(drive.base)
     return math.atan2(pose.turn[1][0], pose.turn[0][0]) if pose else 0.0
 
@@ -120,7 +125,7 @@ def rolled(simulation: Simulation, task: Task) -> Driven:
             return Driven(why_not="not simulated: its wheels cannot move it in all directions")
         troubles += roller_troubles(task, wanted, actual)
         curves += of_wheels if twist.ahead else []
-    _stop(simulation, drive)
+    stop(simulation, drive)
     return Driven(tuple(troubles), tuple(curves))
 
 

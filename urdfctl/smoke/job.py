@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic
+from urdfctl.errors import UserError
 from urdfctl.lint.job import Work, Workers, failed, run_on_targets, shared_loader
 from urdfctl.lint.selection import Selection
 from urdfctl.lint.serialising import diagnostic_from_json, diagnostic_to_json, result_from_json, result_to_json
@@ -14,12 +15,15 @@ from urdfctl.load.loader import Loader
 from urdfctl.load.meshes import mesh_path
 from urdfctl.load.target import Target
 from urdfctl.model.stage import Stage
+from urdfctl.report.common import shown
 from urdfctl.rules import rule_of
 from urdfctl.rules.smoke.engine_died import engine_died
 from urdfctl.rules.smoke.engine_refuses_robot import engine_refuses_robot
 from urdfctl.run.limits import WorkerFailure, processors
 from urdfctl.smoke.agreement import compared
 from urdfctl.smoke.anchors import diagnostics_of
+from urdfctl.smoke.assignments import TaskFile
+from urdfctl.smoke.fitting import Misfit, misfits
 from urdfctl.smoke.judgement import changed, judged
 from urdfctl.smoke.picture import picture_of
 from urdfctl.smoke.plan import MOTION, Plan, Tried
@@ -36,7 +40,8 @@ class Wanted(NamedTuple):
     `only` holds the names of the controllers to test, none for all. Each of the `engines` simulates the robots; without
     any, nothing moves. The engines of `instead` are tried if an engine crashes or rejects a robot. `duration` is the
     time for which each controller moves, in s. `gui` shows a window. `picture` asks for a picture of the robot. `live`
-    prints a line for each controller as soon as it was tested.
+    prints a line for each controller as soon as it was tested. `tasks` holds the user's own tasks as plain data (see
+    `TaskFile`), or None.
     """
 
     only: tuple[str, ...] = ()
@@ -46,13 +51,14 @@ class Wanted(NamedTuple):
     gui: bool = False
     picture: bool = False
     live: bool = False
+    tasks: Any = None
 
 
 class PreparedRobot(NamedTuple):
     """A robot as its first worker returns it.
 
     `plan` is None if nothing should move. The findings of an engine are placed at the `anchors`, except those whose
-    codes are `silent` for a subject. `troubles` holds the findings so far.
+    codes are `silent` for a subject. `troubles` holds the findings so far, and `misfits` the tasks that do not fit it.
     """
 
     smoked: Smoked
@@ -60,23 +66,20 @@ class PreparedRobot(NamedTuple):
     anchors: Mapping[str, Diagnostic] = {}
     troubles: tuple[Trouble, ...] = ()
     silent: Mapping[str, Sequence[str]] = {}
+    misfits: tuple[Misfit, ...] = ()
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> PreparedRobot:
         """Return the robot that plain data holds."""
         results = tuple(ControllerResult.from_json(result) for result in data["controllers"])
+        picture, linted = tuple(map(tuple, data["picture"])), result_from_json(data["linted"])
         return cls(
-            Smoked(
-                result_from_json(data["linted"]),
-                results,
-                data["distro"],
-                picture=tuple(map(tuple, data["picture"])),
-                part_of=data["part_of"],
-            ),
-            Plan.from_json(data["plan"]) if data["plan"] else None,
-            {subject: diagnostic_from_json(anchor) for subject, anchor in data["anchors"].items()},
-            tuple(Trouble.from_json(fields) for fields in data["troubles"]),
-            data["silent"],
+            smoked=Smoked(linted, results, data["distro"], picture=picture, part_of=data["part_of"]),
+            plan=Plan.from_json(data["plan"]) if data["plan"] else None,
+            anchors={subject: diagnostic_from_json(anchor) for subject, anchor in data["anchors"].items()},
+            troubles=tuple(Trouble.from_json(fields) for fields in data["troubles"]),
+            silent=data["silent"],
+            misfits=tuple(Misfit(*misfit) for misfit in data["misfits"]),
         )
 
     def to_json(self) -> dict[str, Any]:
@@ -91,6 +94,7 @@ class PreparedRobot(NamedTuple):
             "anchors": {subject: diagnostic_to_json(anchor) for subject, anchor in self.anchors.items()},
             "troubles": self.troubles,
             "silent": dict(self.silent),
+            "misfits": self.misfits,
         }
 
 
@@ -107,6 +111,7 @@ def smoke_all(
     """
     parallel = parallel or processors()
     robots = list(_read_all(targets, settings, wanted, parallel))
+    _check_tasks(robots, wanted)
     indices = list(range(len(robots)) if chosen is None else chosen([robot.smoked for robot in robots]))
     kept = [robots[index] for index in indices]
     runs = [(n, engine) for n, robot in enumerate(kept) if robot.plan for engine in wanted.engines]
@@ -127,6 +132,18 @@ def smoke_all(
 def _compared(results: list[tuple[str, Tried | WorkerFailure]]) -> Sequence[tuple[str, Tried | WorkerFailure]]:
     good = [(engine, result) for engine, result in results if isinstance(result, Tried) and not result.refused]
     return compared(good) if len(good) == len(results) > 1 else results
+
+
+def _check_tasks(robots: Sequence[PreparedRobot], wanted: Wanted) -> None:
+    """Reject tasks that do not fit a robot, or that name what no robot has. UserError with file and line."""
+    if not wanted.tasks:
+        return
+    file = TaskFile.from_json(wanted.tasks)
+    found = [misfit for robot in robots for misfit in robot.misfits]
+    tasked = sum(robot.plan is not None for robot in robots)
+    for misfit in sorted(found):
+        if not misfit.absent or found.count(misfit) >= tasked:
+            raise UserError(f"{shown(file.path)}:{misfit.line}: {misfit.message}")
 
 
 # -- the first worker: prepare a robot -------------------------------------------------------------------------------
@@ -156,7 +173,8 @@ def prepared_robot(loader: Loader, target: Target, wanted: Wanted) -> PreparedRo
     """Return a target as a prepared robot, with the plan for an engine if one is wanted."""
     seen = lint_target(loader, target, Selection())
     packages = loader.reading(seen.result.path)[1]
-    judgement = judged(seen, wanted.only, lambda address: mesh_path(address, packages, seen.result.path))
+    given = TaskFile.from_json(wanted.tasks) if wanted.tasks else None
+    judgement = judged(seen, wanted.only, lambda address: mesh_path(address, packages, seen.result.path), given)
     plan = None
     if wanted.engines:
         plan, troubles = plan_of(judgement, packages, wanted.duration, gui=wanted.gui)
@@ -165,9 +183,18 @@ def prepared_robot(loader: Loader, target: Target, wanted: Wanted) -> PreparedRo
     robot, mechanism = judgement.seen.project.robot, judgement.mechanism
     if wanted.picture and robot and mechanism:
         smoked = smoked._replace(picture=picture_of(robot, mechanism))
+    names = [way.name for way in judgement.cycle.ways]
+    wrong = tuple(misfits(given, mechanism, judgement.tasks, names)) if given and mechanism else ()
     if plan is None:
-        return PreparedRobot(smoked, None)
-    return PreparedRobot(smoked, plan, judgement.anchors(), judgement.troubles, judgement.silenced())
+        return PreparedRobot(smoked, None, misfits=wrong)
+    return PreparedRobot(
+        smoked=smoked,
+        plan=plan,
+        anchors=judgement.anchors(),
+        troubles=judgement.troubles,
+        silent=judgement.silenced(),
+        misfits=wrong,
+    )
 
 
 # -- both together ---------------------------------------------------------------------------------------------------

@@ -14,6 +14,7 @@ from urdfctl.rules.reading.rule_crashed import rule_crashed
 from urdfctl.rules.smoke.robot_not_spawned import robot_not_spawned
 from urdfctl.rules.smoke.verdict_depends_on_distro import verdict_depends_on_distro
 from urdfctl.smoke.anchors import anchors_of, diagnostics_of, silenced, subjects
+from urdfctl.smoke.assignments import TaskFile
 from urdfctl.smoke.blame import place_of
 from urdfctl.smoke.candidates import cycle_of, result_of
 from urdfctl.smoke.hardware import with_transmissions, within_ranges
@@ -40,7 +41,7 @@ class Judgement(NamedTuple):
 
     `mechanism` is None if the robot cannot be simulated. `rate` is the update rate of the controllers, in Hz. `only`
     holds the names of the controllers that were asked for, none for all. `part_of` is the link of another file that
-    the description hangs on: it is not a robot then.
+    the description hangs on: it is not a robot then. `given` holds the user's tasks.
     """
 
     seen: LintedTarget
@@ -51,6 +52,7 @@ class Judgement(NamedTuple):
     troubles: tuple[Trouble, ...]
     only: tuple[str, ...] = ()
     part_of: str = ""
+    given: TaskFile | None = None
 
     def wants(self, name: str | None) -> bool:
         """Return whether a controller was asked for. Findings of no controller are always reported."""
@@ -67,7 +69,8 @@ class Judgement(NamedTuple):
         """The place of everything that a finding can be about."""
         project = self.seen.project
         places = {way.name: place_of(way.configured.controller, project) for way in self.cycle.ways}
-        return list(subjects(project, {name: place for name, place in places.items() if place is not None}))
+        of_tasks = [(each.subject, self.given.place_of(each)) for each in self.given.assignments] if self.given else []
+        return of_tasks + list(subjects(project, {name: place for name, place in places.items() if place is not None}))
 
     def anchors(self) -> dict[str, Diagnostic]:
         """Return the place of everything that a finding of an engine can be about."""
@@ -91,17 +94,22 @@ class Judgement(NamedTuple):
 
 
 def judged(
-    seen: LintedTarget, only: Sequence[str] = (), find_mesh: Callable[[str], str | None] | None = None
+    seen: LintedTarget,
+    only: Sequence[str] = (),
+    find_mesh: Callable[[str], str | None] | None = None,
+    given: TaskFile | None = None,
 ) -> Judgement:
     """Return the judgement on a linted robot; on all its controllers, or on those with some names.
 
-    `find_mesh` returns the path of a mesh, or None; without it the meshes are unknown.
+    `find_mesh` returns the path of a mesh, or None; without it the meshes are unknown. `given` holds the user's tasks.
     """
     project = seen.project
     cycle = cycle_of(seen)
     rate = _rate(project, cycle.ros)
     robot = project.robot if cycle.spawned and project.complete and not project.library else None
     mechanism = mechanism_of(robot) if robot else None
+    if mechanism is not None and given is not None:
+        mechanism = given.started(mechanism)
     tasks = _tasks(cycle)
     elsewhere = None if cycle.ways else _link_elsewhere(project)
     troubles = [] if elsewhere else list(cycle.troubles)
@@ -127,6 +135,7 @@ def judged(
         troubles=tuple(troubles),
         only=tuple(only),
         part_of=elsewhere or "",
+        given=given,
     )
 
 

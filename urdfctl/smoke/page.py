@@ -123,6 +123,7 @@ _QUANTITIES = {
     "position": "position in rad or m",
     "velocity": "velocity in rad/s or m/s",
     "ahead": "distance forward in m",
+    "distance": "distance from the start in m",
     "yaw": "turn left in rad",
 }
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from urdfctl.smoke.assignments import Assignment
 from urdfctl.smoke.mechanism import Mechanism
 from urdfctl.smoke.results import Curve, Trouble
 from urdfctl.smoke.tasks import Task
@@ -25,7 +26,8 @@ class Plan(NamedTuple):
     controllers, in Hz. `fixed` is whether the root link is fixed to the world. `shapeless` is whether collision
     geometry was left out. `duration` is the time for which each controller moves, in s. `gui` shows a window. `budget`
     is the processor time that the engine may use, in s; then the remaining controllers are not tested. `standing` is
-    the text of the URDF with which a legged robot is put on the ground, or empty.
+    the text of the URDF with which a legged robot is put on the ground, or empty. `assignments` holds what the user
+    asks controllers to do instead of the usual motion.
     """
 
     engine: str
@@ -39,6 +41,7 @@ class Plan(NamedTuple):
     gui: bool = False
     budget: float = BUDGET
     standing: str = ""
+    assignments: tuple[Assignment, ...] = ()
 
     def within(self, seconds: float) -> Plan:
         """Return the plan with a budget: some seconds of processor time, and more for many joints and controllers."""
@@ -48,7 +51,9 @@ class Plan(NamedTuple):
     def from_json(cls, data: dict[str, Any]) -> Plan:
         """Return the plan that plain data holds."""
         mechanism = Mechanism.from_json(data["mechanism"])
-        return cls(**{**data, "mechanism": mechanism, "tasks": tuple(map(Task.from_json, data["tasks"]))})
+        tasks = tuple(map(Task.from_json, data["tasks"]))
+        assignments = tuple(map(Assignment.from_json, data["assignments"]))
+        return cls(**{**data, "mechanism": mechanism, "tasks": tasks, "assignments": assignments})
 
     def to_json(self) -> dict[str, Any]:
         """Return the plan as plain data."""

@@ -56,6 +56,9 @@ def plan_of(
         duration=duration,
         gui=gui,
         standing=on_ground(standing=True).urdf if legged else "",
+        assignments=tuple(each for each in judgement.given.assignments if judgement.wants(each.controller))
+        if judgement.given
+        else (),
     )
     return plan, _left_out(ready) if drives else _left_out(ready._replace(left_out=ready.broken))
 

@@ -10,6 +10,7 @@ from urdfctl.rules.smoke.mimic_not_kept import mimic_not_kept
 from urdfctl.rules.smoke.robot_tips_over import robot_tips_over
 from urdfctl.rules.smoke.simulation_explodes import simulation_explodes
 from urdfctl.rules.smoke.wheel_off_the_ground import wheel_off_the_ground
+from urdfctl.smoke.assignments import Assignment
 from urdfctl.smoke.checks import MIMIC, Track, joint_troubles, together_troubles
 from urdfctl.smoke.driving import driven, rolled, wheels_of_drives
 from urdfctl.smoke.engines import STEP, Engine, Refused, Setup, open_engine
@@ -17,6 +18,7 @@ from urdfctl.smoke.ground import TIPPED
 from urdfctl.smoke.groups import groups_of, is_motor
 from urdfctl.smoke.loads import gravity_load, moved_inertias
 from urdfctl.smoke.motions import FREELY, Goal, Loop, goal_of, hold, motion_of
+from urdfctl.smoke.performing import performed
 from urdfctl.smoke.plan import Plan, Tried
 from urdfctl.smoke.results import ROBOT, Curve, Trouble, trouble_of
 from urdfctl.smoke.simulation import Exploded, OutOfTime, Simulation, Tipped
@@ -40,6 +42,7 @@ ACTS = {
     "follows": ("started", "moved", "followed", "held"),
     "drives": ("started", "drove", "turned"),
     "rolls": ("started", "turned its wheels"),
+    "performs": ("started", "performed its task"),
 }
 """What a controller was seen to do."""
 
@@ -163,9 +166,12 @@ class Trial:
         try:
             if not self._settled():
                 return
-            for group in groups_of(self._plan.tasks, self._plan.mechanism, fixed=self._plan.fixed):
+            given = {assignment.controller: assignment for assignment in self._plan.assignments}
+            usual = [task for task in self._plan.tasks if task.controller not in given]
+            own = [[task] for task in self._plan.tasks if task.controller in given]
+            for group in (*groups_of(usual, self._plan.mechanism, fixed=self._plan.fixed), *own):
                 began = time.process_time()
-                self._run([task for task in group if self._can_run(task)])
+                self._run([task for task in group if self._can_run(task)], given.get(group[0].controller))
                 took = (time.process_time() - began) / len(group)
                 self.times |= {task.controller: took for task in group}
                 seen(self.result())
@@ -232,12 +238,15 @@ class Trial:
             return True
         return False
 
-    def _run(self, tasks: Sequence[Task]) -> None:
-        """Test some controllers at the same time."""
+    def _run(self, tasks: Sequence[Task], assignment: Assignment | None = None) -> None:
+        """Test some controllers at the same time, or one with a task of the user."""
         if not tasks:
             return
         try:
-            judged = self._drive(tasks[0]) if tasks[0].base else self._move(tasks)
+            if assignment:
+                judged = self._perform(tasks[0], assignment)
+            else:
+                judged = self._drive(tasks[0]) if tasks[0].base else self._move(tasks)
         except Exploded:
             for name in (task.controller for task in tasks):
                 when = f" while controller '{name}' moves its joints"
@@ -252,8 +261,16 @@ class Trial:
         for task in tasks if judged else ():
             self.moved.append(task.controller)
             loop = task.family in (Family.POSITION_PID, Family.TRAJECTORY) or task.interface == "position"
+            own = "performs" if assignment else ""
             of_base = "drives" if task.drive else "rolls" if task.rolling else ""
-            self.acts[task.controller] = of_base or ("follows" if loop else "moves")
+            self.acts[task.controller] = own or of_base or ("follows" if loop else "moves")
+
+    def _perform(self, task: Task, assignment: Assignment) -> bool:
+        """Let a controller perform a task of the user."""
+        result = performed(self._simulation, task, assignment)
+        self.troubles += result.troubles
+        self.curves += result.curves
+        return True
 
     def _drive(self, task: Task) -> bool:
         """Drive a mobile base."""

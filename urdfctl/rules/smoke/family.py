@@ -47,6 +47,7 @@ from urdfctl.rules.smoke.robot_tips_over import robot_tips_over
 from urdfctl.rules.smoke.simulation_explodes import simulation_explodes
 from urdfctl.rules.smoke.steering_range_too_small import steering_range_too_small
 from urdfctl.rules.smoke.steering_turns_backwards import steering_turns_backwards
+from urdfctl.rules.smoke.task_not_performed import task_not_performed
 from urdfctl.rules.smoke.verdict_depends_on_distro import verdict_depends_on_distro
 from urdfctl.rules.smoke.wheel_cannot_roll import wheel_cannot_roll
 from urdfctl.rules.smoke.wheel_in_the_wrong_place import wheel_in_the_wrong_place
@@ -107,4 +108,5 @@ RULES: tuple[Rule, ...] = (
     joint_without_range,
     links_overlap,
     verdict_depends_on_distro,
+    task_not_performed,
 )
