@@ -85,6 +85,18 @@ def test_damping_is_stable_for_the_lightest_load_at_the_update_rate() -> None:
         assert gains.d / 0.01 / rate * 6 <= 0.51
 
 
+def test_fingers_grip_with_their_effort_within_their_range_and_stay_stable() -> None:
+    finger = JointFacts(
+        "finger", "prismatic", lower=0.0, upper=0.04, effort=20.0, inertia=0.05, load=Load(0.0, 0.05, 0.05)
+    )
+    grip = starting_gains(finger, "position", "effort", Loop(0.001, grips=True))
+    assert grip.p * 0.25 * 0.04 == pytest.approx(20.0)
+    assert grip.d * 0.001 <= 0.5 * 0.05
+    strong = starting_gains(finger._replace(effort=2000.0), "position", "effort", Loop(0.001, grips=True))
+    assert strong.d * 0.001 <= 0.5 * 0.05
+    assert "update rate" in strong.how
+
+
 @pytest.mark.parametrize(("kind", "distro"), [("trajectory", "jazzy"), ("pid", "rolling"), ("position", "noetic")])
 def test_generated_gains_pass_the_smoke_test(kind: str, distro: str, folder: Folder) -> None:
     folder.write({"r.urdf": ARM})

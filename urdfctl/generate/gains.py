@@ -19,6 +19,8 @@ _DAMPING, _LEAST_DAMPING = 1.0, 0.35
 """The damping ratio of the loop, and the least one if the update rate limits the damping."""
 _PER_UPDATE = 0.5
 """The part of its velocity that damping may take from the lightest load in one update, for all joints together."""
+_GRIP_AT, _GRIP_PART = 0.1, 0.25
+"""The error, in rad or as a part of the range of a prismatic joint, at which fingers grip with the effort limit."""
 _LAG = 0.1
 """The time, in s, by which the joint's own damping may delay it."""
 _INTEGRAL = 1.0
@@ -29,10 +31,14 @@ _DIGITS = 3
 
 
 class Loop(NamedTuple):
-    """The loop that a joint is in: `period` of the updates in s, and the number of `joints` in it."""
+    """The loop that a joint is in: `period` of the updates in s, and the number of `joints` in it.
+
+    `grips`: it closes fingers, which never reach the position that they are sent to.
+    """
 
     period: float = 0.01
     joints: int = 1
+    grips: bool = False
 
 
 class Gains(NamedTuple):
@@ -50,7 +56,8 @@ def starting_gains(joint: JointFacts, asked: str, commanded: str, loop: Loop | N
 
     For an inertia J and effort commands, p = J w^2 for a position, and p = J w for a velocity, where w is 2 Hz. p is
     greater if the weight in the worst pose would bend the joint by more than 0.03, and then the integral part holds
-    the weight. The effort limit at an error of 0.05 is never exceeded. d damps the heaviest load, as far as the
+    the weight. The effort limit at an error of 0.05 is never exceeded, except by fingers: theirs is reached at a quarter
+    of their range, so that they grip. d damps the heaviest load, as far as the
     lightest one stays stable at the update rate. If J is unknown, p reaches the effort limit at an error of 0.2.
     """
     listed = dict(joint.gains)
@@ -84,9 +91,11 @@ def _of_position(joint: JointFacts, load: Load, loop: Loop, mass: str) -> Gains:
         f"weight of {load.gravity:.3g} {unit}": held / _SAG,
         "damping of the joint": joint.damping / _LAG,
     }
+    if loop.grips and joint.effort:
+        wanted["grip at the effort limit"] = joint.effort / _grip_error(joint)
     how, p = max(wanted.items(), key=lambda item: item[1])
     limit = joint.effort / (_STIFFEST if held or joint.damping else _FULL_EFFORT_AT) if joint.effort else None
-    if limit and p > limit:
+    if limit and p > limit and not loop.grips:
         p, how = limit, "effort limit"
     d = max(0.0, 2 * _DAMPING * math.sqrt(p * load.heaviest) - joint.damping)
     most = _most_damping(load, loop)
@@ -105,6 +114,13 @@ def _of_position(joint: JointFacts, load: Load, loop: Loop, mass: str) -> Gains:
         how=f"{_START}, from the {how}{note}",
         i_clamp=_short(clamp) if holds else None,
     )
+
+
+def _grip_error(joint: JointFacts) -> float:
+    if not joint.slides:
+        return _GRIP_AT
+    known = joint.lower is not None and joint.upper is not None and joint.lower < joint.upper
+    return _GRIP_PART * ((joint.upper or 0.0) - (joint.lower or 0.0) if known else _GRIP_AT)
 
 
 def _too_weak(joint: JointFacts, load: Load) -> bool:

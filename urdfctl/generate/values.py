@@ -73,7 +73,8 @@ def answer(name: str, task: Task, joint: JointFacts | None) -> Answer | Left:
 
 def gains(task: Task, joint: JointFacts) -> Gains:
     """Return the gains of a joint, from the controller's reference and its command interface."""
-    return starting_gains(joint, reference(task), task.interface, Loop(1 / rate_of(task), len(task.joints)))
+    loop = Loop(1 / rate_of(task), len(task.joints), grips=task.kind == "gripper")
+    return starting_gains(joint, reference(task), task.interface, loop)
 
 
 def rate_of(task: Task) -> int:
@@ -108,14 +109,14 @@ def _gain(letter: str) -> Callable[[Task, JointFacts], Answer | Left]:
     return found
 
 
-def _tolerance(part: float) -> Callable[[Task, JointFacts], Answer | Left]:
-    """A part of a joint's range, as a tolerance of its position."""
+def _tolerance(part: float, least: float = 0.0) -> Callable[[Task, JointFacts], Answer | Left]:
+    """A part of a joint's range, or of a radian, as a tolerance of its position; at least some of it, in m."""
 
     def found(task: Task, joint: JointFacts) -> Answer | Left:
         del task
         if joint.slides:
             span = (joint.upper - joint.lower) if joint.lower is not None and joint.upper is not None else 0.1
-            return Answer(float(f"{max(span, 0.01) * part:.2g}"), "m")
+            return Answer(float(f"{max(max(span, 0.01) * part, least):.2g}"), "m")
         return Answer(part, "rad")
 
     return found
@@ -274,6 +275,7 @@ _OF_JOINT: Mapping[str, Callable[[Task, JointFacts], Answer | Left]] = {
     "i": _gain("i"),
     "d": _gain("d"),
     "path_tolerance": _tolerance(0.2),
+    "grip_tolerance": _tolerance(0.05, least=0.001),
     "goal_tolerance": _tolerance(0.05),
     "i_clamp": _gain("i_clamp"),
     "i_clamp_max": _bound(1.0),
