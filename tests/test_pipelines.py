@@ -18,6 +18,7 @@ from typing import Any
 import pytest
 import yaml
 from folder import CHECKOUT, Folder, environment
+from smoking_engines import needs_an_engine
 
 SOUND = """\
 <robot name="arm">
@@ -32,6 +33,38 @@ SOUND = """\
 """
 BROKEN = SOUND.replace('type="revolute"', 'type="sideways"')
 SLIP = SOUND.replace('type="revolute"', 'type="Revolute"')
+CONTROLLED = """\
+<robot name="arm">
+  <link name="world"/>
+  <link name="tip">
+    <inertial>
+      <origin xyz="0.5 0 0"/><mass value="2"/><inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/>
+    </inertial>
+  </link>
+  <joint name="elbow" type="revolute">
+    <parent link="world"/><child link="tip"/><axis xyz="0 1 0"/>
+    <limit lower="-1" upper="1" effort="50" velocity="2"/>
+  </joint>
+  <ros2_control name="arm" type="system">
+    <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+    <joint name="elbow">
+      <command_interface name="effort"/><state_interface name="position"/><state_interface name="velocity"/>
+    </joint>
+  </ros2_control>
+</robot>
+"""
+CONTROLLERS = """\
+controller_manager:
+  ros__parameters:
+    update_rate: 500
+    mover: {type: joint_trajectory_controller/JointTrajectoryController}
+mover:
+  ros__parameters:
+    joints: [elbow]
+    command_interfaces: [effort]
+    state_interfaces: [position, velocity]
+    gains: {elbow: {p: 300.0, i: 20.0, d: 20.0}}
+"""
 HOOKS = yaml.safe_load((CHECKOUT / ".pre-commit-hooks.yaml").read_text(encoding="utf-8"))
 BIN = Path(sys.executable).parent
 needs_bash = pytest.mark.skipif(shutil.which("bash") is None, reason="bash is not here")
@@ -128,6 +161,18 @@ def test_the_fix_hook_mends_and_stops_the_commit_for_a_look(folder: Folder) -> N
 
 
 @needs_command
+def test_the_smoke_hook_stops_a_commit_of_a_robot_that_is_too_weak(folder: Folder) -> None:
+    args = ["--engine", "none", "--distro", "jazzy", "--controllers", "arm.yaml", "."]
+    weak = {"arm.urdf": CONTROLLED.replace('effort="50"', 'effort="1"'), "arm.yaml": CONTROLLERS}
+    repository(folder, weak, [installed("urdfctl-smoke", args=args)])
+    ran = pre_commit(folder)
+    assert (ran.returncode, "error UC915" in ran.stdout) == (1, True), ran.stdout
+    folder.write({"arm.urdf": CONTROLLED})
+    run("git", "add", ".")
+    assert pre_commit(folder).returncode == 0
+
+
+@needs_command
 def test_the_generate_hook_stops_where_the_controllers_file_is_stale(folder: Folder) -> None:
     folder.write({"arm.urdf": SOUND})
     args = ["arm.urdf", "--type", "trajectory", "-o", "arm.yaml"]
@@ -221,16 +266,17 @@ def test_the_action_passes_where_nothing_is_found_and_obeys_its_inputs(folder: F
 
 @needs_bash
 @needs_command
-@pytest.mark.parametrize("field", sorted(ACTION["inputs"].keys() - {"upload"}))
+@pytest.mark.parametrize("field", sorted(ACTION["inputs"].keys() - {"upload", "smoke"}))
 @pytest.mark.parametrize(
     "text", ["$(touch pwned)", "`touch pwned`", "; touch pwned", '"; touch pwned; "', "a\n$(touch pwned)"]
 )
 def test_no_input_of_the_action_runs_as_a_command(folder: Folder, field: str, text: str) -> None:
     folder.write({"arm.urdf": SOUND})
     of_diff = {"diff": "arm.urdf"} if field.startswith("diff") else {}
-    ran = step("Diff" if of_diff else "Lint", folder, **{**of_diff, field: text})
+    name = "Diff" if of_diff else "Smoke" if field.startswith("smoke") else "Lint"
+    ran = step(name, folder, **{**of_diff, field: text})
     assert not (folder.path / "pwned").exists()
-    assert ran.returncode == 2 or field == "sarif"
+    assert ran.returncode == 2 or field in ("sarif", "smoke-report")
 
 
 @needs_bash
@@ -245,6 +291,21 @@ def test_the_action_adds_what_changed_to_the_summary(folder: Folder) -> None:
     ran = step("Diff", folder, diff="arm.urdf", **{"diff-fail-on": "other"})
     assert ran.returncode == 1, ran.stderr
     assert "| other | `@version` |  | `1.1` |" in (folder.path / "summary.md").read_text()
+
+
+@needs_bash
+@needs_command
+def test_the_action_smoke_tests_the_robots_and_writes_junit(folder: Folder) -> None:
+    folder.write({"weak/arm.urdf": CONTROLLED.replace('effort="50"', 'effort="1"'), "weak/arm.yaml": CONTROLLERS})
+    folder.write({"sound/arm.urdf": CONTROLLED, "sound/arm.yaml": CONTROLLERS})
+    inputs = {"distro": "jazzy", "smoke-options": "--engine none --controllers weak/arm.yaml"}
+    ran = step("Smoke", folder, paths="weak\n", **inputs)
+    assert ran.returncode == 1, ran.stderr
+    assert "::error file=weak/arm.urdf,line=" in ran.stdout
+    assert "needs 9.81 N m" in (folder.path / "urdfctl-smoke.xml").read_text()
+    assert (folder.path / "output").read_text() == "report=urdfctl-smoke.xml\n"
+    inputs["smoke-options"] = "--engine none --controllers sound/arm.yaml"
+    assert step("Smoke", folder, paths="sound\n", **inputs).returncode == 0
 
 
 @online
@@ -271,6 +332,18 @@ def test_gitlabs_job_writes_the_reports_that_it_names(folder: Folder) -> None:
     reports = job["artifacts"]["reports"]
     assert [issue["check_name"][:5] for issue in json.loads(Path(reports["codequality"]).read_text())] == ["UC121"]
     assert "UC121" in Path(reports["junit"]).read_text()
+
+
+@needs_bash
+@needs_command
+@needs_an_engine
+def test_gitlabs_job_smoke_tests_the_robots_of_a_folder(folder: Folder) -> None:
+    folder.write({"arm.urdf": CONTROLLED, "arm.yaml": CONTROLLERS})
+    job = yaml.safe_load(snippet("urdfctl-smoke:"))["urdfctl-smoke"]
+    [line] = [line for line in job["script"] if not line.startswith("pip ")]
+    ran = run("bash", "-c", f"{line} --controllers arm.yaml --distro jazzy")
+    assert ran.returncode == 0, ran.stdout
+    assert 'name="mover"' in Path(job["artifacts"]["reports"]["junit"]).read_text()
 
 
 # -- colcon and catkin -----------------------------------------------------------------------------------------------
@@ -304,7 +377,7 @@ STUBS = {
 
 @needs_command
 @pytest.mark.skipif(shutil.which("cmake") is None or shutil.which("ctest") is None, reason="cmake is not here")
-@pytest.mark.parametrize("words", ["ament_add_test", "catkin_run_tests_target"])
+@pytest.mark.parametrize("words", ["ament_add_test(urdfctl\n", '"package" "urdfctl.xml"'])
 def test_the_test_of_a_package_fails_with_its_robot(folder: Folder, words: str) -> None:
     head = "cmake_minimum_required(VERSION 3.10)\nproject(arm NONE)\nenable_testing()\nset(BUILD_TESTING ON)\n"
     lists = f"{head}include(stubs/catkin.cmake)\nset(ament_cmake_test_DIR stubs)\n{snippet(words)}"
@@ -316,6 +389,23 @@ def test_the_test_of_a_package_fails_with_its_robot(folder: Folder, words: str) 
     assert run("ctest", "--test-dir", "build").returncode != 0
     assert "UC121" in (folder.path / "build/test_results/arm/urdfctl.xml").read_text()
     folder.write({"arm.urdf": SOUND})
+    assert run("ctest", "--test-dir", "build").returncode == 0
+
+
+@needs_command
+@pytest.mark.skipif(shutil.which("cmake") is None or shutil.which("ctest") is None, reason="cmake is not here")
+@pytest.mark.parametrize("words", ["ament_add_test(urdfctl_smoke", '"smoke" "urdfctl_smoke.xml"'])
+def test_the_smoke_test_of_a_package_fails_with_its_robot(folder: Folder, words: str) -> None:
+    head = "cmake_minimum_required(VERSION 3.10)\nproject(arm NONE)\nenable_testing()\nset(BUILD_TESTING ON)\n"
+    of_package = snippet(words).replace("smoke .", "smoke . --engine none --controllers arm.yaml --distro jazzy")
+    files = {"arm.urdf": CONTROLLED.replace('effort="50"', 'effort="1"'), "arm.yaml": CONTROLLERS}
+    lists = f"{head}include(stubs/catkin.cmake)\nset(ament_cmake_test_DIR stubs)\n{of_package}"
+    folder.write({**{f"stubs/{name}": text for name, text in STUBS.items()}, "CMakeLists.txt": lists, **files})
+    ran = run("cmake", "-B", "build", "-Dament_cmake_test_DIR=" + str(folder.path / "stubs"), ".")
+    assert ran.returncode == 0, ran.stderr
+    assert run("ctest", "--test-dir", "build").returncode != 0
+    assert "needs 9.81 N m" in (folder.path / "build/test_results/arm/urdfctl_smoke.xml").read_text()
+    folder.write({"arm.urdf": CONTROLLED})
     assert run("ctest", "--test-dir", "build").returncode == 0
 
 
