@@ -41,12 +41,20 @@ def robots_of(words: Sequence[str], config: Config, settings: Settings, selectio
     return [pair for pair in run.targets if id(pair[1]) in known and is_robot(pair[1])]
 
 
-def best_of(pairs: Sequence[Pair], wanted: Callable[[TargetResult], bool] = lambda _: True) -> Pair | None:
-    """Return the robot that says most: complete, with controllers and a launch file; None if none is wanted."""
+def best_of(
+    pairs: Sequence[Pair], wanted: Callable[[TargetResult], bool] = lambda _: True, *, controlled: bool = False
+) -> Pair | None:
+    """Return the robot that says most: complete, with controllers, a launch file, most links; None if none is wanted.
+
+    controlled: whether controllers count more than that every part could be expanded.
+    """
     found = [pair for pair in pairs if wanted(pair[1])]
-    return max(found, key=lambda pair: _weight(pair[1]), default=None)
+    return max(found, key=lambda pair: _weight(pair[1], controlled=controlled), default=None)
 
 
-def _weight(result: TargetResult) -> tuple[bool, ...]:
+def _weight(result: TargetResult, *, controlled: bool) -> tuple[int, ...]:
     started = result.bringup is not None and bool(result.bringup.spawned)
-    return not result.library, result.complete, bool(result.controllers), started, result.launch is not None
+    first, second = result.complete, bool(result.controllers)
+    if controlled:
+        first, second = second, first
+    return not result.library, first, second, started, result.launch is not None, result.links or 0

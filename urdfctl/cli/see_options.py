@@ -1,11 +1,11 @@
-"""Options of the commands that show a robot: why and diff. Annotations are evaluated here; see options.py."""
+"""Options of the commands that show a robot: why, diff and graph. Annotations are evaluated here; see options.py."""
 
 from dataclasses import dataclass
 from typing import Annotated
 
 import typer
 
-from urdfctl.cli.options import ReadingOptions, TargetOptions
+from urdfctl.cli.options import Paths, ReadingOptions, TargetOptions
 
 
 @dataclass(kw_only=True)
@@ -58,4 +58,34 @@ class DiffOptions(ReadingOptions):
     fail_on: Annotated[
         str | None,
         typer.Option(help="Exit with status 1 on changes in these areas, e.g. limits,joints,interfaces; or any."),
+    ] = None
+
+
+@dataclass(kw_only=True)
+class GraphOptions(TargetOptions):
+    """Draw what is wired to what: topics, controllers, interfaces, hardware and joints, with lint's errors in red.
+
+    \b
+    Example: urdfctl graph launch/bringup.launch.py --format html=graph.html
+    """
+
+    paths: Paths = None
+    formats: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--format", help="Output format: mermaid, dot, svg, html or json. FORMAT=FILE writes a file. Repeatable."
+        ),
+    ] = None
+    focus: Annotated[
+        list[str] | None, typer.Option(help="Show only what leads to this joint, controller or topic, or away from it.")
+    ] = None
+    collapse: Annotated[
+        bool | None,
+        typer.Option(
+            "--collapse/--no-collapse",
+            help="Show joints with the same wiring as one. Default: with more than 30 joints, except in json.",
+        ),
+    ] = None
+    start: Annotated[
+        str | None, typer.Option(help="Controllers that are started together, in this order: NAME,NAME, or all.")
     ] = None

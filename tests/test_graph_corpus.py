@@ -1,0 +1,127 @@
+"""The edges of the graph are what lint and smoke compute, for the robots of the corpus that have controllers."""
+
+from __future__ import annotations
+
+import time
+from typing import Any
+
+import pytest
+from corpus import CORPUS, needs_corpus, roots
+from jsonschema import Draft202012Validator
+from sampling import sample
+from test_graph import SCHEMA
+
+from urdfctl.config.settings import Settings
+from urdfctl.control.chains import chained_claims
+from urdfctl.control.hardware import Kind
+from urdfctl.control.session import session_of
+from urdfctl.diagnostic import Diagnostic, Severity
+from urdfctl.graph.build import graph_of
+from urdfctl.graph.parts import Graph
+from urdfctl.graph.svg import svg
+from urdfctl.graph.text_formats import dot, mermaid
+from urdfctl.graph.view import collapsed
+from urdfctl.lint.selection import Selection
+from urdfctl.lint.target import lint_target
+from urdfctl.load.loader import Loader
+from urdfctl.load.target import Target
+from urdfctl.model.project import Project
+
+CONTROLLED = [root for root in roots() if root["controllers"]]
+
+
+def drawn(root: dict[str, Any]) -> tuple[Graph, list[Diagnostic], Project]:
+    """The graph of a robot, and lint's errors."""
+    arguments = tuple((name, str(value)) for name, value in (root.get("args") or {}).items())
+    files = tuple(str(CORPUS / path) for path in root["controllers"])
+    linted = lint_target(
+        Loader(Settings()), Target(str(CORPUS / root["path"]), arguments, controllers=files), Selection()
+    )
+    findings = linted.result.outcome.diagnostics
+    errors = [finding for finding in findings if finding.severity is Severity.ERROR]
+    return graph_of(linted.project, findings), errors, linted.project
+
+
+def claims_in(graph: Graph) -> set[tuple[str, str, str]]:
+    names = {node.id: node.name for node in graph.nodes}
+    commands = {(names[edge.source], "command", names[edge.target]) for edge in graph.edges if edge.kind == "claims"}
+    return commands | {
+        (names[edge.target], "state", names[edge.source]) for edge in graph.edges if edge.kind == "reads"
+    }
+
+
+@needs_corpus
+@pytest.mark.parametrize("root", sample(CONTROLLED, 12), ids=lambda root: root["id"])
+def test_the_edges_of_the_graph_are_the_claims_of_the_controllers(root: dict[str, Any]) -> None:
+    graph, _, project = drawn(root)
+    session = session_of(project, graph.distro)
+    claimed = {
+        (each.controller.full_name.replace("\ue000", "?"), kind.value, claim.name.replace("\ue000", "?"))
+        for each in session.controllers
+        for kind in Kind
+        for claim in each.claimed(kind)
+    }
+    assert claims_in(graph) == claimed
+    offered = {
+        (kind.value, f"{offer.component}/{offer.interface}")
+        for kind in Kind
+        for offers in session.hardware.offers(kind).values()
+        for offer in offers
+    }
+    interfaces = {(node.kind, node.name) for node in graph.nodes if node.kind in ("command", "state")}
+    assert interfaces == offered | {(kind, name) for _, kind, name in claimed}
+    chained = {one.claim.name for each in session.controllers for one in chained_claims(session, each)}
+    joined = {edge.source for edge in graph.edges if edge.kind == "commands" and edge.source.startswith("command:")}
+    assert joined <= {f"command:{name}" for name in chained}
+    Draft202012Validator(SCHEMA).validate(graph.to_json())
+    for one in (graph, collapsed(graph)):
+        assert all(function(one) for function in (mermaid, dot, svg))
+
+
+@needs_corpus
+@pytest.mark.parametrize("root", sample(CONTROLLED, 12), ids=lambda root: root["id"])
+def test_the_rules_on_edges_are_the_errors_of_lint_at_their_claims(root: dict[str, Any]) -> None:
+    graph, errors, project = drawn(root)
+    assert {rule for edge in graph.edges for rule in edge.rules} <= {error.code for error in errors}
+    on_edge = {
+        (edge.source.partition(":")[2], edge.target): edge.rules for edge in graph.edges if edge.kind == "claims"
+    }
+    for each in session_of(project, graph.distro).controllers:
+        for claim in each.claims.command:
+            value = each.controller.parameters.value(claim.parameter or "")
+            at = value.items[claim.element].at.span if value and claim.element is not None else None
+            codes = {e.code for e in errors if at and (e.at.file, e.at.start) == (at.file, at.start)}
+            codes = {
+                code for code in codes if any(f"'{claim.component}'" in e.message for e in errors if e.code == code)
+            }
+            assert codes <= set(on_edge[each.controller.full_name, f"command:{claim.name}"])
+
+
+def test_two_hundred_joints_are_drawn_in_less_than_half_a_second(tmp_path: Any) -> None:
+    joints = "".join(
+        f'<link name="l{n}"/><joint name="j{n}" type="revolute"><parent link="l{max(n - 1, 0)}"/><child link="l{n}"/>'
+        '<limit lower="-1" upper="1" effort="1" velocity="1"/></joint>'
+        for n in range(1, 201)
+    )
+    parts = "".join(
+        f'<joint name="j{n}"><command_interface name="position"/><state_interface name="position"/></joint>'
+        for n in range(1, 201)
+    )
+    plugin = "<hardware><plugin>mock_components/GenericSystem</plugin></hardware>"
+    control = f'<ros2_control name="hw" type="system">{plugin}{parts}</ros2_control>'
+    (tmp_path / "r.urdf").write_text(f'<robot name="r"><link name="l0"/>{joints}{control}</robot>')
+    (tmp_path / "c.yaml").write_text(
+        "controller_manager: {ros__parameters: {arm: {type: joint_trajectory_controller/JointTrajectoryController}}}\n"
+        f"arm: {{ros__parameters: {{joints: [{', '.join(f'j{n}' for n in range(1, 201))}], "
+        "command_interfaces: [position], state_interfaces: [position]}}\n"
+    )
+    target = Target(str(tmp_path / "r.urdf"), controllers=(str(tmp_path / "c.yaml"),))
+    linted = lint_target(Loader(Settings(distro="jazzy")), target, Selection(select=("UC4",)))
+    start = time.process_time()
+    graph = graph_of(linted.project, linted.result.outcome.diagnostics)
+    for draw in (mermaid, dot, svg):
+        assert len(draw(graph)) > 10_000
+        draw(collapsed(graph))
+    assert time.process_time() - start < 0.5
+    assert len([edge for edge in graph.edges if edge.kind == "claims"]) == 200
+    assert len(collapsed(graph).nodes) < 12
