@@ -147,6 +147,16 @@ def test_what_migrate_cannot_do_is_said_in_one_line(folder: Folder, words: list[
     assert told in ran.stderr
 
 
+def test_errors_that_only_the_target_has_are_in_the_report(folder: Folder) -> None:
+    unknown = ROBOT.replace(
+        "</ros2_control>", '<joint name="ghost"><state_interface name="position"/></joint></ros2_control>'
+    )
+    folder.write({**FILES, "arm/urdf/arm.urdf.xacro": unknown})
+    folder.run("migrate", "arm", "--from", "humble", "--to", "jazzy", "--report", "report.json")
+    left = json.loads((folder.path / "report.json").read_text())["for_you"]
+    assert [entry["message"] for entry in left if "ghost" in entry["message"]]
+
+
 def test_a_change_that_would_cause_a_finding_of_a_new_kind_is_left_out_and_reported(tmp_path: Path) -> None:
     Folder(tmp_path).write(FILES)
 

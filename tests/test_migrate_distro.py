@@ -211,6 +211,13 @@ def test_every_name_that_replaces_another_has_an_authority_and_a_distro() -> Non
     assert all(moves.authority and moves.since in ROS2 and moves.names for moves in name_moves())
 
 
+def test_the_new_names_of_hardware_are_those_of_the_catalogue() -> None:
+    renamed = [(old, new, moves.since) for moves in name_moves() for old, new in moves.names.items()]
+    known = [(CATALOG.hardware_replacement(old, since), new) for old, new, since in renamed if "/" in old]
+    assert len(known) > 2
+    assert all(replacement == new for replacement, new in known)
+
+
 def test_the_table_lists_what_lies_between_two_distros(folder: Folder) -> None:
     listed = folder.run("migrate", "--list", "--from", "jazzy", "--to", "lyrical").stdout
     assert "constraints.goal_time" in listed

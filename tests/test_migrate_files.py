@@ -69,6 +69,34 @@ def test_launch_files_in_xml_get_the_topic_and_the_file_of_the_spawner(folder: F
     assert after == wanted.replace("ctl --stopped", f"ctl --inactive --param-file {file}")
 
 
+def test_topics_of_controllers_are_remapped_where_they_are_spawned_from_lyrical_on(folder: Folder) -> None:
+    launch = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+LaunchDescription([
+    Node(
+        package="controller_manager",
+        executable="ros2_control_node",
+        remappings=[("/ctl/cmd_vel", "/cmd_vel"), ("/gone/x", "/x")],
+    ),
+    Node(package="controller_manager", executable="spawner", arguments=["ctl"]),
+])
+"""
+    name = "launch/a.launch.py"
+    after = migrated(folder, {name: launch}, "--to", "lyrical")[name]
+    assert 'arguments=["ctl", "--controller-ros-args", "-r /ctl/cmd_vel:=/cmd_vel"]' in after
+    assert 'remappings=[("/gone/x", "/x")]' in after
+    assert "# TODO(urdfctl): remap '/gone/x' by --controller-ros-args of the spawner of 'gone'" in after
+    assert migrated(folder, {name: launch}, "--to", "kilted")[name] == launch
+
+
+def test_the_environment_of_hooks_is_renamed(folder: Folder) -> None:
+    hook = "prepend-non-duplicate;IGN_GAZEBO_RESOURCE_PATH;share\n# IGN_GAZEBO_RESOURCE_PATH\n"
+    after = migrated(folder, {"hooks/arm.dsv.in": hook}, "--to", "jazzy")["hooks/arm.dsv.in"]
+    assert after == hook.replace("IGN_GAZEBO_RESOURCE_PATH", "GZ_SIM_RESOURCE_PATH", 1)
+
+
 def test_planning_pipelines_get_lists_of_the_adapters_of_jazzy(folder: Folder) -> None:
     text = """\
 planning_plugin: ompl_interface/OMPLPlanner

@@ -136,7 +136,8 @@ def _finish(result: Migration, scratch: Scratch, options: MigrateOptions, wishes
     else:
         print_bytes(patch(result.changes))
     report = options.report or (os.path.join(options.output or base, REPORT) if is_written else None)
-    if report is not None and result.lines:
+    is_reported = report is not None and bool(result.changes or (options.report and result.lines))
+    if report is not None and is_reported:
         render = as_json if report.endswith(".json") else as_markdown
         write_file(report, render(result.lines, wishes.source, wishes.target, base), force=True)
     counts = {kind: sum(line.kind is kind for line in result.lines) for kind in EntryKind}
@@ -144,7 +145,7 @@ def _finish(result: Migration, scratch: Scratch, options: MigrateOptions, wishes
     files = f"{len(result.changes)} file{'s' * (len(result.changes) != 1)}"
     print_message(
         f"{verb} {files}; {counts[EntryKind.DONE]} done, {counts[EntryKind.DECIDED]} decided, "
-        f"{counts[EntryKind.FOR_YOU]} for you{f' (see {report})' if report and result.changes else ''}"
+        f"{counts[EntryKind.FOR_YOU]} for you{f' (see {report})' if is_reported else ''}"
     )
     return int(bool(result.changes) and not is_written)
 

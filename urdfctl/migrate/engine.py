@@ -6,9 +6,10 @@ import os
 from collections.abc import Iterable, Iterator, Sequence
 
 from urdfctl.config.settings import Settings
+from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.fix.edits import Change, Shift, Splice, Taken, edited
 from urdfctl.migrate.acceptance import Before, Objection, before, objections
-from urdfctl.migrate.packages import Lint, Packages
+from urdfctl.migrate.packages import Lint, Linted, Packages
 from urdfctl.migrate.report import ReportLine
 from urdfctl.migrate.scratch import Scratch, bytes_of
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Step
@@ -45,8 +46,22 @@ def migrate(scratch: Scratch, wishes: Wishes, settings: Settings, lint: Lint, st
     state = before(source, target, packages.loaded())
     trials = _Trials(packages, wanted, state, lint, settings)
     attempt, found = trials.best()
-    lines = attempt.lines(found) if scratch.changes() or attempt.barred else ()
+    lines = [*attempt.lines(found), *_left(scratch, source, attempt)] if scratch.changes() or attempt.barred else []
     return Migration(scratch.changes(), tuple(lines))
+
+
+def _left(scratch: Scratch, source: Linted, attempt: _Attempt) -> Iterator[ReportLine]:
+    """Yield a line for each error that lint finds for the target, and did not find for the distro to migrate from."""
+    known, errors = _errors(source), _errors(attempt.linted)
+    for finding in (errors[key] for key in errors if key not in known):
+        message = scratch.shown(f"lint finds {finding.code}: {finding.message}")
+        yield ReportLine(EntryKind.FOR_YOU, message, "", scratch.real(finding.at.file), finding.at.line)
+
+
+def _errors(linted: Linted) -> dict[tuple[str, str, str], Diagnostic]:
+    """The errors, by what identifies them although their lines move."""
+    found = (finding for _, result in linted for finding in result.outcome.diagnostics)
+    return {(one.code, one.at.file, one.message): one for one in found if one.severity is Severity.ERROR}
 
 
 def _is_wanted(step: Step, packages: Packages) -> bool:
@@ -140,12 +155,14 @@ class _Attempt:
     """One application of all steps.
 
     touched: the steps with the files that they changed, in order, by name and real path.
+    linted: the findings for the target afterwards; empty if nothing changed.
     """
 
     def __init__(self, packages: Packages, barred: Barred) -> None:
         self.packages = packages
         self.barred = barred
         self.touched: dict[tuple[str, str], None] = {}
+        self.linted: Linted = ()
         self._claims: dict[str, frozenset[str]] = {}
         self._moved: frozenset[str] = frozenset()
         self._noted: list[_Noted] = []
@@ -214,8 +231,8 @@ class _Attempt:
 
     def judged(self, state: Before, lint: Lint, settings: Settings) -> list[Objection]:
         """Return the objections to what was applied."""
-        linted = lint(settings._replace(distro=self.packages.wishes.target))
-        return list(objections(state, linted, self.packages.loaded(), self._claims, self._moved))
+        self.linted = lint(settings._replace(distro=self.packages.wishes.target))
+        return list(objections(state, self.linted, self.packages.loaded(), self._claims, self._moved))
 
     def lines(self, left: Sequence[Objection]) -> Iterator[ReportLine]:
         """Yield the report's lines, with real paths and the lines of the migrated files.

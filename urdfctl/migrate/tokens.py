@@ -11,6 +11,8 @@ from urdfctl.source.yaml import Mapping, Node, Scalar, read_yaml
 from urdfctl.startup.patterns import lazy_pattern
 
 XML = (".xacro", ".urdf", ".xml", ".launch", ".srdf", ".sdf", ".world", ".gazebo", ".inc", ".trans")
+HOOKS = (".dsv", ".dsv.in", ".sh", ".sh.in", ".bash")
+"""Files that set the environment."""
 _SKIPPED = rb"(?s)<!--.*?(?:-->|\Z)|<\?.*?\?>"
 _TAG = lazy_pattern(rb"<(/?)([A-Za-z_][\w:.-]*)((?:\s+[\w:.-]+\s*=\s*(?:\"[^\"]*\"|'[^']*'))*)\s*/?>")
 _VALUE = lazy_pattern(rb"=\s*(?:\"([^\"]*)\"|'([^']*)')")
@@ -27,6 +29,8 @@ def tokens_in(source: SourceText, element: str = "") -> Iterator[SourceSpan]:
         return _of_python(source)
     if source.path.endswith((".yaml", ".yml")):
         return _of_yaml(source)
+    if source.path.endswith(HOOKS):
+        return _of_lines(source)
     return _of_xml(source) if source.path.endswith(XML) else iter(())
 
 
@@ -54,6 +58,12 @@ def _of_xml(source: SourceText, element: str = "") -> Iterator[SourceSpan]:
             group = 1 if value[1] is not None else 2
             yield SourceSpan(source, value.start(group), value.end(group))
         position = tag.end()
+
+
+def _of_lines(source: SourceText) -> Iterator[SourceSpan]:
+    """The lines of a file of the shell's kind that are no comments."""
+    for line in re.finditer(rb"(?m)^[ \t]*([^#\s].*?)[ \t]*$", source.data):
+        yield SourceSpan(source, line.start(1), line.end(1))
 
 
 def _of_yaml(source: SourceText) -> Iterator[SourceSpan]:

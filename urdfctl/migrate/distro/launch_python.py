@@ -17,6 +17,7 @@ from urdfctl.migrate.wishes import Part
 AUTHORITY_OF_TOPIC = "ros2_control#1358, #1410: the robot description is read from the topic robot_description"
 AUTHORITY_OF_FILE = "ros2_control#1694: parameters given to the controller manager alone do not reach its controllers"
 AUTHORITY_OF_OPTIONS = "controller_manager spawner.py: the options of each distro"
+AUTHORITY_OF_REMAPPING = "ros2_control#3016: remappings of the controller manager do not reach its controllers"
 _WITH_FILE = "spawn controllers that have parameters by a spawner with --param-file FILE"
 _DESCRIPTION = "robot_description"
 _OLD_TOPIC = "~/robot_description"
@@ -48,6 +49,8 @@ class _File:
             if executable == "ros2_control_node" and self.packages.crosses("jazzy"):
                 yield from self._description(call, scope)
                 yield from self._topic(call)
+                if self.packages.crosses("lyrical"):
+                    yield from self._remappings(call)
             elif executable.startswith("spawner"):
                 yield from self._options(call)
                 if self.packages.crosses("jazzy"):
@@ -89,6 +92,35 @@ class _File:
                 edit = self.file.without(call.keywords, given)
             yield Proposal((edit,), entries=(entry,))
             return
+
+    def _remappings(self, call: ast.Call) -> Iterator[Proposal]:
+        """Remap the topics of controllers where they are spawned."""
+        given = keyword(call, "remappings")
+        pairs = given.value.elts if given and isinstance(given.value, ast.List) else []
+        for pair in pairs:
+            texts = [text_of(one) for one in pair.elts] if isinstance(pair, ast.Tuple) else []
+            controller = texts[0].lstrip("/").partition("/")[0] if texts and "/" in texts[0].lstrip("/") else ""
+            if len(texts) != 2 or not all(texts) or controller in ("", "~") or given is None:  # noqa: PLR2004 (a pair)
+                continue
+            what = f"the topic '{texts[0]}' is remapped where its controller is spawned"
+            entry = Entry(EntryKind.DONE, what, self.file.at(pair), authority=AUTHORITY_OF_REMAPPING)
+            arguments = self._arguments_of_spawner(controller)
+            if arguments is None:
+                text = f"remap '{texts[0]}' by --controller-ros-args of the spawner of '{controller}'"
+                yield for_you(self.file.at(pair), text, authority=AUTHORITY_OF_REMAPPING)
+                continue
+            gone = self.file.without(call.keywords, given) if len(pairs) == 1 else self.file.without(pairs, pair)
+            added = self.file.appended(arguments, ['"--controller-ros-args"', f'"-r {texts[0]}:={texts[1]}"'])
+            yield Proposal((gone, added), entries=(entry,))
+            return
+
+    def _arguments_of_spawner(self, controller: str) -> ast.List | None:
+        """The arguments of the spawner that starts a controller."""
+        for call, _ in self.nodes:
+            given = keyword(call, "arguments")
+            if given and isinstance(given.value, ast.List) and controller in map(text_of, given.value.elts):
+                return given.value
+        return None
 
     # -- the spawners --------------------------------------------------------------------------------------------------
 
@@ -166,6 +198,12 @@ LAUNCH_PYTHON = Step(
         Row("manager: parameter robot_description", "topic robot_description", "jazzy", AUTHORITY_OF_TOPIC),
         Row("remapping of ~/robot_description", "remapping of robot_description", "jazzy", AUTHORITY_OF_TOPIC),
         Row("spawner without parameters", "spawner --param-file FILE", "jazzy", AUTHORITY_OF_FILE),
+        Row(
+            "manager: remapping of a controller's topic",
+            "spawner --controller-ros-args",
+            "lyrical",
+            AUTHORITY_OF_REMAPPING,
+        ),
         Row("spawner.py", "spawner", "humble", AUTHORITY_OF_OPTIONS),
         Row("spawner: --stopped", "--inactive", "humble", AUTHORITY_OF_OPTIONS),
     ),

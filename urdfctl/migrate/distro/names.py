@@ -10,13 +10,13 @@ from urdfctl.catalog.moves import Names, name_moves
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
-from urdfctl.migrate.tokens import XML, elements_in, tokens_in
+from urdfctl.migrate.tokens import HOOKS, XML, elements_in, tokens_in
 from urdfctl.migrate.wishes import Part
 from urdfctl.source.files import is_launch
 from urdfctl.source.packages import package_name
 from urdfctl.source.span import Place, SourceSpan, SourceText
 
-_READ = (*XML, ".yaml", ".yml", ".py")
+_READ = (*XML, *HOOKS, ".yaml", ".yml", ".py")
 
 
 def part_of(path: str) -> Part | None:
@@ -24,7 +24,7 @@ def part_of(path: str) -> Part | None:
     name = os.path.basename(path)
     if name in ("package.xml", "CMakeLists.txt", "setup.py", "setup.cfg"):
         return Part.MANIFEST
-    if is_launch(path):
+    if is_launch(path) or name.endswith(HOOKS):
         return Part.LAUNCH
     if name.endswith((".yaml", ".yml")):
         return Part.YAML
