@@ -8,6 +8,7 @@ from generating import command
 
 from urdfctl.cli.generate_measuring import measure_work
 from urdfctl.config.settings import Settings
+from urdfctl.generate.drive_limits import drive_limit
 from urdfctl.generate.facts import JointFacts, Load
 from urdfctl.generate.gains import Loop, starting_gains
 from urdfctl.lint.job import job_for, perform_alone
@@ -104,6 +105,20 @@ def test_generated_gains_pass_the_smoke_test(kind: str, distro: str, folder: Fol
     assert command("gen-all", "r.urdf", *words, "-o", "made").returncode == 0
     ran = command("smoke", "made", "--engine", "pybullet", "--distro", distro, "--format", "text")
     assert ran.returncode == 0, ran.stdout
+
+
+def test_mecanum_wheels_turn_a_robot_slower_than_two_rows_of_wheels() -> None:
+    left, right = (
+        [
+            JointFacts(f"{end}{side}", at=(x, y, 0.0), axis=(0.0, 1.0, 0.0), radius=0.1, velocity=10.0)
+            for end, x in (("f", 0.3), ("r", -0.3))
+        ]
+        for side, y in (("l", 0.2), ("r", -0.2))
+    )
+    rows, mecanum = (drive_limit("turn", left, right, sideways=sideways) for sideways in (False, True))
+    assert rows
+    assert mecanum
+    assert (rows.value, mecanum.value) == (pytest.approx(1.0 / 0.2), pytest.approx(1.0 / 0.5))
 
 
 def test_tolerances_and_limits_come_from_the_robot(folder: Folder) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from urdfctl.generate.facts import JointFacts
-from urdfctl.generate.wheels import across, radius
+from urdfctl.generate.wheels import across, along, radius
 from urdfctl.startup.records import NamedTuple
 
 _IN = 0.5
@@ -25,10 +25,18 @@ class Limit(NamedTuple):
     how: str
 
 
-def drive_limit(kind: str, left: Sequence[JointFacts], right: Sequence[JointFacts]) -> Limit | None:
-    """Return a limit of a drive, or None if the robot does not determine it."""
+def drive_limit(
+    kind: str, left: Sequence[JointFacts], right: Sequence[JointFacts], *, sideways: bool = False
+) -> Limit | None:
+    """Return a limit of a drive, or None if the robot does not determine it.
+
+    sideways: True for mecanum wheels, which turn the robot with the sum of half the track width and half the wheelbase
+    as lever.
+    """
     wheels = (*left, *right)
     wheel, apart = radius(wheels).value, across(left, right).value
+    length = along((left[0], right[0]), (left[-1], right[-1])).value if sideways and left and right else None
+    lever = (apart + (length or 0.0)) / 2 if apart else None
     fastest = [joint.velocity for joint in wheels if joint.velocity]
     if not wheel or not fastest:
         return None
@@ -38,11 +46,11 @@ def drive_limit(kind: str, left: Sequence[JointFacts], right: Sequence[JointFact
     push, why = _push(wheels, wheel, speed)
     if kind == "push":
         return Limit(_short(push), why)
-    if not apart:
+    if not lever:
         return None
     if kind == "turn":
-        return Limit(_short(2 * speed / apart), "both rows of wheels at their velocity limit")
-    return Limit(_short(2 * push / apart), why)
+        return Limit(_short(speed / lever), "both rows of wheels at their velocity limit")
+    return Limit(_short(push / lever), why)
 
 
 def _push(wheels: Sequence[JointFacts], wheel: float, speed: float) -> tuple[float, str]:

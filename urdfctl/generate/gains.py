@@ -56,9 +56,9 @@ def starting_gains(joint: JointFacts, asked: str, commanded: str, loop: Loop | N
 
     For an inertia J and effort commands, p = J w^2 for a position, and p = J w for a velocity, where w is 2 Hz. p is
     greater if the weight in the worst pose would bend the joint by more than 0.03, and then the integral part holds
-    the weight. The effort limit at an error of 0.05 is never exceeded, except by fingers, which reach it at a quarter of
-    their range, so that they grip. d damps the heaviest load, as far as the lightest one stays stable at the update rate.
-    If J is unknown, p reaches the effort limit at an error of 0.2.
+    the weight. The effort limit at an error of 0.05 is never exceeded, except by fingers, which reach it at a quarter
+    of their range, so that they grip. d damps the heaviest load, as far as the lightest one stays stable at the update
+    rate. If J is unknown, p reaches the effort limit at an error of 0.2.
     """
     listed = dict(joint.gains)
     if "p" in listed:

@@ -87,11 +87,12 @@ def type_of(kind: Kind, interfaces: Sequence[str], catalog: Catalog, options: Op
         )
     entries = [catalog.controller(name, options.distro) for name in names]
     available = [entry for entry in entries if entry]
-    if not available and options.group and options.ros == 2:  # noqa: PLR2004 (one controller for all joints anyway)
-        return type_of(kind, interfaces, catalog, options._replace(group=False))
     if not available:
         where = ", ".join(dict.fromkeys(distro for name in names for distro in catalog.distros_of(name)))
-        raise UserError(f"{options.distro} has no '{names[0]}'; it exists in {where}")
+        instead = (
+            "; leave out --group: other types command all joints, too" if options.group and options.ros == 2 else ""
+        )  # noqa: PLR2004
+        raise UserError(f"{options.distro} has no '{names[0]}'; it exists in {where}{instead}")
     return next((entry for entry in available if not entry.deprecated), available[0])
 
 

@@ -324,7 +324,8 @@ def _of_drive(name: str) -> Callable[[Task], Answer | Left]:
     """A limit of a drive: `max_...`, `min_...`, or `true_if_...` if there is one."""
 
     def found(task: Task) -> Answer | Left:
-        limit = drive_limit(name.rpartition("_")[2], task.left, task.right)
+        sideways = task.kind == "mecanum"
+        limit = drive_limit(name.rpartition("_")[2], task.left, task.right, sideways=sideways)
         if limit is None:
             return LEFT_OUT
         if name.startswith("true_if"):
