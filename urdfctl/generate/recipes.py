@@ -89,9 +89,7 @@ def type_of(kind: Kind, interfaces: Sequence[str], catalog: Catalog, options: Op
     available = [entry for entry in entries if entry]
     if not available:
         where = ", ".join(dict.fromkeys(distro for name in names for distro in catalog.distros_of(name)))
-        instead = (
-            "; leave out --group: other types command all joints, too" if options.group and options.ros == 2 else ""
-        )  # noqa: PLR2004
+        instead = "; leave out --group: other types command all joints, too" if options.group else ""
         raise UserError(f"{options.distro} has no '{names[0]}'; it exists in {where}{instead}")
     return next((entry for entry in available if not entry.deprecated), available[0])
 
