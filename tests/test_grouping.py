@@ -134,6 +134,17 @@ def test_meshes_that_are_missing_in_one_folder_are_one_fault_and_in_two_folders_
     assert not other.also
 
 
+def test_files_that_one_package_does_not_install_are_one_fault() -> None:
+    def missing(line: int, file: str, package: str) -> Diagnostic:
+        note = Remark("the package's manifest is here", Location(f"/{package}/package.xml", 1, 1, 1, 1, 0, 0))
+        message = f"'f{line}' is not installed: CMakeLists.txt does not list it"
+        return found(message, line, code="UC615", file=file)._replace(notes=(note,))
+
+    one, other = grouped([missing(1, "/a.launch", "p"), missing(2, "/b.launch", "p"), missing(3, "/c.launch", "q")])
+    assert likewise(one) == "also in /b.launch:2"
+    assert not other.also
+
+
 def test_the_fixes_of_equal_findings_are_one_fix() -> None:
     one, other = fixed(found("tag 'a' has no prefix", 1), "x"), fixed(found("tag 'b' has no prefix", 2), "x")
     [both] = grouped([one, other])
@@ -158,6 +169,9 @@ def test_the_difference_of_two_messages_is_the_first_name_that_differs() -> None
     assert difference("read only in foxy to iron", "read only in humble") == "read only in humble"
     assert difference("not read in rolling", "not read in jazzy") == ""
     assert difference("link 'a' is heavy", "link 'a' is light") == "link 'a' is light"
+    assert difference("no link 'a'; did you mean 'aa'?", "no link 'b'; did you mean 'bb'?") == "'b'"
+    assert difference("no link 'a'; did you mean 'aa'?", "no link 'b'") == "'b'"
+    assert difference("no link 'a'; did you mean 'aa'?", "two links 'b'") == "two links 'b'"
 
 
 def test_a_repeated_name_is_listed_by_its_line() -> None:

@@ -380,12 +380,12 @@ def test_a_mimic_joint_missing_in_ros2_control(arm: Planted) -> None:
         (
             "  ros__parameters:\n    joints",
             "    joints",
-            "joint_trajectory_controller:",
+            '"/**/joint_trajectory_controller":',
             "'ros__parameters:' is missing",
         ),
         ("    update_rate", "\tupdate_rate", "update_rate", "indented with a tab, which YAML does not allow"),
         (f"joints: {JOINTS}", f"joints: !!python/tuple {JOINTS}", "joints: ", "'!!python/tuple' makes a Python object"),
-        ("\njoint_t", "\narm/joint_t", "arm/joint_t", "matches no node; the controller is '/joint_t"),
+        ("/**/joint_t", "/arm/joint_t", '"/arm/joint_t', "matches no node; the controller is '/joint_t"),
         ("update_rate", "updaterate", "updaterate: 100", "has no parameter 'updaterate'; did you mean 'update_rate'?"),
     ],
 )
@@ -422,7 +422,7 @@ def test_a_controller_file_without_indentation_is_reported_as_that_once(arm: Pla
     text = (arm.path / YAML).read_text()
     (arm.path / YAML).write_text("\n".join(line.lstrip() for line in text.splitlines()))
     assert arm.only().startswith(
-        "error controllers.yaml: ros__parameters:: 'ros__parameters' is not indented below 'controller_manager'"
+        "error controllers.yaml: ros__parameters:: 'ros__parameters' is not indented below '/**/controller_manager'"
     )
 
 
@@ -453,7 +453,7 @@ def test_a_broadcaster_that_is_not_spawned_is_missed_at_the_spawners(arm: Plante
 
 
 def test_a_state_publisher_without_the_time_of_the_simulator(arm: Planted) -> None:
-    line = 'parameters=[robot_description, {"use_sim_time": False}],'
+    line = 'parameters=[robot_description, {"use_sim_time": False, "frame_prefix": frame_prefix}],'
     arm.replace(LAUNCH, line.replace("False", "True"), line)
     message = "'robot_state_publisher' has use_sim_time false, but a simulator runs; set it to true"
     assert arm.only() == f"warning control.launch.py: {line}: {message} []"

@@ -52,8 +52,10 @@ class Link(NamedTuple):
     explains: Explains
 
 
+_UNDEFINED = Link("UC007", ("UC019",), of_its_name)
 LINKS = (
     Link("UC003", ("UC150",), of_its_name),
+    _UNDEFINED,
     Link("UC023", ("UC002",), below_its_path),
     Link("UC028", ("UC004", "UC007"), in_its_line),
     Link("UC136", ("UC137",), at_its_place),
@@ -64,11 +66,11 @@ LINKS = (
     Link("UC345", ("UC355",), at_its_place),
     Link("UC361", ("UC471", "UC513"), of_its_robot),
     Link("UC436", ("UC435",), at_its_place),
-    Link("UC471", ("UC330",), of_its_robot),
+    Link("UC471", ("UC021", "UC330"), of_its_robot),
     Link("UC524", ("UC525",), of_its_robot),
     Link("UC601", ("UC603",), of_its_robot),
 )
-LINKS_OF_PLACES = tuple(link for link in LINKS if link.explains is at_its_place)
+LINKS_OF_RUN = (_UNDEFINED, *(link for link in LINKS if link.explains is at_its_place))
 """Those that also hold between the findings of several projects."""
 _CONSEQUENCES = {code for link in LINKS for code in link.consequences}
 _NAME = lazy_pattern(r"'([^']+)'")

@@ -22,17 +22,22 @@ Group = list[Diagnostic]
 Key = Callable[[Diagnostic], object]
 
 
-def _package(message: str) -> str:
-    return message.partition(" (")[0]
+def _package(finding: Diagnostic) -> object:
+    return finding.message.partition(" (")[0]
 
 
-def _folder(message: str) -> str:
+def _folder(finding: Diagnostic) -> object:
     """The folder of the mesh that is the last name of a message before its hint."""
-    return message.partition("; did you mean")[0].rpartition("/")[0].rpartition("'")[2]
+    return finding.message.partition("; did you mean")[0].rpartition("/")[0].rpartition("'")[2]
 
 
-_MISSING = {"UC003": _package, "UC149": _folder, "UC150": _package}
-"""What is missing, by rule: findings in several files are one fault if it is the same."""
+def _install_rules(finding: Diagnostic) -> object:
+    """The manifest of the package."""
+    return next((note.at.file for note in finding.notes if note.at), finding.at.file)
+
+
+_OUTSIDE: dict[str, Key] = {"UC003": _package, "UC149": _folder, "UC150": _package, "UC615": _install_rules}
+"""What is missing outside of the files, by rule: findings in several files are one fault if it is the same."""
 
 
 def grouped(findings: Iterable[Diagnostic]) -> list[Diagnostic]:
@@ -67,8 +72,8 @@ def _rule_in_file(finding: Diagnostic) -> tuple[str, str]:
 
 def _likeness(finding: Diagnostic) -> object:
     """What equal findings have in common: rule, file, severity, words, kind of fix, and the distros they apply to."""
-    if finding.code in _MISSING:
-        return finding.code, finding.severity, _MISSING[finding.code](finding.message)
+    if finding.code in _OUTSIDE:
+        return finding.code, finding.severity, _OUTSIDE[finding.code](finding)
     applies = tuple(note.message for note in finding.notes if note.message.startswith(APPLIES))
     return finding.code, finding.at.file, finding.severity, shape(finding.message), _kind(finding), applies
 
@@ -79,7 +84,7 @@ def _copy(finding: Diagnostic) -> object:
     Each error keeps its place, because all must be repaired, and so does what a fix repairs file by file.
     """
     has_edits = finding.fix is not None and finding.fix.edits
-    if finding.severity is Severity.ERROR or has_edits or finding.code in _MISSING or not finding.excerpt:
+    if finding.severity is Severity.ERROR or has_edits or finding.code in _OUTSIDE or not finding.excerpt:
         return finding.order
     text = "".join(finding.excerpt.split())
     return finding.code, finding.severity, shape(finding.message), _kind(finding), text

@@ -10,6 +10,7 @@ from urdfctl.startup.patterns import lazy_pattern
 
 _NAME = lazy_pattern(rf"'[^']*'|<[^<>]*>|-?\b\d[\w.]*(?:[eE][+-]?\d+)?|\b(?:{'|'.join(ALL)})\b")
 _LIST = lazy_pattern(r"''(?:, '')*(?:,? and (?:''|# more))?")
+_HINT = "; did you mean"
 _ADVICE = lazy_pattern(r"(?:did you mean|\buse|\bwrite|replacement:|\binstead of) .*")
 
 
@@ -41,7 +42,8 @@ def difference(first: str, other: str) -> str:
     Return an empty string if only numbers or distros differ, and all of `other` if the messages are not alike.
     """
     if shape(first) != shape(other):
-        return other
+        ours, theirs = first.partition(_HINT)[0], other.partition(_HINT)[0]
+        return difference(ours, theirs) if (ours, theirs) != (first, other) and shape(ours) == shape(theirs) else other
     names, others = _NAME.findall(first), _NAME.findall(other)
     if len(names) != len(others):
         return next((name for name in others if name not in names and _is_name(name)), "")

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 
 from urdfctl.diagnostic import Diagnostic, Location, Remark, Severity
-from urdfctl.lint.causes import LINKS_OF_PLACES, without_consequences
+from urdfctl.lint.causes import LINKS_OF_RUN, without_consequences
 from urdfctl.lint.likeness import difference
 from urdfctl.lint.results import Outcome, SuppressionUse
 from urdfctl.lint.selection import Selection
@@ -21,7 +21,7 @@ def merge(outcomes: Iterable[Outcome], selection: Selection) -> list[Diagnostic]
     outcomes = list(outcomes)
     diagnostics = [without_consequences(outcome.diagnostics) for outcome in outcomes]
     merged = sorted(_merged([*diagnostics, _unused(outcomes, selection)]), key=lambda diagnostic: diagnostic.order)
-    return list(without_consequences(merged, LINKS_OF_PLACES))
+    return list(without_consequences(merged, LINKS_OF_RUN))
 
 
 def _merged(targets: Iterable[Iterable[Diagnostic]]) -> Iterator[Diagnostic]:

@@ -51,10 +51,11 @@ def joint_states_not_published(project: Project) -> Iterator[Finding]:
 
     Controllers move joints, but only joint_state_broadcaster (in ROS 1 joint_state_controller) publishes their
     positions. Without it there are no transforms: RViz shows all links in one place, and MoveIt waits for the robot's
-    state. It may be in another file, or another node may publish the joint states.
+    state. It may be in another file, or another node may publish the joint states: a joint_state_publisher with a
+    source_list is accepted.
     """
     sessions = seen(project)
-    if not sessions or not all(map(_is_silent, sessions)) or _is_published_by_plugin(project):
+    if not sessions or not all(map(_is_silent, sessions)) or _is_published_elsewhere(project):
         return
     session = sessions[-1]
     started = session.started is not None
@@ -90,7 +91,11 @@ def _publishes(controller: Configured) -> bool:
     return controller.type is not None and controller.type.publishes_joint_states
 
 
-def _is_published_by_plugin(project: Project) -> bool:
+def _is_published_elsewhere(project: Project) -> bool:
+    """Whether a plugin publishes them, or a joint_state_publisher that gets them from a list of topics."""
+    nodes = project.launch.nodes if project.launch else ()
+    if any("joint_state_publisher" in node.executable.text and _SOURCES in node.at.source.data for node in nodes):
+        return True
     names = [f"{plugin.filename} {plugin.name}" for plugin in (project.robot.plugins if project.robot else ())]
     return any("jointstate" in name.lower().replace("_", "") for name in names)
 
@@ -99,3 +104,6 @@ def _place(session: Session) -> Place | None:
     first = next(controller for controller in session.candidates if controller.claims.command)
     manager = first.controller.manager
     return home(first.controller) if session.started is not None or manager is None else manager.at
+
+
+_SOURCES = b"source_list"

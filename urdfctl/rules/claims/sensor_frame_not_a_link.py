@@ -69,7 +69,7 @@ def _unknown_frame(reader: Reader, names: Names) -> Iterator[Finding]:
         return
     meant = names.meant_by(name)
     hint = f"; did you mean '{meant}'?" if meant else ""
-    message = f"'frame_id' of {reader.name} is '{given.value.text}', but the robot has no such link{hint}"
+    message = f"'frame_id' of controller '{reader.name}' is '{given.value.text}', but the robot has no such link{hint}"
     fix = replaced(given.value.at, given.value.text, meant) if meant else None
     yield Finding(given.value.at, message, fix=fix, severity=Severity.WARNING)
 

@@ -82,7 +82,9 @@ def _missing_frame(reader: Reader, names: Names) -> Iterator[Finding]:
 def _missing_default(reader: Reader, at: Place, default: str, names: Names) -> Iterator[Finding]:
     """A finding at the section of a drive that takes its base frame from a default."""
     if default and default not in names and reader.given.get("enable_odom_tf") is not False:
-        message = f"{reader.name} has no 'base_frame_id', and the robot has no link '{default}' (its default)"
+        message = (
+            f"controller '{reader.name}' has no 'base_frame_id', and the robot has no link '{default}' (its default)"
+        )
         yield Finding(
             at, message, (Note("add base_frame_id with the name of the base link"),), severity=Severity.WARNING
         )

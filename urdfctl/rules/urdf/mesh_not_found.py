@@ -80,6 +80,5 @@ def mesh_not_found(project: Project) -> Iterator[Finding]:
 
 
 def _shown(mesh: Mesh) -> str:
-    """The package:// address in place of a path of this machine."""
-    of_machine = mesh.filename.startswith(("file://", "/"))
-    return (mesh.file and of_machine and mesh.file.address) or mesh.filename
+    """The package:// address in place of a path."""
+    return (mesh.file and mesh.file.address) or mesh.filename
