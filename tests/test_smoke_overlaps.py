@@ -32,42 +32,49 @@ def pairs(mechanism: Mechanism, *shapes: Shape | None) -> list[tuple[str, str]]:
     return overlapping(mechanism, Shapes(known), mechanism.start())
 
 
-@pytest.mark.parametrize(("apart", "expected"), [(0.15, [("l0", "l2")]), (0.2, []), (0.3, [])])
+@pytest.mark.parametrize(("apart", "expected"), [(0.15, [("l0", "l3")]), (0.2, []), (0.3, [])])
 def test_boxes_overlap_if_one_reaches_into_the_other(apart: float, expected: list[tuple[str, str]]) -> None:
-    arm = chain((0.0, 0.0, 0.5), (apart, 0.0, -0.5))
-    assert pairs(arm, BOX, BALL, BOX) == expected
+    arm = chain((0.0, 0.0, 0.5), (0.0, 0.0, 0.5), (apart, 0.0, -1.0))
+    assert pairs(arm, BOX, BALL, BALL, BOX) == expected
 
 
 @pytest.mark.parametrize(("shape", "apart"), [(BALL, 0.19), (ROD, 0.14), (BOX, 0.19)])
 def test_each_shape_is_measured(shape: Shape, apart: float) -> None:
-    away = chain((0.0, 0.0, 5.0), (apart, 0.0, -5.0))
-    assert pairs(away, BALL, BOX, shape) == []
-    near = chain((0.0, 0.0, 5.0), (apart * 0.8, 0.0, -5.0))
-    assert pairs(near, BALL, BOX, shape) == [("l0", "l2")]
+    away = chain((0.0, 0.0, 5.0), (0.0, 0.0, 5.0), (apart, 0.0, -10.0))
+    assert pairs(away, BALL, BOX, BOX, shape) == []
+    near = chain((0.0, 0.0, 5.0), (0.0, 0.0, 5.0), (apart * 0.8, 0.0, -10.0))
+    assert pairs(near, BALL, BOX, BOX, shape) == [("l0", "l3")]
 
 
 def test_a_rod_that_passes_a_box_at_an_angle_is_found() -> None:
     leaning = ROD._replace(pose=Pose((0.0, 0.0, 0.0), of_angles(0.0, math.pi / 4, 0.0)))
-    arm = chain((0.0, 0.0, 5.0), (0.3, 0.0, -4.7))
-    assert pairs(arm, BOX, BALL, leaning) == [("l0", "l2")]
-    assert pairs(arm, BOX, BALL, ROD) == []
+    arm = chain((0.0, 0.0, 5.0), (0.0, 0.0, 5.0), (0.3, 0.0, -9.7))
+    assert pairs(arm, BOX, BALL, BALL, leaning) == [("l0", "l3")]
+    assert pairs(arm, BOX, BALL, BALL, ROD) == []
 
 
-def test_neighbours_may_overlap_also_over_a_link_without_shape() -> None:
-    assert pairs(chain((0.0, 0.0, 0.0)), BOX, BOX) == []
-    assert pairs(chain((0.0, 0.0, 0.0), (0.0, 0.0, 0.0)), BOX, None, BOX) == []
-    assert pairs(chain((0.0, 0.0, 0.0), (0.0, 0.0, 0.0)), BOX, BOX, BOX) == [("l0", "l2")]
+def test_neighbours_may_overlap_also_over_one_link_between_them() -> None:
+    here = (0.0, 0.0, 0.0)
+    assert pairs(chain(here, here), BOX, BOX, BOX) == []
+    assert pairs(chain(here, here, here), BOX, None, BOX, BOX) == []
+    assert pairs(chain(here, here, here), BOX, BOX, BOX, BOX) == [("l0", "l3")]
+
+
+def test_two_fingers_of_one_palm_may_not_overlap() -> None:
+    fingers = [hinge._replace(parent="l0") for hinge in chain((0.0, 0.0, 0.3), (0.0, 0.1, 0.3)).hinges]
+    palm = Mechanism("l0", {f"l{n}": Body(f"l{n}") for n in range(3)}, tuple(fingers))
+    assert pairs(palm, BOX, BOX, BOX) == [("l1", "l2")]
 
 
 def folded(**fields: object) -> tuple[Mechanism, Shapes]:
     """Return an arm whose last link lies on the first at 0, and stretches out at spawn."""
-    arm = chain((0.0, 0.0, 0.5), (0.0, 0.0, -0.5), initial=1.5, **fields)
-    return arm, Shapes({"l0": (BOX,), "l2": (BOX,), "l1": (BALL,)})
+    arm = chain((0.0, 0.0, 0.5), (0.0, 0.0, 0.5), (0.0, 0.0, -1.0), initial=1.5, **fields)
+    return arm, Shapes({"l0": (BOX,), "l1": (BALL,), "l2": (BALL,), "l3": (BOX,)})
 
 
 def test_the_pose_with_all_joints_at_0_is_looked_at_too() -> None:
     (trouble,) = overlap_troubles(*folded())
-    assert (trouble.code, trouble.message) == ("UC968", "links 'l0' and 'l2' overlap with all joints at 0")
+    assert (trouble.code, trouble.message) == ("UC968", "links 'l0' and 'l3' overlap with all joints at 0")
 
 
 def test_a_pose_that_the_limits_forbid_is_not_looked_at() -> None:
@@ -75,4 +82,4 @@ def test_a_pose_that_the_limits_forbid_is_not_looked_at() -> None:
 
 
 def test_a_pair_that_the_srdf_allows_is_not_reported() -> None:
-    assert list(overlap_troubles(*folded(), {frozenset({"l0", "l2"})})) == []
+    assert list(overlap_troubles(*folded(), {frozenset({"l0", "l3"})})) == []

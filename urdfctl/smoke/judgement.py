@@ -18,7 +18,7 @@ from urdfctl.smoke.assignments import TaskFile
 from urdfctl.smoke.blame import place_of
 from urdfctl.smoke.candidates import cycle_of, result_of
 from urdfctl.smoke.hardware import with_transmissions, within_ranges
-from urdfctl.smoke.manager import Cycle
+from urdfctl.smoke.manager import NOT_MOVED, Cycle
 from urdfctl.smoke.mechanism import Mechanism, mechanism_of
 from urdfctl.smoke.overlaps import overlap_troubles
 from urdfctl.smoke.plain import with_plain_drives
@@ -31,6 +31,8 @@ from urdfctl.smoke.tasks import Task
 from urdfctl.source.span import Place
 from urdfctl.startup.records import NamedTuple
 
+UNKNOWN_ROBOT = "not simulated: the robot is not known, or some of its parts are not"
+"""Why a controller does not move if no engine can move it."""
 RATES = {1: 1000.0, 2: 100.0}
 """The default update rate by generation of ROS, in Hz: gazebo_ros_control updates at each step of 1 ms, the controller
 manager of ROS 2 at its own default."""
@@ -62,7 +64,9 @@ class Judgement(NamedTuple):
     def results(self) -> tuple[ControllerResult, ...]:
         """The results of the controllers, as far as they are known."""
         results = (result_of(way) for way in self.cycle.ways if self.wants(way.name))
-        return tuple(changed(result, self.troubles) for result in results)
+        unknown = UNKNOWN_ROBOT if self.mechanism is None else NOT_MOVED
+        known = (each._replace(reason=unknown) if each.reason == NOT_MOVED else each for each in results)
+        return tuple(changed(result, self.troubles) for result in known)
 
     @property
     def _places(self) -> list[tuple[str, Place]]:

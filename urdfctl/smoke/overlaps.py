@@ -26,7 +26,8 @@ Pair = frozenset[str]
 def overlap_troubles(mechanism: Mechanism, shapes: Shapes, allowed: Collection[Pair] = ()) -> Iterator[Trouble]:
     """Yield the links that overlap at spawn, and those that overlap with all joints at 0, unless a pair is allowed.
 
-    Neighbours may overlap, and meshes are not looked at: only their convex hulls are known.
+    Neighbours may overlap, also over one link between them, as in wrists. Meshes are not looked at: only their convex
+    hulls are known.
     """
     start = mechanism.start()
     zero = dict.fromkeys(start, 0.0)
@@ -77,9 +78,14 @@ def _bodies(mechanism: Mechanism, simple: Collection[str]) -> dict[str, tuple[st
 
 
 def _neighbours(bodies: Mapping[str, tuple[str, str]], name: str, other: str) -> bool:
-    """Whether two links belong to one body, or one carries the other."""
-    (own, carrier), (others, others_carrier) = bodies[name], bodies[other]
-    return own in (others, others_carrier) or others == carrier
+    """Whether two links belong to one body, or one is carried by the other directly or through one more body."""
+    return bodies[name][0] in _near(bodies, other) or bodies[other][0] in _near(bodies, name)
+
+
+def _near(bodies: Mapping[str, tuple[str, str]], name: str) -> tuple[str, ...]:
+    """The body of a link, the one that carries it, and the one that carries that."""
+    own, carrier = bodies[name]
+    return own, carrier, bodies[carrier][1] if carrier else ""
 
 
 class _Placed:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, Stage, rule
 from urdfctl.rules.smoke.common import GRIPPER, GRIPPER_CONTROLLER, found_by_smoke_test
+from urdfctl.rules.smoke.mimic_not_kept import mimic_not_kept
 
 
 @rule(
@@ -16,6 +17,7 @@ from urdfctl.rules.smoke.common import GRIPPER, GRIPPER_CONTROLLER, found_by_smo
     message="joint '{joint}' mimics joint '{leader}' from {least:.3g} to {most:.3g} {unit}, but its own limits are {lower:.3g} to "
     "{upper:.3g} {unit}",
     authority="URDF: a mimic joint is at multiplier * leader + offset; limits hold for it as for every joint",
+    explains=(mimic_not_kept,),
     options=["--distro=jazzy"],
     bad={
         "robot.urdf": GRIPPER.replace('multiplier="1"', 'multiplier="2"').replace(
