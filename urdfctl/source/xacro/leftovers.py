@@ -100,7 +100,8 @@ def empty_arguments(declared: Mapping[str, Element], given: Collection[str]) -> 
 def placeholders(
     path: str, declared: Mapping[str, Element], given: Collection[str], behind: Collection[str]
 ) -> Iterator[str]:
-    """Yield the arguments behind a missing file whose default only stands for a value: with others, files exist.
+    """Yield the arguments behind a missing file whose default only stands for a value: with others, files exist. They
+    come in the order of their declarations.
 
     path: the missing file. behind: the arguments that its name depends on.
     """
@@ -110,7 +111,7 @@ def placeholders(
     while not os.path.isdir(folder) and folder != os.path.dirname(folder):
         folder = os.path.dirname(folder)
     rest = escape(os.path.relpath(path, folder))
-    defaults = {name: escape(declared[name].attrs.get("default", "")) for name in behind if name in declared}
+    defaults = {name: escape(tag.attrs.get("default", "")) for name, tag in declared.items() if name in behind}
     found = {name: text for name, text in defaults.items() if name not in given and text and text in rest}
     for text in sorted(found.values(), key=len, reverse=True):
         rest = rest.replace(text, "*")
