@@ -182,6 +182,14 @@ def test_a_list_says_which_controller_has_which_joint(folder: Folder) -> None:
 
 PROPOSALS = {
     "arm": (ARM, "arm_controller=trajectory:shoulder,elbow,wrist"),
+    "an arm whose first joint pans": (
+        (joint("shoulder_pan", "base"), joint("lift", "shoulder_pan_link"), joint("elbow", "lift_link")),
+        "arm_controller=trajectory:shoulder_pan,lift,elbow",
+    ),
+    "a leg with a shoulder": (
+        (joint("haa", "base"), joint("hfe", "haa_link"), joint("shoulder_leg", "hfe_link")),
+        "leg_controller=trajectory:haa,hfe,shoulder_leg",
+    ),
     "arm and gripper": (
         (*ARM, *HAND),
         "arm_controller=trajectory:shoulder,elbow,wrist --controller gripper_controller=gripper:finger",

@@ -104,9 +104,8 @@ def _of_sensors(robot: RobotFacts) -> Iterator[Request]:
 def _label(chain: Sequence[JointFacts]) -> str:
     """What a chain is, from the words in the names of its joints and links."""
     words = [re.split(r"[^a-z]+", f"{joint.name} {joint.link or ''}".lower()) for joint in chain]
-    if len(chain) >= _ARM and any(part in of_joint for of_joint in words for part in ("shoulder", "elbow", "wrist")):
-        return "arm"
-    for part in _PARTS:
+    bent = len(chain) >= _ARM and any(part in of_joint for of_joint in words for part in ("shoulder", "elbow", "wrist"))
+    for part in ("leg", "arm") if bent else _PARTS:
         if any(part in of_joint for of_joint in words):
             return {"neck": "head", "pan": "head", "waist": "torso"}.get(part, part)
     if any(part in word for of_joint in words for word in of_joint for part in ("hip", "thigh", "calf", "knee")):
