@@ -24,6 +24,8 @@ ATTRIBUTES = 1000 if WHOLE else 40
 """How many attributes are tried."""
 NUMBER = re.compile(rb"(?<![\w.])(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?(?![\w.])")
 NUMERIC = re.compile(r"\s*[-+]?[\d.]+(?:e[-+]?\d+)?(?:\s+[-+]?[\d.]+(?:e[-+]?\d+)?)*\s*", re.IGNORECASE)
+SIGNIFICANT = 10
+"""A digit far behind the first ones may not change a double at all."""
 NEAR = 400
 """Half of the numbers that are not listed are looked for within so many bytes of one that is."""
 
@@ -67,7 +69,7 @@ def other_digits(data: bytes, start: int, end: int) -> Iterator[bytes]:
     text = data[start:end]
     mantissa = re.match(rb"[\d.]*", text)
     places = [at for at in range(mantissa.end() if mantissa else 0) if text[at : at + 1] in b"123456789"]
-    at = start + (places[-1] if places else 0)
+    at = start + (places[:SIGNIFICANT][-1] if places else 0)
     digit = int(data[at : at + 1].replace(b".", b"0"))
     for other in (digit + 1, digit - 1):
         if 0 <= other <= 9 and data[at : at + 1] != b".":

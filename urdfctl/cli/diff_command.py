@@ -27,8 +27,8 @@ _ANY = "any"
 
 def run_diff(options: DiffOptions) -> int:
     """Print what changed, and return the exit status: 1 if --fail-on names an area with a change, otherwise 0."""
-    outputs = [output_of(text, FORMATS) for text in options.formats or ("text",)]
-    areas = _areas(options.fail_on)
+    outputs = [output_of(text, FORMATS) for text in options.diff_formats or ("text",)]
+    areas = _areas(options.areas)
     for word in options.words:
         if os.path.lexists(word):
             check_path(word)
@@ -44,9 +44,9 @@ def run_diff(options: DiffOptions) -> int:
     return int(bool(found & areas))
 
 
-def _areas(fail_on: str | None) -> set[str]:
+def _areas(named: str | None) -> set[str]:
     """The areas that --fail-on names. UserError if there is no such area."""
-    names = [name.strip() for name in (fail_on or "").split(",") if name.strip()]
+    names = [name.strip() for name in (named or "").split(",") if name.strip()]
     for name in names:
         if name not in {*AREAS, _ANY}:
             known = f"{did_you_mean(name, AREAS)}; known are {enumerated(AREAS)}, or {_ANY}"

@@ -23,7 +23,7 @@ _MOST_JOINTS = 30
 
 def run_graph(options: GraphOptions) -> int:
     """Print or write the graph, and return the exit status 0."""
-    outputs = [output_of(text, FORMATS) for text in options.formats or ("mermaid",)]
+    outputs = [output_of(text, FORMATS) for text in options.graph_formats or ("mermaid",)]
     words = options.paths or []
     config = configured(words, options)
     settings = settings_to_check(config, options, [word for word in words if ":=" not in word])

@@ -49,15 +49,15 @@ class DiffOptions(ReadingOptions):
             show_default=False,
         ),
     ]
-    formats: Annotated[
+    diff_formats: Annotated[
         list[str] | None,
-        typer.Option(
-            "--format", help="Output format: text, markdown, html or json. FORMAT=FILE writes a file. Repeatable."
-        ),
+        typer.Option("--format", help="Output format. FORMAT=FILE writes a file. Repeatable."),
     ] = None
-    fail_on: Annotated[
+    areas: Annotated[
         str | None,
-        typer.Option(help="Exit with status 1 on changes in these areas, e.g. limits,joints,interfaces; or any."),
+        typer.Option(
+            "--fail-on", help="Exit with status 1 on changes in these areas, e.g. limits,joints,interfaces; or any."
+        ),
     ] = None
 
 
@@ -70,11 +70,9 @@ class GraphOptions(TargetOptions):
     """
 
     paths: Paths = None
-    formats: Annotated[
+    graph_formats: Annotated[
         list[str] | None,
-        typer.Option(
-            "--format", help="Output format: mermaid, dot, svg, html or json. FORMAT=FILE writes a file. Repeatable."
-        ),
+        typer.Option("--format", help="Output format. FORMAT=FILE writes a file. Repeatable. Default: mermaid."),
     ] = None
     focus: Annotated[
         list[str] | None, typer.Option(help="Show only what leads to this joint, controller or topic, or away from it.")

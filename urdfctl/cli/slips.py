@@ -14,6 +14,9 @@ _COMMANDS = {
     **dict.fromkeys(("gen", "generate", "new", "init", "create"), "gen-all"),
     **dict.fromkeys(("xacro", "convert"), "expand"),
     **dict.fromkeys(("list", "ls"), "rules"),
+    **dict.fromkeys(("compare", "changes"), "diff"),
+    **dict.fromkeys(("draw", "plot", "wiring"), "graph"),
+    **dict.fromkeys(("trace", "where", "whence"), "why"),
     "version": "--version",
     "help": "--help",
 }

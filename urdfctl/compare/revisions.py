@@ -25,6 +25,12 @@ _NOT_READ = (
     ".zip",
 )
 """Files of these kinds are laid out empty: only whether they exist matters."""
+_HARMLESS = [
+    word
+    for setting in ("core.fsmonitor=false", "core.hooksPath=", "filter.lfs.smudge=", "filter.lfs.required=false")
+    for word in ("-c", setting)
+]
+"""Settings of git that keep a repository from running programs of its own, or loading large files."""
 
 
 def is_revision(word: str) -> bool:
@@ -69,7 +75,7 @@ def _git(
 ) -> subprocess.CompletedProcess[str]:
     try:
         return subprocess.run(  # noqa: S603
-            ["git", "-C", folder, "-c", "filter.lfs.smudge=", "-c", "filter.lfs.required=false", *words],  # noqa: S607
+            ["git", "-C", folder, *_HARMLESS, *words],  # noqa: S607
             env=environment,
             input=text,
             capture_output=True,
