@@ -20,6 +20,7 @@ ARM = (
         (("arm.urdf",), "'arm.urdf' is not a command; to check it: urdfctl lint arm.urdf"),
         (("gazebo.log",), "'gazebo.log' is not a command; to explain a log: urdfctl explain gazebo.log"),
         (("fix",), "there is no command 'fix'; use: urdfctl lint --fix"),
+        (("compare", "a.urdf", "b.urdf"), "there is no command 'compare'; use: urdfctl diff"),
         (
             ("lint", "arm.urdf", "prefix=left_"),
             "file or folder 'prefix=left_' does not exist; to set a xacro argument, write prefix:=left_",
