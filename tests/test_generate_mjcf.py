@@ -158,6 +158,9 @@ def test_a_package_for_mujoco_has_the_model_and_its_meshes(folder: Folder) -> No
     words = ("arm.urdf", "--type", "trajectory", "--distro", "jazzy", "--simulator", "mujoco", "-o", "made")
     assert command("gen-all", *words).returncode == 0
     assert command("gen-all", *words, "--check").returncode == 0
+    assert command("gen-check", "made") == (0, "", "")
+    assert command("gen-check", "made", "--update").returncode == 0
+    assert not (folder.path / "made/mujoco/package.xml").exists()
     assert (folder.path / "made/mujoco/meshes/base.stl").read_bytes() == stl()
     mujoco.MjModel.from_xml_path(str(folder.path / "made/mujoco/robot.xml"))
     control = (folder.path / "made/urdf/control.xacro").read_text()

@@ -16,7 +16,7 @@ from urdfctl.source.files import first_bytes, folders_upwards
 from urdfctl.startup.records import NamedTuple
 
 _COMMAND = re.compile(r"made by urdfctl (gen-[a-z0-9-]+|convert)(.*?)(?: -->)?$")
-_PARTS = ("config", "urdf", "launch")
+_PARTS = ("config", "urdf", "launch", "mujoco")
 _FIRST = 1 << 16
 _FORBIDDEN = re.compile(r"-o.*|--?(output|into|force|diff|check|trust|templates|package-path|workspace|config)(=.*)?")
 """Options that the command in a file cannot set: output files, further inputs, trust."""
@@ -102,7 +102,8 @@ def _origin(file: str, words: tuple[str, ...]) -> Origin | None:
     inputs = [word for word in first if ":=" not in word]
     forbidden = next((word for word in words if _FORBIDDEN.fullmatch(word)), None)
     folder = os.path.dirname(os.path.abspath(file))
-    package = os.path.dirname(folder) if os.path.basename(folder) in _PARTS else folder
+    is_part = os.path.basename(folder) in _PARTS and not os.path.exists(os.path.join(folder, "package.xml"))
+    package = os.path.dirname(folder) if is_part else folder
     above = list(folders_upwards(folder))
     if not inputs:
         above = [folder for folder in above if os.path.exists(os.path.join(folder, "package.xml"))]
