@@ -58,3 +58,12 @@ def test_compared_engines_that_agree_keep_their_errors() -> None:
 def test_an_engine_that_could_not_judge_a_controller_does_not_disagree() -> None:
     (_, first), _ = compared([("mujoco", result(LATE)), ("pybullet", result(moved=(), left=("arm",)))])
     assert codes(first) == ["UC932"]
+
+
+def test_a_controller_that_one_engine_moved_is_not_unjudged() -> None:
+    first, second = Tried(moved=("a",)), Tried(unjudged={"a": "too slow", "b": "no range"})
+    assert decided(first, second).unjudged == {"b": "no range"}
+    assert decided(first._replace(times={"a": 0.5}), second._replace(times={"a": 0.25, "b": 1.0})).times == {
+        "a": 0.75,
+        "b": 1.0,
+    }

@@ -134,3 +134,83 @@ def test_ctrl_c_reports_what_was_tested(tmp_path: Path) -> None:
     assert told["first"] == ("passed", "")
     assert told["second"] == ("skipped", "not tested: interrupted; 1 of 2 controllers tested")
     assert process.returncode == 130
+
+
+# -- which engine is believed ------------------------------------------------------------------------------------------
+
+WEAK = Trouble("UC932", "joint:a", "joint 'a' is too fast", "one")
+FAILED = Tried((WEAK,), ("one",))
+SOUND = Tried((), ("one",))
+MESHES = PLAN._replace(engine="pybullet", urdf="<a/>\n<mesh/>\n<b/>")
+
+
+def settled(
+    monkeypatch: pytest.MonkeyPatch, plan: Plan, *results: Tried | WorkerFailure
+) -> tuple[str, object, list[str]]:
+    """What a run settles on if its simulations end with some results, one after the other, and what was simulated."""
+    left, made = list(results), []
+
+    def simulate(_self: object, plans: list[Plan], _parallel: int, _folder: str) -> object:
+        made.extend(f"{plan.engine}{' without meshes' if plan.shapeless else ''}" for plan in plans)
+        return iter([left.pop(0) for _ in plans])
+
+    monkeypatch.setattr(runs.Runs, "_run", simulate)
+    [(engine, result)] = runs.Runs(Settings(), 1, ["mujoco"]).results([plan])
+    return engine, result, made
+
+
+def test_an_engine_that_finds_no_error_is_believed(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert settled(monkeypatch, MESHES, SOUND) == ("pybullet", SOUND, ["pybullet"])
+
+
+def test_the_second_engine_is_asked_before_a_robot_fails(monkeypatch: pytest.MonkeyPatch) -> None:
+    engine, result, made = settled(monkeypatch, MESHES, FAILED, SOUND)
+    assert (engine, made) == ("pybullet and mujoco", ["pybullet", "mujoco"])
+    assert isinstance(result, Tried)
+    assert result.troubles == ()
+    engine, result, made = settled(monkeypatch, MESHES, FAILED, FAILED)
+    assert isinstance(result, Tried)
+    assert (engine, result.troubles) == ("pybullet and mujoco", (WEAK,))
+
+
+def test_an_engine_that_crashes_is_tried_without_meshes_and_then_another_one_alone(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    crash = WorkerFailure("was ended by SIGSEGV", our_fault=True)
+    assert settled(monkeypatch, MESHES, crash, SOUND)[2] == ["pybullet", "pybullet without meshes"]
+    assert settled(monkeypatch, MESHES, crash, crash, FAILED) == (
+        "mujoco",
+        FAILED,
+        ["pybullet", "pybullet without meshes", "mujoco"],
+    )
+    assert settled(monkeypatch, PLAN._replace(engine="pybullet"), crash, SOUND)[2] == ["pybullet", "mujoco"]
+    assert settled(monkeypatch, MESHES, crash, crash, crash)[:2] == ("pybullet", crash)
+
+
+def test_an_engine_that_rejects_a_robot_leaves_it_to_another_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    refused = Tried(refused="two roots")
+    assert settled(monkeypatch, MESHES, refused, SOUND)[:2] == ("mujoco", SOUND)
+    assert settled(monkeypatch, MESHES, refused, refused)[:2] == ("pybullet", refused)
+
+
+def test_the_end_of_an_engines_output_is_shown_without_its_greeting(tmp_path: Path) -> None:
+    path = tmp_path / "output"
+    path.write_text(f"pybullet build time: today\n{'x' * 2000}\nbad  element\n", encoding="utf-8")
+    assert runs._engine_output(str(path)) == f"{'x' * 288} bad element"
+    path.write_text("pybullet build time: today\nbad\n", encoding="utf-8")
+    assert runs._engine_output(str(path)) == "bad"
+    assert runs._engine_output(str(tmp_path / "none")) == ""
+
+
+def test_processor_time_grows_with_joints_and_controllers() -> None:
+    assert PLAN.within(30.0).budget == pytest.approx(30.0 * 1.03)
+    many = PLAN._replace(tasks=TASKS * 20)
+    assert many.within(10.0).budget == pytest.approx(16.0)
+    assert (PLAN.budget, PLAN.duration) == (30.0, 2.0)
+
+
+@needs_fork
+def test_only_a_watched_simulation_sees_the_screen(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("DISPLAY", ":0")
+    assert "DISPLAY" not in runs.Runs(Settings(), 1)._limits([PLAN]).environ
+    assert runs.Runs(Settings(), 1)._limits([PLAN._replace(gui=True)]).environ["DISPLAY"] == ":0"
