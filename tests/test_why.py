@@ -122,6 +122,19 @@ def test_an_attribute_of_xacro_and_a_block_lead_to_where_they_are_written(folder
     assert (found["value"], numbers(found)) == ("4.5", [("1", 4), (".5", 4), ("3", 3)])
 
 
+def test_an_argument_that_nobody_gives_is_named_as_the_reason_for_an_unknown_value(arm: Folder) -> None:
+    arm.write({"robot.xacro": ROBOT.replace(' name="speed" default="2.0"', ' name="other" default="2.0"')})
+    found = answer(arm, "limit/@velocity")
+    assert found["value"] == "?"
+    assert {link["name"]: link["given_by"] for link in found["chain"]}["speed"] == "not given"
+
+
+def test_a_file_that_only_some_arguments_choose_asks_for_them(arm: Folder) -> None:
+    arm.write({"other.yaml": "elbow: {lower: 1}\n"})
+    said = "no robot reads 'other.yaml'; name the robot, and the arguments with which it does: "
+    assert arm.run("why", "other.yaml:1").stderr == f"urdfctl: {said}urdfctl why robot.xacro other.yaml:1 NAME:=VALUE\n"
+
+
 def test_a_plain_urdf_leads_to_itself(folder: Folder) -> None:
     folder.write(
         {"r.urdf": '<robot name="r">\n<link name="a"><inertial><mass value="2.5"/></inertial></link>\n</robot>'}

@@ -11,7 +11,7 @@ from urdfctl.config.file import Config
 from urdfctl.config.settings import Settings
 from urdfctl.errors import UserError
 from urdfctl.load.target import Target
-from urdfctl.report.common import as_json
+from urdfctl.report.common import as_json, shown
 from urdfctl.source.packages import package_around
 from urdfctl.startup.hints import TYPE_CHECKING, Any
 from urdfctl.trace.address import HOW, Line, line_named
@@ -60,4 +60,8 @@ def _around(line: Any, given: list[str], config: Config, settings: Settings) -> 
         found = best_of(robots_of([word, *given], config, settings), lambda result: line.file in result.files)
         if found is not None and found[1].links:
             return found[0]
-    raise UserError(f"no robot reads '{line.file}'; name one: urdfctl why robot.xacro {line.file}:{line.line}")
+    file = shown(line.file)
+    how = (
+        f"name the robot, and the arguments with which it does: urdfctl why robot.xacro {file}:{line.line} NAME:=VALUE"
+    )
+    raise UserError(f"no robot reads '{file}'; {how}")

@@ -91,6 +91,8 @@ def _link(step: Step, launch: Launch | None) -> Json:
 
 def _giver(step: Step, launch: Launch | None) -> str:
     """What gives a parameter or argument its value: a default, a launch file, the command line; empty for others."""
+    if step.kind == "given" and UNKNOWN in step.text:
+        return "not given"
     if step.kind in {"argument", "default"}:
         return "default"
     if step.kind == "given":

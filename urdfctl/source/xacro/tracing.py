@@ -84,9 +84,11 @@ class _Arguments(AnyArgument):
         if recorder.replay is not None:
             step = recorder.replay.current.inputs.get((id(self), name))
             return super().__getitem__(name) if step is None else str(recorder.replay.value_of(step))
-        if recorder.open and name in self.steps:
-            recorder.open[-1].inputs[(id(self), name)] = self.steps[name]
-        return super().__getitem__(name)
+        value = super().__getitem__(name)
+        if recorder.open:
+            step = self.steps.setdefault(name, Step(kind="given", name=name, place=None, text=value))
+            recorder.open[-1].inputs[(id(self), name)] = step
+        return value
 
     def __setitem__(self, name: str, value: str) -> None:
         node = _evaluated_node()
