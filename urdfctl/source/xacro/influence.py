@@ -1,7 +1,8 @@
 """Trace values in a source text: the YAML files that they were read from, and the arguments that chose the files.
 
-It reads only texts, after the expansion, so that it costs nothing where nobody asks. A property with several definitions
-is not traced: the texts do not say which one was in scope. `tracing` records it during the expansion, for `urdfctl why`.
+It reads only texts, after the expansion, so that it costs nothing where nobody asks. A property with several
+definitions is not traced: the texts do not say which one was in scope. `tracing` records it during the expansion, for
+`urdfctl why`.
 """
 
 from __future__ import annotations
