@@ -84,7 +84,7 @@ def launch_file(
         manager="controller_manager" if movable else f"{'/' * bool(space)}{space}/controller_manager",
         param_file=takes_param_file(options.distro),
         description=_description(options.distro),
-        gz=_gz(options.distro),
+        gz=gz_names(options.distro),
         model_path=_model_path(options),
         mesh_packages=robot.mesh_packages if options.distro in since("humble") else (),
     )
@@ -157,8 +157,8 @@ def _description(distro: str) -> str:
     return "topic" if distro in since("jazzy") else "remapped"
 
 
-def _gz(distro: str) -> dict[str, str]:
-    """The names that the packages and messages of gz have in a distro."""
+def gz_names(distro: str) -> dict[str, str]:
+    """Return the names that the packages and messages of gz have in a distro."""
     if distro in _ONE_A_SPAWNER:
         names = ("ros_ign_gazebo", "ign_gazebo.launch.py", "ign_args", "ros_ign_bridge", "ignition.msgs")
     else:
@@ -186,7 +186,7 @@ def dependencies(
         packages.add(robot_package)
     if options.simulator in ("gz", "gazebo-classic"):
         packages.add(host(options, catalog).package or "")
-        gz = _gz(options.distro)
+        gz = gz_names(options.distro)
         packages |= {gz["package"], gz["bridge"]} if options.simulator == "gz" else {"gazebo_ros"}
     if options.ros == 2:  # noqa: PLR2004
         package = hardware(options, catalog).package

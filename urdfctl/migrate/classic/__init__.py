@@ -1,7 +1,22 @@
-"""Steps from Gazebo Classic to gz."""
+"""Steps from Gazebo Classic to gz: those for robots, then those for the packages around them."""
 
 from __future__ import annotations
 
+from urdfctl.migrate.classic.bridge import BRIDGE
+from urdfctl.migrate.classic.launch_python import CLASSIC_LAUNCH
+from urdfctl.migrate.classic.manifest import CLASSIC_MANIFEST
+from urdfctl.migrate.classic.materials import CLASSIC_MATERIALS
+from urdfctl.migrate.classic.plugins import CLASSIC_HARDWARE, CLASSIC_PLUGINS, CONTROL_PLUGIN
+from urdfctl.migrate.classic.sensors import CLASSIC_SENSORS
 from urdfctl.migrate.step import Step
 
-STEPS: tuple[Step, ...] = ()
+ROBOT_STEPS: tuple[Step, ...] = (
+    CONTROL_PLUGIN,
+    CLASSIC_HARDWARE,
+    CLASSIC_PLUGINS,
+    CLASSIC_SENSORS,
+    CLASSIC_MATERIALS,
+    BRIDGE,
+)
+PACKAGE_STEPS: tuple[Step, ...] = (CLASSIC_LAUNCH, CLASSIC_MANIFEST)
+STEPS: tuple[Step, ...] = (*ROBOT_STEPS, *PACKAGE_STEPS)

@@ -1,7 +1,14 @@
-"""Steps from ROS 1 to ROS 2."""
+"""Steps from ROS 1 to ROS 2: those for robots and controllers, then those for the packages around them."""
 
 from __future__ import annotations
 
+from urdfctl.migrate.ros1.controllers_yaml import CONTROLLERS
+from urdfctl.migrate.ros1.launch_files import LAUNCH_FILES
+from urdfctl.migrate.ros1.manifest import MANIFEST
+from urdfctl.migrate.ros1.simulator_plugin import MIMIC_PLUGINS, SIMULATOR_PLUGIN
+from urdfctl.migrate.ros1.transmissions import TRANSMISSIONS
 from urdfctl.migrate.step import Step
 
-STEPS: tuple[Step, ...] = ()
+ROBOT_STEPS: tuple[Step, ...] = (MIMIC_PLUGINS, TRANSMISSIONS, SIMULATOR_PLUGIN, CONTROLLERS)
+PACKAGE_STEPS: tuple[Step, ...] = (LAUNCH_FILES, MANIFEST)
+STEPS: tuple[Step, ...] = (*ROBOT_STEPS, *PACKAGE_STEPS)

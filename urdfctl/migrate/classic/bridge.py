@@ -1,0 +1,142 @@
+"""The file for ros_gz_bridge: what the systems and sensors of gz publish and read, in ROS."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+
+from urdfctl.generate.bringup import gz_names
+from urdfctl.migrate.classic.plugins import leaves_classic
+from urdfctl.migrate.markup import attribute, child, content, elements, root_of
+from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.wishes import Part
+from urdfctl.source.dom import Element
+from urdfctl.source.packages import package_around, package_name
+from urdfctl.startup.records import NamedTuple
+
+BRIDGE_FILE = "config/bridge.yaml"
+_AUTHORITY = "ros_gz_bridge README: config_file"
+_OF_XML = (".xacro", ".urdf", ".gazebo", ".xml", ".inc")
+
+
+class Topic(NamedTuple):
+    """A topic to bridge: its name, its type in ROS and in gz, and whether ROS sends it."""
+
+    name: str
+    ros: str
+    gz: str
+    from_ros: bool = False
+
+
+_OF_SYSTEMS = {
+    "topic": ("geometry_msgs/msg/Twist", "Twist", True),
+    "odom_topic": ("nav_msgs/msg/Odometry", "Odometry", False),
+    "tf_topic": ("tf2_msgs/msg/TFMessage", "Pose_V", False),
+}
+_DRIVES = ("gz-sim-diff-drive-system", "gz-sim-velocity-control-system", "gz-sim-odometry-publisher-system")
+_STATES = "gz-sim-joint-state-publisher-system"
+_OF_SENSORS: dict[str, tuple[tuple[str, str, str], ...]] = {
+    "gpu_lidar": (("", "sensor_msgs/msg/LaserScan", "LaserScan"),),
+    "imu": (("", "sensor_msgs/msg/Imu", "IMU"),),
+    "camera": (("", "sensor_msgs/msg/Image", "Image"), ("../camera_info", "sensor_msgs/msg/CameraInfo", "CameraInfo")),
+    "rgbd_camera": (
+        ("/image", "sensor_msgs/msg/Image", "Image"),
+        ("/depth_image", "sensor_msgs/msg/Image", "Image"),
+        ("/camera_info", "sensor_msgs/msg/CameraInfo", "CameraInfo"),
+        ("/points", "sensor_msgs/msg/PointCloud2", "PointCloudPacked"),
+    ),
+    "navsat": (("", "sensor_msgs/msg/NavSatFix", "NavSat"),),
+    "contact": (("", "ros_gz_interfaces/msg/Contacts", "Contacts"),),
+    "force_torque": (("", "geometry_msgs/msg/WrenchStamped", "Wrench"),),
+}
+"""For each type of sensor: the ending of a topic, its type in ROS and in gz."""
+
+
+def _bridge(packages: Packages) -> Iterator[Proposal]:
+    if packages.simulator != "gz" or not leaves_classic(packages):
+        return
+    for folder in sorted(
+        {folder for path in packages.files(*_OF_XML) if (folder := package_around(os.path.dirname(path)))}
+    ):
+        path = os.path.join(folder, BRIDGE_FILE)
+        topics = list(dict.fromkeys(_topics(packages, folder)))
+        if topics and not os.path.exists(path) and not _has_bridge(packages):
+            message = f"{len(topics)} topics of gz are bridged to ROS"
+            entry = Entry(EntryKind.DONE, message, file=path, authority=_AUTHORITY)
+            yield Proposal(created=((path, _text(packages, topics)),), entries=(entry,))
+
+
+def _has_bridge(packages: Packages) -> bool:
+    """Whether the packages already start a bridge, with topics of their own."""
+    return any(b"parameter_bridge" in packages.read(path).data for path in packages.files(".py", ".launch.xml"))
+
+
+def bridge_file_of(packages: Packages, launch: str) -> str | None:
+    """Return the package with the file for the bridge: that of a launch file, or the only other one; None if none."""
+    found = [path for path in packages.files("bridge.yaml") if path.endswith(BRIDGE_FILE)]
+    own = package_around(os.path.dirname(launch)) or ""
+    beside = [path for path in found if path.startswith(own + os.sep)]
+    chosen = beside or found
+    folder = package_around(os.path.dirname(chosen[0])) if len(chosen) == 1 else None
+    return package_name(os.path.join(folder, "package.xml")) if folder else None
+
+
+def _topics(packages: Packages, folder: str) -> Iterator[Topic]:
+    for path in packages.files(*_OF_XML):
+        source = packages.read(path)
+        root = root_of(source) if path.startswith(folder + os.sep) and b"<gazebo" in source.data else None
+        for element in elements(root) if root is not None else ():
+            if element.tagName == "plugin":
+                yield from _of_plugin(element)
+            elif element.tagName == "sensor":
+                yield from _of_sensor(element)
+
+
+def _of_plugin(element: Element) -> Iterator[Topic]:
+    filename = attribute(element, "filename")
+    for setting, (ros, gz, from_ros) in _OF_SYSTEMS.items():
+        found = child(element, setting)
+        if filename in _DRIVES and found is not None and _is_plain(content(found)):
+            yield Topic(content(found), ros, gz, from_ros)
+    states = child(element, "topic")
+    if filename == _STATES and states is not None and _is_plain(content(states)):
+        yield Topic(content(states), "sensor_msgs/msg/JointState", "Model")
+
+
+def _of_sensor(element: Element) -> Iterator[Topic]:
+    topic = child(element, "topic")
+    name = content(topic) if topic is not None else ""
+    for ending, ros, gz in _OF_SENSORS.get(attribute(element, "type"), ()) if _is_plain(name) else ():
+        is_beside = ending.startswith("../")
+        above = name.rpartition("/")[0]
+        full = f"{above}/{ending[3:]}".lstrip("/") if is_beside else f"{name}{ending}"
+        yield Topic(full, ros, gz)
+
+
+def _is_plain(name: str) -> bool:
+    """Whether a topic is known without the arguments of xacro."""
+    return bool(name) and "$" not in name
+
+
+def _text(packages: Packages, topics: list[Topic]) -> str:
+    messages = gz_names(packages.wishes.target)["messages"]
+    clock = Topic("/clock", "rosgraph_msgs/msg/Clock", "Clock")
+    blocks = ["# The topics between ROS and gz, for parameter_bridge of ros_gz_bridge.\n"]
+    for topic in (clock, *topics):
+        way = "ROS_TO_GZ" if topic.from_ros else "GZ_TO_ROS"
+        name = f'"{topic.name}"' if topic.name.startswith("~") else topic.name
+        blocks.append(
+            f"- ros_topic_name: {name}\n  gz_topic_name: {name}\n  ros_type_name: {topic.ros}\n"
+            f"  gz_type_name: {messages}.{topic.gz}\n  direction: {way}\n"
+        )
+    return "".join(blocks)
+
+
+BRIDGE = Step(
+    name="bridge",
+    part=Part.YAML,
+    summary="Topics between ROS and gz",
+    propose=_bridge,
+    rows=(Row("topics that plugins published in ROS", f"{BRIDGE_FILE} for ros_gz_bridge", "jazzy", _AUTHORITY),),
+)

@@ -1,0 +1,297 @@
+"""Launch files in Python that start Gazebo Classic: they start gz, or the controller manager for real hardware."""
+
+from __future__ import annotations
+
+import ast
+import os
+import re
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import since
+from urdfctl.diagnostic import Edit
+from urdfctl.generate.bringup import gz_names
+from urdfctl.migrate.classic.bridge import BRIDGE_FILE, bridge_file_of
+from urdfctl.migrate.classic.plugins import leaves_classic
+from urdfctl.migrate.hardware import simulated_by
+from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.python_edits import PythonFile, keyword, text_of
+from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.todo import for_you
+from urdfctl.migrate.wishes import Part
+from urdfctl.source.packages import package_around, package_name
+from urdfctl.source.span import Place, SourceSpan
+
+_AUTHORITY = "ros_gz_sim README; gazebosim.org, Migrating Gazebo Classic ROS 2 packages"
+_FILES = {"gazebo.launch.py": "-r ", "gzserver.launch.py": "-r -s ", "gzclient.launch.py": "-g "}
+"""The launch files of gazebo_ros, with the options of gz that do the same."""
+_FIND = "FindPackageShare"
+_EMPTY = ("worlds/empty.world", "empty.world")
+
+
+def _launch_python(packages: Packages) -> Iterator[Proposal]:
+    if not leaves_classic(packages):
+        return
+    for path in packages.files(".py"):
+        source = packages.read(path)
+        if b"gazebo_ros" in source.data and packages.may_change(path):
+            file = _File(packages, PythonFile(source))
+            yield from file.to_gz() if packages.simulator == "gz" else file.to_hardware()
+
+
+class _File:
+    """One launch file."""
+
+    def __init__(self, packages: Packages, file: PythonFile) -> None:
+        self.packages, self.file = packages, file
+        self.gz = gz_names(packages.wishes.target)
+        self.includes = [
+            (call, scope, name)
+            for call, scope in file.calls("IncludeLaunchDescription")
+            if (name := self._launched(call, scope)) is not None
+        ]
+        self.spawns = [
+            (call, scope)
+            for call, scope in file.calls("Node")
+            if text_of(getattr(keyword(call, "executable"), "value", None)) == "spawn_entity.py"
+        ]
+
+    def _launched(self, call: ast.Call, scope: ast.AST) -> str | None:
+        """The launch file of gazebo_ros that an include starts; None if it starts another one."""
+        texts = {text_of(node) for node in self._reached(call, scope) if isinstance(node, ast.Constant)}
+        if not any("gazebo_ros" in text.split("/") for text in texts):
+            return None
+        return next((name for name in _FILES if any(text.endswith(name) for text in texts)), None)
+
+    def _reached(self, call: ast.Call, scope: ast.AST) -> Iterator[ast.AST]:
+        """The nodes of an expression, and of the values of the names in it."""
+        pending: list[ast.AST] = [*call.args[:1]]
+        seen: set[str] = set()
+        while pending:
+            node = pending.pop()
+            yield node
+            pending += ast.iter_child_nodes(node)
+            if isinstance(node, ast.Name) and node.id not in seen:
+                seen.add(node.id)
+                value = self.file.value_of(node, scope)
+                pending += [] if value is node else [value]
+
+    # -- to gz ---------------------------------------------------------------------------------------------------------
+
+    def to_gz(self) -> Iterator[Proposal]:
+        if not self.includes and not self.spawns:
+            return
+        edits: list[Edit] = []
+        for call, scope, name in self.includes:
+            edits += self._arguments(call, scope, _FILES[name])
+        edits += self._names()
+        if self.includes and (bridge := self._bridge()) is not None:
+            edits += bridge
+        entry = Entry(EntryKind.DONE, "the launch file starts gz", self._place(), authority=_AUTHORITY)
+        distinct = list(dict.fromkeys(edits))
+        yield Proposal(tuple(edit for edit in distinct if not self._is_inside_other(edit, distinct)), entries=(entry,))
+
+    def _place(self) -> Place:
+        first = self.includes[0][0] if self.includes else self.spawns[0][0]
+        return self.file.at(first)
+
+    @staticmethod
+    def _is_inside_other(edit: Edit, edits: list[Edit]) -> bool:
+        return any(
+            other is not edit
+            and other.span.start <= edit.span.start
+            and edit.span.end <= other.span.end
+            and other.span.start < other.span.end
+            for other in edits
+        )
+
+    def _arguments(self, call: ast.Call, scope: ast.AST, flags: str) -> Iterator[Edit]:
+        """The edit of the arguments of an included launch file."""
+        given = keyword(call, "launch_arguments")
+        value = given.value if given else None
+        inner = value.func.value if isinstance(value, ast.Call) and isinstance(value.func, ast.Attribute) else value
+        known = self.file.value_of(inner, scope) if inner is not None else None
+        world = None
+        if isinstance(known, ast.Dict):
+            pairs = zip(known.keys, known.values, strict=True)
+            world = next((self.file.text(item) for key, item in pairs if text_of(key) == "world"), None)
+        world = None if world in ("''", '""') else world
+        if "-g" in flags:
+            shown = f'"{flags.strip()}"'
+        elif world is None or world.strip("'\"") in _EMPTY:
+            shown = f'"{flags}empty.sdf"'
+        else:
+            shown = f'["{flags}", {" ".join(world.split())}]'
+        text = f'{{"{self.gz["argument"]}": {shown}}}'
+        if isinstance(known, ast.Dict):
+            yield Edit(self.file.span(known), text)
+        elif given is not None:
+            yield Edit(self.file.span(given.value), f"{text}.items()")
+        else:
+            last = self.file.span(call.args[-1]).end
+            yield Edit(SourceSpan(self.file.source, last, last), f", launch_arguments={text}.items()")
+
+    def _names(self) -> Iterator[Edit]:
+        """The edits of names in the file: packages, programs, launch files and worlds."""
+        launch = self.gz["launch"]
+        new = {
+            "gazebo_ros": self.gz["package"],
+            "spawn_entity.py": "create",
+            "-entity": "-name",
+            **dict.fromkeys(_FILES, self.gz["launch"]),
+            **{f"{start}{name}": f"{start}{launch}" for name in _FILES for start in ("/launch/", "launch/", "/")},
+            **dict.fromkeys(_EMPTY, "empty.sdf"),
+            "GAZEBO_MODEL_PATH": "GZ_SIM_RESOURCE_PATH",
+            "GAZEBO_RESOURCE_PATH": "GZ_SIM_RESOURCE_PATH",
+        }
+        for node in ast.walk(self.file.tree) if self.file.tree else ():
+            if isinstance(node, ast.Constant) and node.value in new and isinstance(node.value, str):
+                span = self.file.span(node)
+                yield Edit(span, span.text.replace(node.value, new[node.value]))
+
+    def _bridge(self) -> list[Edit] | None:
+        """The edits that add the bridge of the clock and of the robot's topics; None if it cannot be placed."""
+        if b"parameter_bridge" in self.file.source.data:
+            return []
+        found = bridge_file_of(self.packages, self.file.source.path)
+        imports: list[Edit] = []
+        if found is not None:
+            needed = (
+                ("launch.substitutions", "PathJoinSubstitution"),
+                ("launch_ros.substitutions", "FindPackageShare"),
+            )
+            imports = [edit for module, name in needed if (edit := self.file.imports(module, name)) is not None]
+            path = f'PathJoinSubstitution([FindPackageShare("{found}"), "{BRIDGE_FILE}"])'
+            more = f'parameters=[{{"config_file": {path}}}]'
+        else:
+            more = f'arguments=["/clock@rosgraph_msgs/msg/Clock[{self.gz["messages"]}.Clock"]'
+        text = f'Node(package="{self.gz["bridge"]}", executable="parameter_bridge", {more})'
+        node = self.file.imports("launch_ros.actions", "Node")
+        imports += [node] if node is not None else []
+        merged = [Edit(imports[0].span, "".join(edit.text for edit in imports))] if imports else []
+        placed = self._added(text)
+        return None if placed is None else [*merged, placed]
+
+    def _added(self, text: str) -> Edit | None:
+        """The edit that adds an action to the launch description."""
+        for call, scope in self.file.calls("LaunchDescription"):
+            items = call.args[0] if call.args else None
+            if isinstance(items, ast.List) and items.elts:
+                return self.file.appended(items, [text])
+            edit = self._before_return(call, scope, text)
+            if edit is not None:
+                return edit
+        return None
+
+    def _before_return(self, call: ast.Call, scope: ast.AST, text: str) -> Edit | None:
+        for node in ast.walk(scope):
+            if isinstance(node, ast.Return) and isinstance(node.value, ast.Name):
+                value = self.file.value_of(node.value, scope)
+                if value is call:
+                    start = self.file.span(node).start
+                    indent = " " * node.col_offset
+                    return Edit(
+                        SourceSpan(self.file.source, start, start), f"{node.value.id}.add_action({text})\n{indent}"
+                    )
+        return None
+
+    # -- to real hardware ----------------------------------------------------------------------------------------------
+
+    def to_hardware(self) -> Iterator[Proposal]:
+        if simulated_by(self.packages) != "none" or not (self.includes or self.spawns):
+            return
+        manager = self._manager()
+        if manager is None or len(self.includes) != 1:
+            at = self.file.at((self.includes or self.spawns)[0][0])
+            yield for_you(at, "start ros2_control_node with the controller file, instead of Gazebo Classic")
+            return
+        edits = [Edit(self.file.span(self.includes[0][0]), manager), *self._clock()]
+        for call, scope in self.spawns:
+            edits += self._without_spawn(call, scope)
+        entry = Entry(EntryKind.DONE, "the launch file starts ros2_control_node", self._place(), authority=_AUTHORITY)
+        yield Proposal(tuple(edits), entries=(entry,))
+
+    def _clock(self) -> Iterator[Edit]:
+        """The edits that make nodes and controllers use the time of the system."""
+        for node in ast.walk(self.file.tree) if self.file.tree else ():
+            for key, value in zip(node.keys, node.values, strict=True) if isinstance(node, ast.Dict) else ():
+                if text_of(key) == "use_sim_time" and isinstance(value, ast.Constant) and value.value is True:
+                    yield Edit(self.file.span(value), "False")
+        for path in self._controller_files():
+            source = self.packages.read(path)
+            for found in re.finditer(rb"(?m)^\s+use_sim_time:\s*(true|True)\b", source.data):
+                yield Edit(SourceSpan(source, *found.span(1)), "false")
+
+    def _controller_files(self) -> list[str]:
+        """The controller files of the package."""
+        folder = package_around(os.path.dirname(self.file.source.path))
+        yamls = (path for path in self.packages.files(".yaml") if folder and path.startswith(folder + os.sep))
+        return [path for path in yamls if b"controller_manager:" in self.packages.read(path).data]
+
+    def _manager(self) -> str | None:
+        """The controller manager of the package's only controller file, in the namespace of the spawned robot."""
+        folder = package_around(os.path.dirname(self.file.source.path))
+        name = package_name(os.path.join(folder, "package.xml")) if folder else None
+        files = self._controller_files()
+        if folder is None or name is None or len(files) != 1:
+            return None
+        address = os.path.relpath(files[0], folder).replace(os.sep, "/")
+        spaces = (keyword(call, "namespace") for call, _ in self.spawns)
+        space = next((f"namespace={self.file.text(each.value)}, " for each in spaces if each), "")
+        remap = 'remappings=[("~/robot_description", "robot_description")]'
+        more = "" if self.packages.wishes.target in since("jazzy") else f", {remap}"
+        file = f'[FindPackageShare("{name}"), "/{address}"]'
+        start = 'Node(package="controller_manager", executable="ros2_control_node", '
+        return f"{start}{space}parameters=[ParameterFile({file})]{more})"
+
+    def _without_spawn(self, call: ast.Call, scope: ast.AST) -> Iterator[Edit]:
+        """The edits that remove a spawner of the model, and start at once what waited for it."""
+        name = self._name_of(call, scope)
+        for node in ast.walk(scope):
+            if isinstance(node, ast.List):
+                for item in node.elts:
+                    if item is call or (isinstance(item, ast.Name) and item.id == name):
+                        yield self.file.without(node.elts, item)
+            elif isinstance(node, ast.Assign) and node.value is call:
+                span = self.file.span(node)
+                line = self.file.source.data.rfind(b"\n", 0, span.start) + 1
+                end = self.file.source.data.find(b"\n", span.end) + 1
+                yield Edit(SourceSpan(self.file.source, line, end or span.end), "")
+            elif isinstance(node, ast.Call) and (waiting := self._waiting(node, name)) is not None:
+                yield Edit(self.file.span(node), ", ".join(self.file.text(item) for item in waiting))
+        imports = self.file.imports("launch_ros.parameter_descriptions", "ParameterFile")
+        if imports is not None:
+            yield imports
+
+    @staticmethod
+    def _name_of(call: ast.Call, scope: ast.AST) -> str:
+        """The name that a call is assigned to; empty if it is not assigned."""
+        for node in ast.walk(scope):
+            if isinstance(node, ast.Assign) and node.value is call and isinstance(node.targets[0], ast.Name):
+                return node.targets[0].id
+        return ""
+
+    @staticmethod
+    def _waiting(node: ast.Call, name: str) -> list[ast.expr] | None:
+        """What starts when the named process exits; None if the call is no such handler."""
+        inner = node.args[0] if getattr(node.func, "id", "") == "RegisterEventHandler" and node.args else None
+        if not isinstance(inner, ast.Call):
+            return None
+        target, then = keyword(inner, "target_action"), keyword(inner, "on_exit")
+        if target is None or then is None or getattr(target.value, "id", None) != name:
+            return None
+        return then.value.elts if isinstance(then.value, ast.List) else [then.value]
+
+
+CLASSIC_LAUNCH = Step(
+    name="classic-launch-files",
+    part=Part.LAUNCH,
+    summary="Launch files in Python that start Gazebo Classic",
+    propose=_launch_python,
+    rows=(
+        Row("gazebo_ros gazebo.launch.py: world", "ros_gz_sim gz_sim.launch.py: gz_args", "jazzy", _AUTHORITY),
+        Row("gzserver.launch.py, gzclient.launch.py", "gz_sim.launch.py with -s, with -g", "jazzy", _AUTHORITY),
+        Row("spawn_entity.py -entity NAME", "ros_gz_sim create -name NAME", "jazzy", _AUTHORITY),
+        Row("the clock of Gazebo Classic", "ros_gz_bridge parameter_bridge", "jazzy", _AUTHORITY),
+        Row("GAZEBO_MODEL_PATH", "GZ_SIM_RESOURCE_PATH", "jazzy", _AUTHORITY),
+    ),
+)

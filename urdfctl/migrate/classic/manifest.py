@@ -1,0 +1,69 @@
+"""The dependencies of packages that leave Gazebo Classic."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.diagnostic import Edit
+from urdfctl.generate.bringup import gz_names
+from urdfctl.migrate.classic.plugins import leaves_classic
+from urdfctl.migrate.hardware import host_plugin, simulated_by, system
+from urdfctl.migrate.markup import content, indent_of, lines_of, root_of
+from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.wishes import Part
+
+_AUTHORITY = "rosdistro#41224; ros_gz README"
+_CONTROL = "gazebo_ros2_control"
+_GAZEBO = ("gazebo_ros", "gazebo_ros_pkgs", "gazebo_plugins")
+
+
+def _manifests(packages: Packages) -> Iterator[Proposal]:
+    if not leaves_classic(packages) or packages.wishes.keep_classic:
+        return
+    for path in packages.files("package.xml"):
+        source = packages.read(path)
+        root = root_of(source) if b"gazebo" in source.data else None
+        if root is None or root.tagName != "package":
+            continue
+        known = {content(one) for one in root.elements()}
+        edits = []
+        for element in root.elements():
+            new = _successors(packages, content(element)) if element.tagName.endswith("depend") else None
+            if new is None or any(content(element) == name for name in new):
+                continue
+            added = [name for name in new if name not in known]
+            known.update(added)
+            indent, kind = indent_of(element), element.tagName
+            edits.append(Edit(lines_of(element), "".join(f"{indent}<{kind}>{name}</{kind}>\n" for name in added)))
+        if edits:
+            entry = Entry(
+                EntryKind.DONE, "the package needs gz instead of Gazebo Classic", root.at, authority=_AUTHORITY
+            )
+            yield Proposal(tuple(edits), entries=(entry,))
+
+
+def _successors(packages: Packages, name: str) -> tuple[str, ...] | None:
+    """The packages that replace one of Gazebo Classic; None for other packages."""
+    if name == _CONTROL:
+        host = host_plugin(packages)
+        mock = system(packages).package in ("mock_components", "fake_components")
+        return (host.package,) if host and host.package else ("hardware_interface",) if mock else ()
+    if name not in _GAZEBO:
+        return None
+    gz = gz_names(packages.wishes.target)
+    is_started = name != "gazebo_plugins" and (simulated_by(packages) == "gz" or packages.simulator == "gz")
+    return (gz["package"], gz["bridge"]) if is_started else ()
+
+
+CLASSIC_MANIFEST = Step(
+    name="classic-manifest",
+    part=Part.MANIFEST,
+    summary="Packages of Gazebo Classic",
+    propose=_manifests,
+    rows=(
+        Row("gazebo_ros2_control", "gz_ros2_control", "jazzy", _AUTHORITY),
+        Row("gazebo_ros, gazebo_ros_pkgs", "ros_gz_sim, ros_gz_bridge", "jazzy", _AUTHORITY),
+        Row("gazebo_plugins", "", "jazzy", _AUTHORITY),
+    ),
+)

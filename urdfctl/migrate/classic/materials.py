@@ -1,0 +1,70 @@
+"""Materials by the name of a script of Gazebo Classic become colours, because gz does not read scripts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from urdfctl.migrate.classic.choice import is_chosen, replaced
+from urdfctl.migrate.markup import content, elements, parent_of, root_of, step_of
+from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.wishes import Part
+
+_AUTHORITY = (
+    "gz-sim tutorials/migration_sdf: material scripts are not supported; gazebo media/materials/scripts/gazebo.material"
+)
+_OF_XML = (".xacro", ".urdf", ".gazebo", ".xml", ".inc")
+COLOURS: Mapping[str, str] = {
+    "Black": "0 0 0 1",
+    "FlatBlack": "0.1 0.1 0.1 1",
+    "White": "1 1 1 1",
+    "Grey": "0.7 0.7 0.7 1",
+    "Gray": "0.7 0.7 0.7 1",
+    "LightGrey": "0.9 0.9 0.9 1",
+    "DarkGrey": "0.175 0.175 0.175 1",
+    "DarkGray": "0.175 0.175 0.175 1",
+    "Red": "1 0 0 1",
+    "Green": "0 1 0 1",
+    "Blue": "0 0 1 1",
+    "Yellow": "1 1 0 1",
+    "DarkYellow": "0.7 0.7 0 1",
+    "Orange": "1 0.5088 0.0468 1",
+    "Purple": "1 0 1 1",
+    "Indigo": "0.33 0 0.5 1",
+    "Turquoise": "0 1 1 1",
+    "SkyBlue": "0.13 0.44 0.7 1",
+    "Gold": "0.8 0.649 0.123 1",
+    "Chrome": "0.8 0.8 0.8 1",
+    "Wood": "0.6 0.45 0.3 1",
+}
+"""The diffuse colours of Gazebo Classic's materials, as red, green, blue and alpha from 0 to 1."""
+
+
+def _materials(packages: Packages) -> Iterator[Proposal]:
+    if packages.simulator != "gz":
+        return
+    for path in packages.files(*_OF_XML):
+        source = packages.read(path)
+        root = root_of(source) if b"Gazebo/" in source.data else None
+        for element in elements(root) if root is not None else ():
+            around = parent_of(element)
+            name = content(element)
+            if element.tagName != "material" or around is None or around.tagName != "gazebo" or is_chosen(element):
+                continue
+            colour = COLOURS.get(name.removeprefix("Gazebo/")) if name.startswith("Gazebo/") else None
+            if colour is None:
+                continue
+            step = step_of(source)
+            lines = (f"{step * 2}<{kind}>{colour}</{kind}>\n" for kind in ("ambient", "diffuse"))
+            text = f"<visual>\n{step}<material>\n{''.join(lines)}{step}</material>\n</visual>\n"
+            entry = Entry(EntryKind.DONE, f"material '{name}' became a colour", element.at, authority=_AUTHORITY)
+            yield Proposal(tuple(replaced(packages, element, text)), entries=(entry,))
+
+
+CLASSIC_MATERIALS = Step(
+    name="classic-materials",
+    part=Part.URDF,
+    summary="Materials of Gazebo Classic",
+    propose=_materials,
+    rows=(Row("<material>Gazebo/NAME</material>", "<visual><material><ambient>, <diffuse>", "jazzy", _AUTHORITY),),
+)

@@ -1,0 +1,135 @@
+"""Plugins of Gazebo Classic become systems of gz, or the plugin of ros2_control for gz."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.migrate.classic.choice import is_chosen, replaced
+from urdfctl.migrate.classic.systems import NO_SUCCESSOR, SYSTEMS, library_of, system_text
+from urdfctl.migrate.hardware import HARDWARE_OPTION, host_plugin, simulated_by, system_plugin
+from urdfctl.migrate.markup import (
+    attribute,
+    child,
+    content,
+    elements,
+    indented,
+    parent_of,
+    removal,
+    root_of,
+    span_of,
+    step_of,
+)
+from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.ros1.simulator_plugin import plugin_elements
+from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.todo import for_you
+from urdfctl.migrate.wishes import Part
+from urdfctl.source.dom import Element
+
+CONTROL = "gazebo_ros2_control"
+_HARDWARE = "gazebo_ros2_control/GazeboSystem"
+_OLD_HARDWARE = (_HARDWARE, "gazebo_ros2_control/GazeboSystemInterface")
+_KEPT = ("parameters", "ros", "hold_joints", "controller_manager_name")
+_AUTHORITY = "gazebosim.org, Migrating Gazebo Classic ROS 2 packages"
+_CONTROL = "gz_ros2_control doc/index.rst; rosdistro#41224: gazebo_ros2_control ends with iron"
+_OF_XML = (".xacro", ".urdf", ".gazebo", ".xml", ".inc")
+
+
+def leaves_classic(packages: Packages) -> bool:
+    """Return whether the packages leave Gazebo Classic."""
+    return packages.simulator != "gazebo-classic" and (packages.simulator is not None or packages.crosses("jazzy"))
+
+
+def _control(packages: Packages) -> Iterator[Proposal]:
+    if not leaves_classic(packages):
+        return
+    for element in plugin_elements(packages):
+        if library_of(attribute(element, "filename")) != CONTROL or is_chosen(element) or _has_both(element):
+            continue
+        host = host_plugin(packages)
+        if host is None:
+            around = parent_of(element)
+            alone = around is not None and len(around.elements()) == 1
+            edit = removal(around if around is not None and alone else element)
+            message = f"the plugin of Gazebo Classic is removed: simulator '{simulated_by(packages)}' needs none"
+            yield Proposal((edit,), entries=(Entry(EntryKind.DONE, message, element.at, authority=_CONTROL),))
+            continue
+        text = f'<plugin filename="{host.filenames[0]}" name="{host.names[0]}">\n'
+        kept = (one for one in element.elements() if one.tagName in _KEPT or one.tagName.startswith("xacro:"))
+        step = step_of(element.source)
+        text += "".join(indented(f"{_flush(one)}\n", step) for one in kept) + "</plugin>\n"
+        entry = Entry(
+            EntryKind.DONE, f"the plugin for ros2_control became '{host.names[0]}'", element.at, authority=_CONTROL
+        )
+        yield Proposal(tuple(replaced(packages, element, text)), entries=(entry,))
+
+
+def _flush(element: Element) -> str:
+    """An element as it is written, with its first line indented by nothing and the others by as much less."""
+    lines = span_of(element).text.splitlines()
+    margin = min((len(line) - len(line.lstrip()) for line in lines[1:] if line.strip()), default=0)
+    return "\n".join([lines[0], *(line[margin:] for line in lines[1:])])
+
+
+def _has_both(element: Element) -> bool:
+    """Whether a file already has the plugin for gz, and chooses one by an argument."""
+    return b"gz_ros2_control-system" in element.source.data or b"ign_ros2_control-system" in element.source.data
+
+
+def _hardware(packages: Packages) -> Iterator[Proposal]:
+    if not leaves_classic(packages):
+        return
+    new = system_plugin(packages)
+    for path in packages.files(*_OF_XML):
+        source = packages.read(path)
+        root = root_of(source) if _HARDWARE.encode() in source.data else None
+        for element in elements(root) if root is not None else ():
+            if element.tagName != "plugin" or content(element) not in _OLD_HARDWARE or is_chosen(element):
+                continue
+            message = f"the simulated hardware became '{new}'"
+            entries = [Entry(EntryKind.DONE, message, element.at, authority=_CONTROL)]
+            if simulated_by(packages) == "none" and packages.wishes.hardware is None:
+                text = f"{new} moves nothing: name the plugin of the real hardware in <plugin>"
+                entries.append(Entry(EntryKind.FOR_YOU, text, element.at, option=HARDWARE_OPTION))
+            yield Proposal(tuple(replaced(packages, element, f"<plugin>{new}</plugin>\n")), entries=tuple(entries))
+
+
+def _systems(packages: Packages) -> Iterator[Proposal]:
+    if packages.simulator != "gz":
+        return
+    for element in plugin_elements(packages):
+        library = library_of(attribute(element, "filename"))
+        around = parent_of(element)
+        if is_chosen(element) or (around is not None and around.tagName == "sensor"):
+            continue
+        if library in SYSTEMS:
+            system = SYSTEMS[library]
+            text = system_text(element, system, step_of(element.source))
+            message = f"plugin '{library}' became '{system.filename}'"
+            entry = Entry(EntryKind.DONE, message, element.at, authority=_AUTHORITY)
+            yield Proposal(tuple(replaced(packages, element, text)), entries=(entry,))
+        elif library in NO_SUCCESSOR and child(element, "urdfctl") is None:
+            yield for_you(element.at, f"no system of gz replaces plugin '{library}': choose another way, and remove it")
+
+
+CONTROL_PLUGIN = Step(
+    name="classic-control-plugin",
+    part=Part.URDF,
+    summary="The plugin of Gazebo Classic that runs controllers",
+    propose=_control,
+    rows=(Row("libgazebo_ros2_control.so", "gz_ros2_control-system", "jazzy", _CONTROL),),
+)
+CLASSIC_HARDWARE = Step(
+    name="classic-hardware",
+    part=Part.URDF,
+    summary="Simulated hardware of Gazebo Classic",
+    propose=_hardware,
+    rows=(Row(_HARDWARE, "gz_ros2_control/GazeboSimSystem", "jazzy", _CONTROL),),
+)
+CLASSIC_PLUGINS = Step(
+    name="classic-plugins",
+    part=Part.URDF,
+    summary="Plugins of Gazebo Classic",
+    propose=_systems,
+    rows=tuple(Row(f"lib{name}.so", system.filename, "jazzy", _AUTHORITY) for name, system in SYSTEMS.items()),
+)

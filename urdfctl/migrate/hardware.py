@@ -1,0 +1,58 @@
+"""The plugins that a migrated robot gets: that of its hardware, and that of the simulator."""
+
+from __future__ import annotations
+
+from urdfctl.catalog.catalog import catalog_with
+from urdfctl.catalog.hardware import HardwareType, SimulatorPlugin
+from urdfctl.generate.hardware import hardware, host
+from urdfctl.generate.options import Options
+from urdfctl.migrate.packages import Packages
+
+HARDWARE_OPTION = "--hardware PLUGIN"
+
+
+_HOSTS = (
+    b"libgazebo_ros_control.so",
+    b"libgazebo_ros2_control.so",
+    b"gz_ros2_control-system",
+    b"ign_ros2_control-system",
+)
+_OF_XML = (".xacro", ".urdf", ".gazebo", ".xml", ".inc")
+
+
+def simulated_by(packages: Packages) -> str:
+    """Return the simulator that runs the controllers after the migration; `none` if no plugin of the robots does."""
+    simulator = packages.simulator or "none"
+    if simulator in ("gz", "gazebo-classic") and not _has_host(packages):
+        return "none"
+    return simulator
+
+
+def _has_host(packages: Packages) -> bool:
+    return any(host in packages.read(path).data for path in packages.files(*_OF_XML) for host in _HOSTS)
+
+
+def options_of(packages: Packages) -> Options:
+    """Return the options of the generators for the migrated packages."""
+    return Options(packages.wishes.target, simulated_by(packages), hardware=_named(packages))
+
+
+def _named(packages: Packages) -> str | None:
+    return packages.wishes.hardware if simulated_by(packages) == "none" else None
+
+
+def system(packages: Packages) -> HardwareType:
+    """Return the hardware plugin of the migrated robot: that of the simulator, the one that the user names, or mock."""
+    return hardware(options_of(packages), catalog_with(packages.settings.additions))
+
+
+def system_plugin(packages: Packages) -> str:
+    """Return the name of the hardware plugin."""
+    return system(packages).type
+
+
+def host_plugin(packages: Packages) -> SimulatorPlugin | None:
+    """Return the simulator plugin that runs the controllers; None without a simulator that needs one."""
+    if simulated_by(packages) not in ("gz", "gazebo-classic"):
+        return None
+    return host(options_of(packages), catalog_with(packages.settings.additions))

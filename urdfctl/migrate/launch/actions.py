@@ -1,0 +1,117 @@
+"""The actions of a launch file of ROS 2, before they are written in Python or XML."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from urdfctl.startup.records import NamedTuple
+
+
+class PartOfText(NamedTuple):
+    """A part of a text: its kind is `text`, `arg`, `find`, `env`, `dirname` or `eval`.
+
+    default: the default of an environment variable; None if it has none.
+    """
+
+    kind: str
+    text: str
+    default: str | None = None
+
+
+Text = tuple[PartOfText, ...]
+"""A text with substitutions."""
+
+
+class Condition(NamedTuple):
+    """A condition: the text must be true, or must not be."""
+
+    text: Text
+    negated: bool
+
+
+class Action(NamedTuple):
+    """An action.
+
+    kind: `argument`, `let`, `include`, `group`, `node`, `set_parameter` or `comment`.
+    name: the name of an argument or parameter, the executable of a node, or the text of a comment.
+    value: the default or value; the file of an include; the namespace of a group or node.
+    package: of a node.
+    pairs: the arguments of an include, the parameters of a node, by name.
+    """
+
+    kind: str
+    name: str = ""
+    value: Text | None = None
+    package: str = ""
+    node_name: Text = ()
+    words: tuple[Text, ...] = ()
+    pairs: tuple[tuple[str, Text], ...] = ()
+    files: tuple[Text, ...] = ()
+    description: Text = ()
+    remaps: tuple[tuple[Text, Text], ...] = ()
+    about: str = ""
+    condition: Condition | None = None
+    inner: tuple[Action, ...] = ()
+    flags: tuple[tuple[str, str], ...] = ()
+
+
+def literal(text: str) -> Text:
+    """Return a text without substitutions."""
+    return (PartOfText("text", text),) if text else ()
+
+
+def is_literal(text: Text) -> bool:
+    """Return whether a text has no substitutions."""
+    return all(part.kind == "text" for part in text)
+
+
+def plain(text: Text) -> str:
+    """Return the literal parts of a text."""
+    return "".join(part.text for part in text if part.kind == "text")
+
+
+_SUBSTITUTION = r"\$\((arg|find|env|optenv|dirname|anon|eval)\s*([^()]*(?:\([^()]*\)[^()]*)*)\)"
+
+
+def parsed(text: str) -> Text:
+    """Return a text of roslaunch with its substitutions."""
+    return tuple(part for part in _parts(" ".join(text.split())) if part.text or part.kind != "text")
+
+
+def _parts(text: str) -> Iterator[PartOfText]:
+    position = 0
+    for found in re.finditer(_SUBSTITUTION, text):
+        yield PartOfText("text", text[position : found.start()])
+        position = found.end()
+        kind, inner = found[1], found[2].strip()
+        if kind == "optenv":
+            name, _, default = inner.partition(" ")
+            yield PartOfText("env", name, default.strip())
+        elif kind == "anon":
+            yield PartOfText("text", inner)
+        else:
+            yield PartOfText(kind, inner)
+    yield PartOfText("text", text[position:])
+
+
+def words_of(text: Text) -> tuple[Text, ...]:
+    """Return the words of a command line; a substitution never contains a blank."""
+    words: list[list[PartOfText]] = [[]]
+    for part in text:
+        if part.kind != "text":
+            words[-1].append(part)
+            continue
+        for index, piece in enumerate(re.split(r"\s+", part.text)):
+            if index:
+                words.append([])
+            if piece:
+                words[-1].append(PartOfText("text", piece))
+    return tuple(tuple(word) for word in words if word)
+
+
+def all_actions(actions: tuple[Action, ...]) -> Iterator[Action]:
+    """Yield actions and those in groups."""
+    for action in actions:
+        yield action
+        yield from all_actions(action.inner)

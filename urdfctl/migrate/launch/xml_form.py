@@ -1,0 +1,102 @@
+"""Write actions as a launch file in XML."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from urdfctl.generate.scalars import xml_comment, xml_text
+from urdfctl.migrate.launch.actions import Action, Text
+
+_STEP = "  "
+
+
+def xml_file(actions: Sequence[Action], about: str) -> str:
+    """Return a launch file in XML. `about` is the comment at its beginning."""
+    lines = [line for action in actions for line in _action(action, 1)]
+    return (
+        "\n".join(['<?xml version="1.0"?>', f"<!-- {xml_comment(about)} -->", "<launch>", *lines, "</launch>"]) + "\n"
+    )
+
+
+def _action(action: Action, depth: int) -> Iterator[str]:
+    indent = _STEP * depth
+    if action.kind == "comment":
+        yield f"{indent}<!-- {xml_comment(action.name)} -->"
+        return
+    tag, attributes, children = _element(action, depth)
+    if action.condition is not None:
+        attributes.append(("unless" if action.condition.negated else "if", _text(action.condition.text)))
+    head = "".join(f' {name}="{value}"' for name, value in attributes)
+    if not children:
+        yield f"{indent}<{tag}{head}/>"
+        return
+    yield f"{indent}<{tag}{head}>"
+    yield from children
+    yield f"{indent}</{tag}>"
+
+
+def _element(action: Action, depth: int) -> tuple[str, list[tuple[str, str]], list[str]]:
+    value = _text(action.value or ())
+    inner = _STEP * (depth + 1)
+    if action.kind == "argument":
+        more = [("default", value)] if action.value is not None else []
+        about = [("description", xml_text(action.about))] if action.about else []
+        return "arg", [("name", action.name), *more, *about], []
+    if action.kind == "let":
+        return "let", [("name", action.name), ("value", value)], []
+    if action.kind == "set_parameter":
+        return "set_parameter", [("name", action.name), ("value", value)], []
+    if action.kind == "include":
+        given = [f'{inner}<arg name="{name}" value="{_text(text)}"/>' for name, text in action.pairs]
+        return "include", [("file", value)], given
+    if action.kind == "group":
+        push = [f'{inner}<push-ros-namespace namespace="{value}"/>'] if action.value else []
+        return "group", [], [*push, *(line for each in action.inner for line in _action(each, depth + 1))]
+    return "node", list(_attributes(action)), [f"{inner}{line}" for line in _children(action)]
+
+
+def _attributes(node: Action) -> Iterator[tuple[str, str]]:
+    yield "pkg", node.package
+    yield "exec", node.name
+    if node.node_name:
+        yield "name", _text(node.node_name)
+    if node.value:
+        yield "namespace", _text(node.value)
+    if node.words:
+        yield "args", " ".join(_text(word) for word in node.words)
+    for name, value in node.flags:
+        if name != "condition":
+            yield (
+                name.replace("prefix", "launch-prefix"),
+                value.lower() if value in {"True", "False"} else xml_text(value),
+            )
+
+
+def _children(node: Action) -> Iterator[str]:
+    if node.description:
+        command = _text(node.description).replace("'", "&quot;")
+        yield f'<param name="robot_description" value="$(command \'{command}\')" type="str"/>'
+    for file in node.files:
+        yield f'<param from="{_text(file)}"/>'
+    for name, value in node.pairs:
+        yield f'<param name="{name}" value="{_text(value)}"/>'
+    for old, new in node.remaps:
+        yield f'<remap from="{_text(old)}" to="{_text(new)}"/>'
+
+
+def _text(text: Text) -> str:
+    return "".join(_part(part.kind, part.text, part.default) for part in text)
+
+
+def _part(kind: str, text: str, default: str | None) -> str:
+    if kind == "arg":
+        return f"$(var {text})"
+    if kind == "find":
+        return f"$(find-pkg-share {text})"
+    if kind == "env":
+        return f"$(env {text})" if default is None else f"$(env {text} '{xml_text(default)}')"
+    if kind == "dirname":
+        return "$(dirname)"
+    if kind == "eval":
+        return f"$(eval &quot;{xml_text(text)}&quot;)"
+    return xml_text(text)

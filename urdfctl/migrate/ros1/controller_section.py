@@ -1,0 +1,243 @@
+"""Write the section of one controller in a file for ROS 2: its type, and its parameters as that type reads them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from urdfctl.catalog.catalog import catalog_with
+from urdfctl.catalog.entries import ControllerType
+from urdfctl.catalog.map_parameters import matching
+from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.ros1.controller_map import Item
+from urdfctl.migrate.ros1.parameters import Change, changed, changes_of, pid_settings
+from urdfctl.migrate.step import Entry, EntryKind
+from urdfctl.migrate.yaml_edits import MapEdits, Path, leaves
+from urdfctl.source.kinds import Kind
+from urdfctl.source.span import SourceText
+from urdfctl.source.yaml import Mapping as Map
+from urdfctl.source.yaml import Node, Scalar
+from urdfctl.source.yaml import Sequence as List
+from urdfctl.source.yaml_types import typed_by_rcl
+from urdfctl.startup.records import NamedTuple
+
+_RENAMED = "ros2_controllers doc/migration.rst; the parameters that the distro's branch declares"
+_TYPES = "control.ros.org, differences between ros_control and ros2_control"
+_DOUBLES = "rcl_yaml_param_parser: an integer is not accepted for a parameter of type double"
+
+
+class ControllerSection(NamedTuple):
+    """A controller for ROS 2.
+
+    type: its type.
+    lines: its parameters as YAML, indented by nothing.
+    rate: the rate in Hz at which it published, None if it had none.
+    """
+
+    type: str
+    lines: str
+    rate: float | None
+    entries: tuple[Entry, ...]
+
+
+def section_of(packages: Packages, item: Item, source: SourceText) -> ControllerSection | None:
+    """Return a controller for the target; None if its type has no replacement there."""
+    catalog = catalog_with(packages.settings.additions)
+    target = packages.wishes.target
+    same = catalog.controller(item.type, target)
+    replacement = None if same else catalog.replacement(item.type, target)
+    kind = same or (catalog.controller(replacement.type, target) if replacement else None)
+    if kind is None or not isinstance(item.entry.value, Map):
+        return None
+    writer = _Writer(item, kind, source)
+    extra = dict(replacement.parameters) if replacement else {}
+    return writer.section(extra, packages)
+
+
+class _Writer:
+    def __init__(self, item: Item, kind: ControllerType, source: SourceText) -> None:
+        self.item, self.kind, self.source = item, kind, source
+        self.entries: list[Entry] = []
+        self.rate: float | None = None
+        assert isinstance(item.entry.value, Map)  # noqa: S101 (the caller looked)
+        self.map = item.entry.value
+
+    def section(self, extra: Mapping[str, object], packages: Packages) -> ControllerSection:
+        if self.kind.type != self.item.type:
+            what = f"controller '{self.item.name}' of type '{self.item.type}' became '{self.kind.type}'"
+            self.entries.append(Entry(EntryKind.DONE, what, self.item.entry.key.at, authority=_TYPES))
+        edits = MapEdits(self.source)
+        names = dict(leaves(self.map))
+        added = [f"{name}: {_yaml(value)}" for name, value in extra.items() if name not in names]
+        added += self._loops(names)
+        for name, path in names.items():
+            self._change(edits, name, path, added, packages)
+        return ControllerSection(self.kind.type, self._text(edits, added), self.rate, tuple(self.entries))
+
+    def _loops(self, names: Mapping[str, Path]) -> list[str]:
+        """The settings of a pid_controller for a controller with a PID loop."""
+        joints = [text for name in ("joint", "joints") if name in names for text in _texts(names[name][-1][1].value)]
+        gains = [(n.removeprefix("pid."), self._scalar(p)) for n, p in names.items() if n.startswith("pid.")]
+        known = [
+            (name, value)
+            for name, value in _clamps(gains)
+            if matching(f"gains.{joints[0] if joints else 'j'}.{name}", self.kind.parameters)
+        ]
+        return pid_settings(self.item.type, joints, known)
+
+    def _scalar(self, path: Path) -> str:
+        node = path[-1][1].value
+        return _as_double(node) if isinstance(node, Scalar) else ""
+
+    def _change(self, edits: MapEdits, name: str, path: Path, added: list[str], packages: Packages) -> None:
+        key, value = path[-1][1].key, path[-1][1].value
+        if name == "type":
+            edits.drop(path)
+            return
+        if name.endswith("publish_rate") and isinstance(value, Scalar):
+            self.rate = _number(value)
+        found = changed(name, changes_of(self.kind.type))
+        if found is None and name.startswith("pid.") and "gains.<dof_names>.p" in self.kind.parameters:
+            edits.drop(path)
+            return
+        change, element = found or (Change(name), "")
+        targets = [each.replace("<>", element) for each in change.name.split()]
+        if not targets or matching(targets[0], self.kind.parameters) is None:
+            edits.drop(path)
+            why = change.why or f"'{self.kind.type}' does not read it in {packages.wishes.target}"
+            message = f"parameter '{name}' of '{self.item.name}' is dropped: {why}"
+            self.entries.append(Entry(EntryKind.DONE, message, key.at, authority=_RENAMED))
+            return
+        if targets != [name]:
+            message = f"parameter '{name}' of '{self.item.name}' became {' and '.join(targets)}"
+            self.entries.append(Entry(EntryKind.DONE, message, key.at, authority=_RENAMED))
+        self._rename(edits, name, path, targets, added)
+        self._retype(edits, value, targets[0], as_list=change.as_list)
+
+    def _rename(self, edits: MapEdits, name: str, path: Path, targets: Sequence[str], added: list[str]) -> None:
+        key, value = path[-1][1].key, path[-1][1].value
+        if targets == [name]:
+            return
+        written = self.source.data[value.start : value.end].decode("utf-8", "surrogateescape").strip()
+        if len(path) == 1:
+            edits.replace(key, targets[0])
+            added += (
+                f"{other}: {_as_double(value) if isinstance(value, Scalar) else written}" for other in targets[1:]
+            )
+        else:
+            edits.drop(path)
+            added += (f"{other}: {_as_double(value) if isinstance(value, Scalar) else written}" for other in targets)
+
+    def _retype(self, edits: MapEdits, value: Node, name: str, *, as_list: bool) -> None:
+        found = matching(name, self.kind.parameters)
+        parameter = self.kind.parameters[found[0]] if found else None
+        if parameter is None:
+            return
+        if isinstance(value, Scalar):
+            text = self.source.data[value.start : value.end].decode("utf-8", "surrogateescape")
+            new = _as_double(value) if "double" in parameter.types or "double_array" in parameter.types else text
+            is_array = as_list or all(kind.endswith("_array") for kind in parameter.types)
+            if is_array:
+                new = f"[{new}]"
+            if new != text:
+                edits.replace(value, new)
+        elif isinstance(value, List) and "double_array" in parameter.types:
+            for item in value.items:
+                if isinstance(item, Scalar) and (new := _as_double(item)) != item.text:
+                    edits.replace(item, new)
+
+    def _text(self, edits: MapEdits, added: Sequence[str]) -> str:
+        """The parameters as YAML, indented by nothing: as they are written, with the edits."""
+        lines = _block(self.map, self.source, edits)
+        return "".join(f"{line}\n" for line in [*lines, *added])
+
+
+def _block(node: Map, source: SourceText, edits: MapEdits) -> Iterator[str]:
+    if not node.entries:
+        return
+    is_flow = source.data[node.start : node.start + 1] == b"{"
+    if is_flow:
+        inside = _edited(source, edits, node.start + 1, node.end - 1).decode("utf-8", "surrogateescape")
+        yield from _flow_entries(inside)
+        return
+    first = source.data.rfind(b"\n", 0, node.start) + 1
+    column = node.entries[0].key.start - (source.data.rfind(b"\n", 0, node.entries[0].key.start) + 1)
+    end = source.data.find(b"\n", len(source.data[: node.end].rstrip()) - 1)
+    text = _edited(source, edits, first, len(source.data) if end < 0 else end + 1).decode("utf-8", "surrogateescape")
+    for line in text.rstrip().splitlines():
+        yield line[min(column, len(line) - len(line.lstrip())) :] if line.strip() else ""
+
+
+def _edited(source: SourceText, edits: MapEdits, start: int, end: int) -> bytes:
+    position, pieces = start, []
+    for edit in edits.edits():
+        if edit.span.start < start or edit.span.end > end:
+            continue
+        pieces += [source.data[position : edit.span.start], edit.text.encode("utf-8", "surrogateescape")]
+        position = max(position, edit.span.end)
+    return b"".join([*pieces, source.data[position:end]])
+
+
+def _flow_entries(text: str) -> Iterator[str]:
+    """The entries of a flow map, each as a line of its own."""
+    depth, quote, start = 0, "", 0
+    for index, character in enumerate(text):
+        if quote:
+            quote = "" if character == quote else quote
+        elif character in "'\"":
+            quote = character
+        elif character in "[{":
+            depth += 1
+        elif character in "]}":
+            depth -= 1
+        elif character == "," and not depth:
+            yield from _one_line(text[start:index])
+            start = index + 1
+    yield from _one_line(text[start:])
+
+
+def _one_line(text: str) -> Iterator[str]:
+    joined = " ".join(text.split())
+    if joined:
+        yield joined
+
+
+def _clamps(gains: Sequence[tuple[str, str]]) -> Iterator[tuple[str, str]]:
+    """The gains with two limits of the integral part instead of one (control_toolbox Pid)."""
+    given = dict(gains)
+    for name, value in gains:
+        if name == "i_clamp":
+            yield from (
+                (each, value if each.endswith("max") else _negative(value))
+                for each in ("i_clamp_max", "i_clamp_min")
+                if each not in given
+            )
+        else:
+            yield name, value
+
+
+def _negative(text: str) -> str:
+    return text.removeprefix("-") if text.startswith("-") else f"-{text.removeprefix('+')}"
+
+
+def _texts(node: Node) -> list[str]:
+    items = node.items if isinstance(node, List) else (node,)
+    return [item.text for item in items if isinstance(item, Scalar)]
+
+
+def _as_double(node: Scalar) -> str:
+    """A number as rcl reads it as a double; any other value as it is written."""
+    typed = typed_by_rcl(node)
+    if typed.kind is Kind.INT:
+        return f"{typed.value}.0"
+    return node.source.data[node.start : node.end].decode("utf-8", "surrogateescape")
+
+
+def _number(node: Scalar) -> float | None:
+    value = typed_by_rcl(node).value
+    return float(value) if isinstance(value, int | float) else None
+
+
+def _yaml(value: object) -> str:
+    if isinstance(value, list | tuple):
+        return f"[{', '.join(map(_yaml, value))}]"
+    return str(value).lower() if isinstance(value, bool) else str(value)

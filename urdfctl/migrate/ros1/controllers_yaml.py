@@ -1,0 +1,175 @@
+"""Controller files of ROS 1 become parameter files of ROS 2: a section for each node, with `ros__parameters`."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+
+from urdfctl.diagnostic import Edit
+from urdfctl.migrate.hardware import simulated_by
+from urdfctl.migrate.manager import RATE, manager_text
+from urdfctl.migrate.markup import child, content
+from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.ros1.controller_map import GAINS_OF_GAZEBO, Item, items_of
+from urdfctl.migrate.ros1.controller_section import ControllerSection, section_of
+from urdfctl.migrate.ros1.simulator_plugin import plugin_elements
+from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.todo import todo_line
+from urdfctl.migrate.wishes import Part
+from urdfctl.source.span import SourceSpan, SourceText
+from urdfctl.source.yaml import Mapping, Node, read_yaml
+
+_FORM = "rcl_yaml_param_parser: parameters are below ros__parameters of their node"
+_PID_GAINS = "gz_ros2_control src/gz_system.cpp: position_proportional_gain, one for all joints"
+_OF_ROS2 = (b"ros__parameters", b"moveit_simple_controller_manager", b"moveit_ros_control_interface")
+
+
+def _files(packages: Packages) -> Iterator[Proposal]:
+    for path in packages.files(".yaml", ".yml"):
+        source = packages.read(path)
+        documents = read_yaml(source).documents if b"type" in source.data else ()
+        if len(documents) == 1 and not any(mark in source.data for mark in _OF_ROS2):
+            items = list(items_of(documents[0]))
+            if any(item.type for item in items):
+                yield _File(packages, source, documents[0], items).proposal()
+
+
+class _File:
+    """A controller file while it is migrated."""
+
+    def __init__(self, packages: Packages, source: SourceText, root: Node, items: Sequence[Item]) -> None:
+        self.packages, self.source, self.root, self.items = packages, source, root, items
+        self.entries: list[Entry] = []
+        self.loaded_into = _namespace_of(packages, source.path)
+
+    def proposal(self) -> Proposal:
+        sections = [(item, section_of(self.packages, item, self.source) if item.type else None) for item in self.items]
+        starts = [self._start(index) for index in range(len(self.items))]
+        head = self.source.data[: min(starts[0], self._first_line())].decode("utf-8", "surrogateescape")
+        blocks = [self._written(item, section, start) for (item, section), start in zip(sections, starts, strict=True)]
+        text = head.rstrip("\n") + "\n\n" if head.strip() else ""
+        text += "\n".join([*self._managers(sections), *(block for block in blocks if block)])
+        tail = self._tail()
+        done = Entry(EntryKind.DONE, "the file is in the form of ROS 2", self.items[0].entry.key.at, authority=_FORM)
+        whole = SourceSpan(self.source, 0, len(self.source.data))
+        entries = tuple(dict.fromkeys([done, *self.entries]))
+        return Proposal((Edit(whole, text.rstrip("\n") + "\n" + tail),), entries=entries)
+
+    def _managers(self, sections: Sequence[tuple[Item, ControllerSection | None]]) -> Iterator[str]:
+        """The section of the manager of each namespace."""
+        types: dict[str, dict[str, str]] = {}
+        for item, section in sections:
+            if section is not None:
+                types.setdefault(self._namespace(item), {})[item.name] = section.type
+            self.entries += section.entries if section else ()
+        rate, why = self._rate([section for _, section in sections if section])
+        self.entries.append(Entry(EntryKind.DECIDED, f"update_rate: {rate} Hz, {why}", self.items[0].entry.key.at))
+        for namespace, known in types.items():
+            yield manager_text(namespace, known, rate, simulated=simulated_by(self.packages) != "none")
+
+    def _rate(self, sections: Sequence[ControllerSection]) -> tuple[int, str]:
+        for plugin in plugin_elements(self.packages):
+            period = child(plugin, "controlPeriod")
+            try:
+                return round(1 / float(content(period) if period is not None else "")), "from <controlPeriod>"
+            except (ValueError, ZeroDivisionError):
+                continue
+        published = max((section.rate or 0.0 for section in sections), default=0.0)
+        if published > RATE:
+            return round(published), "at which a controller published"
+        return RATE, "usual: ROS 1 has no such parameter"
+
+    def _namespace(self, item: Item) -> str:
+        parts = [part for part in f"{self.loaded_into}/{item.namespace}".split("/") if part]
+        return "".join(f"/{part}" for part in parts)
+
+    def _first_line(self) -> int:
+        """The offset of the line of the first key, which may be a namespace."""
+        assert isinstance(self.root, Mapping)  # noqa: S101 (it has items)
+        return self.source.data.rfind(b"\n", 0, self.root.entries[0].key.start) + 1
+
+    def _start(self, index: int) -> int:
+        """The offset at which the lines of an item begin, with the comments above it."""
+        item = self.items[index]
+        data = self.source.data
+        start = data.rfind(b"\n", 0, item.entry.key.start) + 1
+        floor = _end(self.items[index - 1].entry.value) if index else 0
+        while start > floor:
+            above = data.rfind(b"\n", 0, start - 1) + 1
+            line = data[above : start - 1].strip()
+            if above < floor or not line.startswith(b"#"):
+                break
+            start = above
+        return start
+
+    def _written(self, item: Item, section: ControllerSection | None, start: int) -> str:
+        data = self.source.data
+        line = data.rfind(b"\n", 0, item.entry.key.start) + 1
+        comments = [text.strip() for text in data[start:line].decode("utf-8", "surrogateescape").splitlines()]
+        above = "".join(f"{text}\n" for text in comments if text)
+        if section is not None:
+            body = "".join(f"    {text}\n" if text else "\n" for text in section.lines.splitlines())
+            name = f"{self._namespace(item)}/{item.name}" if self._namespace(item) else item.name
+            return f"{above}{name}:\n  ros__parameters:\n{body}" if body.strip() else ""
+        return above + self._other(item, data[line : _end_of_lines(data, item)].decode("utf-8", "surrogateescape"))
+
+    def _other(self, item: Item, text: str) -> str:
+        """What is no controller of the target: kept as a comment, because ROS 2 rejects the file otherwise."""
+        if item.name == GAINS_OF_GAZEBO:
+            message = (
+                "the gains of Gazebo's joints are dropped: the simulator moves joints without a PID loop of its own"
+            )
+            self.entries.append(Entry(EntryKind.DECIDED, message, item.entry.key.at, authority=_PID_GAINS))
+            return ""
+        kind = (
+            f"type '{item.type}' has no counterpart in {self.packages.wishes.target}"
+            if item.type
+            else "no controller reads it"
+        )
+        what = f"'{item.name}' is kept as a comment: {kind}"
+        if not item.type:
+            self.entries.append(Entry(EntryKind.DECIDED, what, item.entry.key.at, authority=_FORM))
+            return "".join(f"# {line}\n" for line in text.splitlines())
+        self.entries.append(Entry(EntryKind.FOR_YOU, what, item.entry.key.at))
+        return f"{todo_line(self.source.path, what)}\n" + "".join(f"# {line}\n" for line in text.splitlines())
+
+    def _tail(self) -> str:
+        """The comments after the last item."""
+        last = self.items[-1]
+        rest = self.source.data[_end_of_lines(self.source.data, last) :].decode("utf-8", "surrogateescape")
+        return f"\n{rest.strip()}\n" if rest.strip() else ""
+
+
+def _end(node: Node) -> int:
+    return node.start + len(node.source.data[node.start : node.end].rstrip())
+
+
+def _end_of_lines(data: bytes, item: Item) -> int:
+    end = data.find(b"\n", _end(item.entry.value))
+    return len(data) if end < 0 else end + 1
+
+
+def _namespace_of(packages: Packages, path: str) -> str:
+    """The namespace that launch files load a file into; empty if they differ or do not say."""
+    real = os.path.realpath(path)
+    spaces = {
+        load.namespace or ""
+        for loaded in packages.loaded()
+        for load in (loaded.project.launch.loads if loaded.project.launch and loaded.project.launch.ros == 1 else ())
+        if load.file.path and os.path.realpath(load.file.path) == real and not load.in_node
+    }
+    named = spaces - {""}  # a launch file that others include in a namespace is also read by itself
+    return named.pop() if len(named) == 1 else ""
+
+
+CONTROLLERS = Step(
+    name="controllers",
+    part=Part.YAML,
+    summary="Controller files",
+    propose=_files,
+    generation=1,
+    rows=(
+        Row("NAME: {type: T, ...}", "controller_manager and NAME with ros__parameters", "", _FORM),
+        Row("gazebo_ros_control/pid_gains", "", "", _PID_GAINS),
+    ),
+)

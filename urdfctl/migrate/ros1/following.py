@@ -1,0 +1,76 @@
+"""Write the joints that mimic another one as joints of `<ros2_control>` that nothing commands."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from urdfctl.migrate.markup import step_of
+from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.ros1.followers import followers_of
+from urdfctl.migrate.ros1.gathering import Component, Path, prefix_of
+from urdfctl.migrate.ros1.interfaces import states_of
+from urdfctl.migrate.ros1.parts import joint_text
+from urdfctl.migrate.ros1.uses import Use, Uses, key_of_element
+from urdfctl.model.robot import Robot
+
+
+def idle(packages: Packages, uses: Uses, its_uses: Sequence[Use]) -> Iterator[tuple[Path, str]]:
+    """Yield the robots in which the joint of a transmission mimics another one, with what is written for it there."""
+    for use in its_uses:
+        followers = followers_of(packages, uses.robots[use.robot].project)
+        names = [joint.name for joint in use.value.joints if joint.name]
+        if names and all(name in followers for name in names):
+            texts = (joint_text(name, (), states_of(()), "  ", followers[name]) for name in names)
+            yield (use.robot, use.calls), "".join(texts)
+
+
+def following(packages: Packages, uses: Uses, component: Component) -> str:
+    """Return the joints that mimic a joint of a component and have no transmission themselves.
+
+    The name of one is written with the same prefix as those of the component's joints.
+    """
+    step = step_of(component.unit.source)
+    prefix = prefix_of(name for item in component.items for name in item.names)
+    written: dict[str, str] = {}
+    for number in {robot for item in component.items for robot, _ in item.paths}:
+        project = uses.robots[number].project
+        leaders = _joints(uses, component, number)
+        before = _prefix_in(uses, component, number, prefix) if prefix else ""
+        for name, leader in _mimicking(project.robot) if project.robot else ():
+            if leader not in leaders or not name.startswith(before):
+                continue
+            texts = followers_of(packages, project).get(name, "")
+            texts = texts.replace(f">{leader}<", f">{prefix}{leader.removeprefix(before)}<")
+            own = f"{prefix}{name.removeprefix(before)}"
+            written.setdefault(own, joint_text(own, (), states_of(()), step, texts))
+    return "".join(written.values())
+
+
+def _mimicking(robot: Robot) -> Iterator[tuple[str, str]]:
+    """The joints that mimic another one and have no transmission, each with the mimicked joint."""
+    own = {joint.name for transmission in robot.transmissions for joint in transmission.joints}
+    for joint in robot.joints:
+        if joint.name and joint.name not in own and joint.mimic and joint.mimic.joint:
+            yield joint.name, joint.mimic.joint
+
+
+def _uses_in(uses: Uses, component: Component, robot: int) -> Iterator[tuple[str, str]]:
+    """The joints of a component in a robot: as they are written, and their names."""
+    for key, its_uses in uses.by_element.items():
+        names = next((item.names for item in component.items if key_of_element(item.element) == key), None)
+        for use in its_uses:
+            if use.robot == robot:
+                yield from zip(names or ("",) * 9, (joint.name or "" for joint in use.value.joints), strict=False)
+
+
+def _joints(uses: Uses, component: Component, robot: int) -> set[str]:
+    return {name for _, name in _uses_in(uses, component, robot)}
+
+
+def _prefix_in(uses: Uses, component: Component, robot: int, prefix: str) -> str:
+    """What the prefix of a component's joints is in a robot."""
+    for written, name in _uses_in(uses, component, robot):
+        rest = written.removeprefix(prefix)
+        if written and "$" not in rest and name.endswith(rest):
+            return name.removesuffix(rest)
+    return ""

@@ -1,0 +1,151 @@
+"""Launch files of ROS 1 become new launch files of ROS 2, in Python or XML."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+
+from urdfctl.catalog.distros import since
+from urdfctl.generate.bringup import gz_names, takes_param_file
+from urdfctl.migrate.hardware import simulated_by
+from urdfctl.migrate.launch.python_form import python_file
+from urdfctl.migrate.launch.xml_form import xml_file
+from urdfctl.migrate.markup import elements, root_of
+from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.ros1.roslaunch import Reading
+from urdfctl.migrate.ros1.roslaunch_nodes import Target
+from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.todo import todo_line
+from urdfctl.migrate.wishes import Part
+from urdfctl.model.build_launch import is_of_ros2
+from urdfctl.source.dom import Element
+from urdfctl.source.packages import package_name
+
+_AUTHORITY = "docs.ros.org, Migrating launch files from ROS 1 to ROS 2"
+_MOVEIT = "moveit.picknik.ai, moveit_configs_utils: launch files are made by MoveItConfigsBuilder"
+_ENDINGS = (".launch", ".launch.xml", ".test")
+_OF_MOVEIT = ("moveit_ros_move_group", "moveit_ros_planning", "moveit_setup_assistant", "moveit_ros_benchmarks")
+
+
+def _launch_files(packages: Packages) -> Iterator[Proposal]:
+    for path in packages.files(".launch", ".launch.xml", "launch.xml"):
+        source = packages.read(path)
+        root = root_of(source) if b"<launch" in source.data else None
+        if root is None or root.tagName != "launch" or is_of_ros2(root) or "/.ros" in path:
+            continue
+        yield from _migrated(packages, path, root)
+
+
+def _migrated(packages: Packages, path: str, root: Element) -> Iterator[Proposal]:
+    if _is_of_moveit(path, root):
+        text = "write the launch files of MoveIt anew with MoveItConfigsBuilder, or its Setup Assistant"
+        manifest = os.path.join(os.path.dirname(os.path.dirname(path)), "package.xml")
+        yield Proposal(entries=(Entry(EntryKind.FOR_YOU, text, file=manifest, authority=_MOVEIT),))
+        return
+    new = _new_path(path, packages.wishes.launch)
+    if os.path.exists(new):
+        return
+    reading = Reading(_target(packages))
+    actions = reading.actions(root)
+    name = os.path.basename(path)
+    text = (xml_file if packages.wishes.launch == "xml" else python_file)(actions, f"Migrated from {name}.")
+    if reading.left:
+        todos = dict.fromkeys(todo_line(new, what) for _, what in reading.left)
+        text = _with_todos(text, list(todos), packages.wishes.launch)
+    entries = [Entry(EntryKind.DONE, f"{name} became {os.path.basename(new)}", file=new, authority=_AUTHORITY)]
+    entries += [Entry(EntryKind.DECIDED, what, file=new) for _, what in reading.decided]
+    entries += [Entry(EntryKind.FOR_YOU, what, file=new) for what in dict.fromkeys(what for _, what in reading.left)]
+    yield Proposal(created=((new, text),), deleted=(path,), entries=tuple(entries))
+
+
+def _with_todos(text: str, todos: list[str], form: str) -> str:
+    """The text of a launch file with what is left to a person at its beginning."""
+    head, mark, rest = text.partition("<launch>\n" if form == "xml" else '"""\n')
+    if form == "xml":
+        return head + mark + "".join(f"  {todo}\n" for todo in todos) + rest
+    return head + mark + "\n" + "".join(f"{todo}\n" for todo in todos) + rest.lstrip("\n")
+
+
+def _new_path(path: str, form: str) -> str:
+    base = path
+    for ending in (".launch.xml", ".launch", ".xml"):
+        base = base.removesuffix(ending)
+    return f"{base}.launch.{form}"
+
+
+def _is_of_moveit(path: str, root: Element) -> bool:
+    nodes = {element.attrs.get("pkg") for element in elements(root)}
+    folder = os.path.dirname(os.path.dirname(path))
+    return bool(nodes & {*_OF_MOVEIT}) or os.path.exists(os.path.join(folder, ".setup_assistant"))
+
+
+def _target(packages: Packages) -> Target:
+    wishes = packages.wishes
+    controllers = _controller_files(packages)
+    return Target(
+        distro=wishes.target,
+        simulator=simulated_by(packages),
+        own=frozenset(_own_packages(packages)),
+        ending=f".launch.{wishes.launch}",
+        is_controllers_file=lambda written: os.path.basename(written) in controllers,
+        takes_param_file=takes_param_file(wishes.target),
+        remaps_description=wishes.target not in since("jazzy"),
+        gz=gz_names(wishes.target),
+    )
+
+
+def _own_packages(packages: Packages) -> Iterator[str]:
+    for path in packages.files("package.xml"):
+        name = package_name(path)
+        if name:
+            yield name
+
+
+def _controller_files(packages: Packages) -> set[str]:
+    """The names of the controller files, before or after their own migration."""
+    marks = (b"controller_manager:", b"_controller/", b"_controllers/", b"_broadcaster/")
+    return {
+        os.path.basename(path)
+        for path in packages.files(".yaml", ".yml")
+        if any(mark in packages.read(path).data for mark in marks)
+    }
+
+
+LAUNCH_FILES = Step(
+    name="roslaunch",
+    part=Part.LAUNCH,
+    summary="Launch files",
+    propose=_launch_files,
+    generation=1,
+    rows=(
+        Row(
+            '<param name="robot_description" command="xacro ...">', "parameter of robot_state_publisher", "", _AUTHORITY
+        ),
+        Row(
+            "<rosparam> of a controller file",
+            "the simulator's plugin, ros2_control_node or --param-file",
+            "",
+            _AUTHORITY,
+        ),
+        Row(
+            "controller_manager spawner --stopped --timeout T",
+            "spawner --inactive --controller-manager-timeout T",
+            "",
+            _AUTHORITY,
+        ),
+        Row(
+            "gazebo_ros spawn_model -urdf -param -model M",
+            "ros_gz_sim create -topic -name M, or spawn_entity.py",
+            "",
+            _AUTHORITY,
+        ),
+        Row(
+            "gazebo_ros empty_world.launch",
+            "ros_gz_sim gz_sim.launch.py, or gazebo_ros gazebo.launch.py",
+            "",
+            _AUTHORITY,
+        ),
+        Row("tf static_transform_publisher", "tf2_ros static_transform_publisher --x ...", "", _AUTHORITY),
+        Row("rviz", "rviz2", "", _AUTHORITY),
+    ),
+)

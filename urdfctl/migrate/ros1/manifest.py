@@ -1,0 +1,245 @@
+"""package.xml and CMakeLists.txt of packages without compiled code: format 3, ament, and install rules."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator, Mapping
+
+from urdfctl.catalog.catalog import catalog_with
+from urdfctl.diagnostic import Edit
+from urdfctl.generate.bringup import gz_names
+from urdfctl.migrate.hardware import host_plugin, simulated_by, system
+from urdfctl.migrate.markup import child, children, content, end_of, indent_of, lines_of, merged, root_of, step_of
+from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.wishes import Part
+from urdfctl.source.dom import Element
+from urdfctl.source.span import SourceSpan, SourceText
+
+_AUTHORITY = "docs.ros.org, Migrating packages from ROS 1 to ROS 2"
+_FORMAT = "REP 149: package.xml format 3"
+_DEPENDS = ("depend", "exec_depend", "run_depend", "build_depend", "build_export_depend", "test_depend")
+_NEW_NAMES: Mapping[str, tuple[str, ...]] = {
+    "joint_state_controller": ("joint_state_broadcaster",),
+    "imu_sensor_controller": ("imu_sensor_broadcaster",),
+    "force_torque_sensor_controller": ("force_torque_sensor_broadcaster",),
+    "ros_control": ("ros2_control",),
+    "ros_controllers": ("ros2_controllers",),
+    "rviz": ("rviz2",),
+    "tf": ("tf2_ros",),
+    "rospy": ("rclpy",),
+    "roscpp": ("rclcpp",),
+    "roslaunch": ("launch_ros",),
+    "gazebo_msgs": ("gazebo_msgs",),
+    "roboticsgroup_gazebo_plugins": (),
+    "roboticsgroup_upatras_gazebo_plugins": (),
+    "gazebo_plugins": (),
+    "rostopic": (),
+    "rostest": (),
+    "roslint": (),
+    "catkin": (),
+}
+"""By name in ROS 1: the packages of ROS 2 that take its place. Others keep their name."""
+_NAMED_IN_LAUNCH = r"(?:FindPackageShare\(|find-pkg-share |package=|pkg=)['\"]?([\w-]+)"
+_LAUNCHES = (".launch.py", ".launch.xml")
+_NO_PACKAGES = ("mock_components", "fake_components")
+_COMPILED = r"(?m)^\s*(?:add_executable|add_library|generate_messages|pybind11_add_module|add_message_files)\s*\("
+_FOLDERS = ("config", "launch", "meshes", "models", "params", "robots", "rviz", "sdf", "urdf", "worlds", "xacro")
+
+
+def _manifests(packages: Packages) -> Iterator[Proposal]:
+    for path in packages.files("package.xml"):
+        if os.path.basename(path) != "package.xml":
+            continue
+        source = packages.read(path)
+        root = root_of(source)
+        if root is None or root.tagName != "package" or not _is_catkin(root):
+            continue
+        cmake = packages.read(os.path.join(os.path.dirname(path), "CMakeLists.txt"))
+        if re.search(_COMPILED, cmake.data.decode("utf-8", "replace")):
+            text = "this package compiles code or messages: port them, then package.xml and CMakeLists.txt"
+            yield Proposal(entries=(Entry(EntryKind.FOR_YOU, text, root.at, authority=_AUTHORITY),))
+            continue
+        yield Proposal(
+            tuple(_manifest_edits(packages, root)),
+            entries=(Entry(EntryKind.DONE, "the package is built by ament", root.at, authority=_AUTHORITY),),
+        )
+        if cmake.data:
+            yield _cmake(cmake)
+
+
+def _is_catkin(root: Element) -> bool:
+    return any(content(tool) == "catkin" for tool in children(root, "buildtool_depend"))
+
+
+def _manifest_edits(packages: Packages, root: Element) -> Iterator[Edit]:
+    source = root.source
+    tag = source.start_tag(root.start)
+    if tag is not None and "format" in tag.attributes:
+        start, end = tag.attributes["format"]
+        yield Edit(SourceSpan(source, start, end), "3")
+    else:
+        at = root.start + len(b"<package")
+        yield Edit(SourceSpan(source, at, at), ' format="3"')
+    known = {content(one) for name in _DEPENDS for one in children(root, name)}
+    for element in root.elements():
+        if element.tagName == "buildtool_depend" and content(element) == "catkin":
+            yield _text_edit(element, "ament_cmake")
+        elif element.tagName in _DEPENDS:
+            yield from _dependency(packages, element, known)
+    yield merged([*_additions(packages, root, known), _export(root)])
+
+
+def _additions(packages: Packages, root: Element, known: set[str]) -> Iterator[Edit]:
+    own = content(child(root, "name") or root)
+    missing = sorted({*_needed(packages, os.path.dirname(root.source.path))} - known - {own})
+    last = [element for element in root.elements() if element.tagName in (*_DEPENDS, "buildtool_depend")][-1:]
+    if missing and last:
+        end = lines_of(last[0]).end
+        lines = "".join(f"{indent_of(last[0])}<exec_depend>{name}</exec_depend>\n" for name in missing)
+        yield Edit(SourceSpan(root.source, end, end), lines)
+
+
+def _text_edit(element: Element, text: str) -> Edit:
+    tag = element.source.start_tag(element.start)
+    start = tag.end if tag else element.start
+    return Edit(SourceSpan(element.source, start, element.close or start), text)
+
+
+def _dependency(packages: Packages, element: Element, known: set[str]) -> Iterator[Edit]:
+    name = content(element)
+    new = _successors(packages, name)
+    kind = "exec_depend" if element.tagName in {"run_depend", "depend"} and new != (name,) else element.tagName
+    kind = "exec_depend" if kind == "run_depend" else kind
+    added = [each for each in new if each == name or each not in known]
+    known.update(added)
+    if added == [name] and kind == element.tagName:
+        return
+    indent = indent_of(element)
+    lines = "".join(f"{indent}<{kind}>{each}</{kind}>\n" for each in added)
+    span = lines_of(element)
+    is_whole = span.start != element.start
+    yield Edit(span, lines if is_whole else lines.strip())
+
+
+def _successors(packages: Packages, name: str) -> tuple[str, ...]:
+    gz = gz_names(packages.wishes.target)
+    host = host_plugin(packages)
+    if name == "gazebo_ros_control":
+        return (host.package,) if host and host.package else ()
+    if name in {"gazebo_ros", "gazebo_ros_pkgs"}:
+        in_gz = (gz["package"], gz["bridge"])
+        return {"gz": in_gz, "gazebo-classic": (name,)}.get(simulated_by(packages), ())
+    if name == "gazebo_plugins" and simulated_by(packages) == "gazebo-classic":
+        return (name,)
+    return _NEW_NAMES.get(name, (name,))
+
+
+def _export(root: Element) -> Edit:
+    """The edit that names the build type, instead of a metapackage."""
+    source, step = root.source, step_of(root.source)
+    export = child(root, "export")
+    build = "<build_type>ament_cmake</build_type>"
+    if export is None:
+        at = source.data.rfind(b"\n", 0, root.close or len(source.data)) + 1
+        return Edit(SourceSpan(source, at, at), f"\n{step}<export>\n{step * 2}{build}\n{step}</export>\n")
+    meta = child(export, "metapackage")
+    if meta is not None:
+        return Edit(SourceSpan(source, meta.start, end_of(meta)), build)
+    tag = source.start_tag(export.start)
+    if tag is None or tag.self_closed or export.close is None:
+        return Edit(SourceSpan(source, export.start, end_of(export)), f"<export>\n{step * 2}{build}\n{step}</export>")
+    return Edit(SourceSpan(source, tag.end, tag.end), f"\n{step * 2}{build}")
+
+
+# -- CMakeLists.txt ----------------------------------------------------------------------------------------------------
+
+_CALL = r"(?ms)^[ \t]*{name}\s*\((?:[^()]|\([^()]*\))*\)[ \t]*\r?\n?"
+_REPLACED = (
+    (r"(?i)cmake_minimum_required\s*\(\s*VERSION\s+(?:2\.|3\.[0-4]\b)[\d.]*", "cmake_minimum_required(VERSION 3.8"),
+    (r"(?s)find_package\s*\(\s*catkin\b(?:[^()]|\([^()]*\))*\)", "find_package(ament_cmake REQUIRED)"),
+    (r"\$\{CATKIN_PACKAGE_SHARE_DESTINATION\}", "share/${PROJECT_NAME}"),
+    (r"\$\{CATKIN_(?:PACKAGE|GLOBAL)_BIN_DESTINATION\}", "lib/${PROJECT_NAME}"),
+    (r"\$\{CATKIN_(?:PACKAGE|GLOBAL)_LIB_DESTINATION\}", "lib"),
+    (r"\$\{CATKIN_PACKAGE_INCLUDE_DESTINATION\}", "include/${PROJECT_NAME}"),
+    (r"\bcatkin_install_python\b", "install"),
+    (r"\bCATKIN_ENABLE_TESTING\b", "BUILD_TESTING"),
+    (r"\.launch(?=[\s)\"])(?!\.py)", ".launch.py"),
+)
+_REMOVED = (
+    "catkin_package",
+    "catkin_metapackage",
+    "catkin_python_setup",
+    "roslaunch_add_file_check",
+    r"find_package\s*\(\s*roslaunch\b.*?\)\s*#?",
+)
+
+
+def _cmake(source: SourceText) -> Proposal:
+    text = source.data.decode("utf-8", "surrogateescape")
+    new = text
+    for pattern, replacement in _REPLACED:
+        new = re.sub(pattern, replacement.replace("\\", "\\\\"), new)
+    for name in _REMOVED[:-1]:
+        new = re.sub(_CALL.format(name=name), "", new)
+    new = re.sub(r"(?m)^[ \t]*find_package\s*\(\s*roslaunch\b[^)]*\)[ \t]*\n", "", new)
+    new = re.sub(r"(?ms)^if\s*\(BUILD_TESTING\)\s*endif\s*\(\s*(?:BUILD_TESTING)?\s*\)[ \t]*\n?", "", new)
+    new = re.sub(r"\n{3,}", "\n\n", new).rstrip("\n") + "\n"
+    folder = os.path.dirname(source.path)
+    missing = [name for name in _FOLDERS if os.path.isdir(os.path.join(folder, name)) and not _installs(new, name)]
+    if missing:
+        new += f"\ninstall(DIRECTORY {' '.join(missing)}\n  DESTINATION share/${{PROJECT_NAME}}\n)\n"
+    new += "\nament_package()\n"
+    at = SourceSpan(source, 0, len(source.data))
+    entry = Entry(
+        EntryKind.DONE,
+        "the build file uses ament_cmake and installs what launch files need",
+        file=source.path,
+        authority=_AUTHORITY,
+    )
+    return Proposal((Edit(at, new),), entries=(entry,))
+
+
+def _installs(text: str, folder: str) -> bool:
+    """Whether a build file has an install rule that names a folder, or takes folders from a variable."""
+    rules = re.findall(r"(?s)install\s*\((?:[^()]|\([^()]*\))*\)", re.sub(r"#.*", "", text))
+    lists = re.findall(r"(?s)foreach\s*\(.*?\)", text)
+    return any(re.search(rf"(?<![\w/]){folder}\b|\$\{{dir", rule) for rule in [*rules, *lists])
+
+
+def _needed(packages: Packages, folder: str) -> Iterator[str]:
+    """The packages that the launch files, controllers and plugins of a package need."""
+    catalog = catalog_with(packages.settings.additions)
+    for path in packages.files(".launch.py", ".launch.xml", ".yaml", ".xacro", ".urdf"):
+        if not path.startswith(folder + os.sep):
+            continue
+        text = packages.read(path).data.decode("utf-8", "replace")
+        if path.endswith(_LAUNCHES):
+            yield from re.findall(_NAMED_IN_LAUNCH, text)
+            yield from ["xacro"] if "xacro " in text else []
+        elif path.endswith(".yaml"):
+            types = re.findall(r"(?m)^\s+type:\s*['\"]?(\w+/\w+)", text)
+            yield from (kind.package for name in types if (kind := catalog.controller(name, packages.wishes.target)))
+        elif "<ros2_control" in text:
+            yield from (name for name in [system(packages).package] if name not in _NO_PACKAGES)
+
+
+MANIFEST = Step(
+    name="manifest",
+    part=Part.MANIFEST,
+    summary="package.xml and CMakeLists.txt",
+    propose=_manifests,
+    generation=1,
+    rows=(
+        Row("package.xml format 1 or 2, catkin", "format 3, ament_cmake", "", _FORMAT),
+        Row("gazebo_ros_control", "gz_ros2_control or gazebo_ros2_control", "", _AUTHORITY),
+        Row("joint_state_controller", "joint_state_broadcaster", "", _AUTHORITY),
+        Row(
+            "catkin_package(), CATKIN_PACKAGE_SHARE_DESTINATION",
+            "ament_package(), share/${PROJECT_NAME}",
+            "",
+            _AUTHORITY,
+        ),
+    ),
+)

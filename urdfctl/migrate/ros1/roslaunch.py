@@ -1,0 +1,268 @@
+"""Read a launch file of ROS 1 as the actions that start the same things in ROS 2."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+
+from urdfctl.migrate.launch.actions import (
+    Action,
+    Condition,
+    PartOfText,
+    Text,
+    all_actions,
+    is_literal,
+    literal,
+    parsed,
+    plain,
+    words_of,
+)
+from urdfctl.migrate.ros1.roslaunch_nodes import EMPTY_WORLDS, Target, migrated_node, simulator_actions
+from urdfctl.source.dom import COMMENT, Element
+from urdfctl.source.dom import Text as Characters
+
+_DESCRIPTION = "robot_description"
+_OF_WORLD = ("gazebo_ros", "gazebo_worlds")
+_LAUNCH_ENDINGS = (".launch.xml", ".launch", ".xml")
+
+
+class Reading:
+    """The actions of one launch file, and what could not be read.
+
+    left: what a person must do, each with the element that it is about.
+    decided: the choices that were made.
+    defaults: the defaults of the arguments so far.
+    """
+
+    def __init__(self, target: Target) -> None:
+        self.target = target
+        self.left: list[tuple[Element, str]] = []
+        self.decided: list[tuple[Element, str]] = []
+        self.defaults: dict[str, str] = {}
+
+    def actions(self, root: Element) -> list[Action]:
+        """Return the actions of a file."""
+        found = list(self._children(root, root))
+        has_description = any(action.description for action in all_actions(tuple(found)))
+        return found if has_description or self.target.describes else [one for one in found if not _is_idle(one)]
+
+    def _children(self, parent: Element, root: Element) -> Iterator[Action]:
+        description = self._description(parent)
+        files = self._parameter_files(parent)
+        node = parent.firstChild
+        while node is not None:
+            if isinstance(node, Characters) and node.nodeType == COMMENT and "--" not in node.data:
+                text = "\n".join(line.strip() for line in node.data.strip().splitlines())
+                if text and "<" not in text:
+                    yield Action("comment", text)
+            elif isinstance(node, Element):
+                for action in self._element(node, root, description, files):
+                    yield self._conditional(action, node)
+            node = node.nextSibling
+
+    def _conditional(self, action: Action, element: Element) -> Action:
+        for name in ("if", "unless"):
+            if name in element.attrs and action.kind != "comment":
+                return action._replace(condition=Condition(parsed(element.attrs[name]), name == "unless"))
+        return action
+
+    def _element(self, element: Element, root: Element, description: Text, files: Sequence[Text]) -> Iterator[Action]:
+        attrs = element.attrs
+        if element.tagName == "arg":
+            self.defaults[attrs.get("name", "")] = attrs.get("default", attrs.get("value", ""))
+            if "value" in attrs:
+                yield Action("let", attrs.get("name", ""), parsed(attrs["value"]))
+            else:
+                default = parsed(self._world(attrs["default"])) if "default" in attrs else None
+                yield Action("argument", attrs.get("name", ""), default, about=attrs.get("doc", ""))
+        elif element.tagName == "group":
+            inner = tuple(self._children(element, root))
+            if inner:
+                yield Action("group", value=parsed(attrs["ns"]) if "ns" in attrs else None, inner=inner)
+        elif element.tagName == "include":
+            yield from self._include(element)
+        elif element.tagName == "node":
+            yield from migrated_node(self, element, description, files)
+        elif element.tagName == "param":
+            yield from self._param(element, description)
+        elif element.tagName == "rosparam":
+            yield from self._rosparam(element)
+        elif element.tagName in {"remap", "env", "machine", "test"}:
+            self.left.append((element, f"<{element.tagName}> for several nodes: write it for each node that needs it"))
+
+    def _world(self, default: str) -> str:
+        """The default of an argument, which may be the empty world of Gazebo Classic."""
+        return "empty.sdf" if default in EMPTY_WORLDS and self.target.simulator == "gz" else default
+
+    # -- includes ------------------------------------------------------------------------------------------------------
+
+    def _include(self, element: Element) -> Iterator[Action]:
+        file = parsed(element.attrs.get("file", ""))
+        given = tuple(
+            (child.attrs.get("name", ""), parsed(child.attrs.get("value", child.attrs.get("default", ""))))
+            for child in element.elements()
+            if child.tagName == "arg"
+        )
+        packages = [part.text for part in file if part.kind == "find"]
+        if packages and packages[0] in _OF_WORLD:
+            yield from simulator_actions(self, dict(given))
+            return
+        action = Action("include", value=self._new_path(element, file), pairs=given)
+        if "ns" in element.attrs:
+            action = Action("group", value=parsed(element.attrs["ns"]), inner=(action,))
+        yield action
+
+    def _new_path(self, element: Element, file: Text) -> Text:
+        """The path of an included file: that of the migrated one."""
+        packages = [part.text for part in file if part.kind == "find"]
+        if packages and packages[0] not in self.target.own:
+            self.left.append((element, f"check the name of the launch file of package '{packages[0]}' in ROS 2"))
+        if not file or file[-1].kind != "text":
+            return file
+        last = file[-1].text
+        ending = next((each for each in _LAUNCH_ENDINGS if last.endswith(each)), "")
+        new = f"{last.removesuffix(ending)}{self.target.ending}" if ending else last
+        return (*file[:-1], PartOfText("text", new))
+
+    # -- parameters ----------------------------------------------------------------------------------------------------
+
+    def _description(self, parent: Element) -> Text:
+        """The command that prints the robot description in a group of actions, or around it."""
+        around: Element | None = parent
+        while isinstance(around, Element):
+            for element in around.elements():
+                if element.tagName == "param" and _is_description(element):
+                    return description_command(element)
+            around = around.parentNode if isinstance(around.parentNode, Element) else None
+        return ()
+
+    def _parameter_files(self, parent: Element) -> list[Text]:
+        found = []
+        around: Element | None = parent
+        while isinstance(around, Element):
+            loads = (one for one in around.elements() if one.tagName == "rosparam" and "file" in one.attrs)
+            found += [parsed(one.attrs["file"]) for one in loads]
+            around = around.parentNode if isinstance(around.parentNode, Element) else None
+        return found
+
+    def _param(self, element: Element, description: Text) -> Iterator[Action]:
+        name = element.attrs.get("name", "")
+        if _is_description(element):
+            if not _has_publisher(_root(element)):
+                yield self.publisher(element, description)
+            return
+        last = name.rpartition("/")[2]
+        if last == "use_sim_time":
+            value = parsed(element.attrs.get("value", "true"))
+            yield Action("set_parameter", "use_sim_time", value)
+        else:
+            self.left.append((element, f"ROS 2 has no global parameters: give '{name}' to the node that reads it"))
+
+    def publisher(self, element: Element, description: Text) -> Action:
+        """Return the node that publishes the description which a parameter sets."""
+        space = element.attrs.get("name", "").rpartition("/")[0]
+        return Action(
+            "node",
+            "robot_state_publisher",
+            value=parsed(space) if space else None,
+            package="robot_state_publisher",
+            description=description or description_command(element),
+        )
+
+    def _rosparam(self, element: Element) -> Iterator[Action]:
+        file = element.attrs.get("file")
+        if file is None:
+            text = "ROS 2 has no global parameters: give those of this <rosparam> to the node that reads them"
+            self.left.append((element, text))
+        elif not self.target.is_controllers_file(file):
+            self.left.append((element, f"ROS 2 has no global parameters: give '{file}' to the node that reads it"))
+        elif not self.target.simulated and not self.target.has_manager:
+            self.target = self.target._replace(has_manager=True)
+            yield self._manager(element, parsed(file))
+
+    def _manager(self, element: Element, file: Text) -> Action:
+        """The controller manager, in the namespace of the spawners."""
+        spaces = (node.attrs.get("ns", "") for node in _all(_root(element)) if node.attrs.get("type") == "spawner")
+        space = next((each for each in spaces if each.strip("/")), element.attrs.get("ns", ""))
+        topic = f"/{space.strip('/')}/robot_description" if space.strip("/") else "robot_description"
+        return Action(
+            "node",
+            "ros2_control_node",
+            value=parsed(space) if space else None,
+            package="controller_manager",
+            files=(file,),
+            remaps=((literal("~/robot_description"), parsed(topic)),) if self.target.remaps_description else (),
+        )
+
+
+def _root(element: Element) -> Element:
+    while isinstance(element.parentNode, Element):
+        element = element.parentNode
+    return element
+
+
+def _is_idle(action: Action) -> bool:
+    """Whether an action is a robot_state_publisher without a description: the file that has it starts one."""
+    return action.kind == "node" and action.package == "robot_state_publisher" and not action.description
+
+
+def _has_publisher(root: Element) -> bool:
+    return any(element.attrs.get("pkg") == "robot_state_publisher" for element in _all(root))
+
+
+def _all(element: Element) -> Iterator[Element]:
+    yield element
+    for child in element.elements():
+        yield from _all(child)
+
+
+def _is_description(element: Element) -> bool:
+    last = element.attrs.get("name", "").rpartition("/")[2]
+    has_source = "command" in element.attrs or "textfile" in element.attrs
+    return has_source and (last == _DESCRIPTION or last.endswith("_description"))
+
+
+def description_command(element: Element) -> Text:
+    """Return the command of ROS 2 that prints the description of a <param>: the program, a blank, and the rest."""
+    if "textfile" in element.attrs:
+        return (PartOfText("text", "cat "), *parsed(element.attrs["textfile"]))
+    words = [_without_quotes(word) for word in words_of(parsed(element.attrs.get("command", "")))]
+    start = next((i for i, word in enumerate(words) if re.search(r"(^|/)xacro(\.py)?$", plain(word))), None)
+    shown: list[PartOfText] = [PartOfText("text", "xacro" if start is not None else "cat")]
+    for word in words[(start + 1) if start is not None else 1 :]:
+        if is_literal(word) and plain(word) in {"--inorder", "-i"}:
+            continue
+        shown.append(PartOfText("text", " "))
+        shown += _quoted(word)
+    return tuple(_joined(shown))
+
+
+def _without_quotes(word: Text) -> Text:
+    found = [part._replace(text=re.sub("['\"]", "", part.text)) if part.kind == "text" else part for part in word]
+    return tuple(part for part in found if part.text)
+
+
+def _quoted(word: Text) -> Iterator[PartOfText]:
+    """A word of a command; the value of an argument in quotes, because it may be empty."""
+    head = word[0].text if word and word[0].kind == "text" else ""
+    if ":=" in head and len(word) > 1:
+        yield PartOfText("text", f"{head}'")
+        yield from word[1:]
+        yield PartOfText("text", "'")
+    else:
+        yield from word
+
+
+def _joined(parts: Sequence[PartOfText]) -> Iterator[PartOfText]:
+    """The parts with neighbouring literal texts as one."""
+    text = ""
+    for part in parts:
+        if part.kind == "text":
+            text += part.text
+            continue
+        if text:
+            yield PartOfText("text", text)
+        text = ""
+        yield part
+    if text:
+        yield PartOfText("text", text)

@@ -1,0 +1,265 @@
+"""The nodes of a ROS 1 launch file in ROS 2: spawners, the simulator, publishers, and all others."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+
+from urdfctl.migrate.launch.actions import Action, PartOfText, Text, is_literal, literal, parsed, plain, words_of
+from urdfctl.source.dom import Element
+from urdfctl.startup.hints import TYPE_CHECKING
+from urdfctl.startup.records import NamedTuple
+
+if TYPE_CHECKING:
+    from urdfctl.migrate.ros1.roslaunch import Reading
+
+
+class Target(NamedTuple):
+    """What a launch file is migrated to.
+
+    distro, simulator: those of the migrated robot.
+    own: the packages that are migrated.
+    ending: the ending of migrated launch files.
+    is_controllers_file: returns whether a written file name is that of a controller file.
+    takes_param_file: whether spawners pass the parameters on.
+    remaps_description: whether the controller manager reads the description from ~/robot_description.
+    gz: the names of the packages of gz in the distro.
+    describes: whether robot_state_publisher may be started without a description.
+    has_manager: whether the file already starts a controller manager.
+    """
+
+    distro: str
+    simulator: str
+    own: frozenset[str]
+    ending: str
+    is_controllers_file: Callable[[str], bool]
+    takes_param_file: bool
+    remaps_description: bool
+    gz: Mapping[str, str]
+    describes: bool = False
+    has_manager: bool = False
+
+    @property
+    def simulated(self) -> bool:
+        """Whether a simulator runs the controllers."""
+        return self.simulator in ("gz", "gazebo-classic")
+
+
+_RENAMED = {
+    ("rviz", "rviz"): ("rviz2", "rviz2"),
+    ("rqt_gui", "rqt_gui"): ("rqt_gui", "rqt_gui"),
+    ("robot_localization", "ekf_localization_node"): ("robot_localization", "ekf_node"),
+    ("robot_localization", "ukf_localization_node"): ("robot_localization", "ukf_node"),
+    ("map_server", "map_server"): ("nav2_map_server", "map_server"),
+    ("amcl", "amcl"): ("nav2_amcl", "amcl"),
+    ("teleop_twist_keyboard", "teleop_twist_keyboard.py"): ("teleop_twist_keyboard", "teleop_twist_keyboard"),
+    ("urg_node", "urg_node"): ("urg_node", "urg_node_driver"),
+    ("tf", "static_transform_publisher"): ("tf2_ros", "static_transform_publisher"),
+    ("robot_state_publisher", "state_publisher"): ("robot_state_publisher", "robot_state_publisher"),
+}
+_DROPPED_WORDS = ("--shutdown-timeout", "--wait-for")
+_SPAWNER_WORDS = {"--timeout": "--controller-manager-timeout", "--stopped": "--inactive"}
+_SAME = frozenset(
+    "diagnostic_aggregator image_view joint_state_publisher_gui joy rqt_controller_manager rqt_graph "
+    "rqt_joint_trajectory_controller rqt_robot_steering teleop_twist_joy twist_mux".split()
+)
+"""Packages of ROS 1 that exist for ROS 2, with programs of the same names."""
+EMPTY_WORLDS = ("worlds/empty.world", "empty.world")
+_POSES = {"-x": "-x", "-y": "-y", "-z": "-z", "-R": "-R", "-P": "-P", "-Y": "-Y"}
+
+
+def migrated_node(reading: Reading, element: Element, description: Text, files: Sequence[Text]) -> Iterator[Action]:
+    """Yield the actions for a node. What is left to a person is added to the reading."""
+    package, program = element.attrs.get("pkg", ""), element.attrs.get("type", "")
+    words = words_of(parsed(element.attrs.get("args", "")))
+    if package == "controller_manager" and program in ("spawner", "controller_manager", "unspawner"):
+        yield from _spawner(reading, element, words, files)
+    elif package == "gazebo_ros" and program == "spawn_model":
+        yield _spawned_model(reading, element, words)
+    elif package == "gazebo_ros":
+        yield from simulator_actions(reading, {})
+    elif package == "robot_state_publisher":
+        yield _plain(element, "robot_state_publisher", "robot_state_publisher")._replace(description=description)
+    elif package == "joint_state_publisher":
+        yield _joint_states(element)
+    elif package == "tf2_ros" or (package == "tf" and program == "static_transform_publisher"):
+        yield _plain(element, "tf2_ros", program)._replace(words=tuple(_transform(words, is_tf=package == "tf")))
+    elif package in {"xacro", "nodelet"}:
+        reading.left.append((element, f"nodes of package '{package}' have another form in ROS 2"))
+    else:
+        new = _RENAMED.get((package, program), (package, program))
+        if new == (package, program) and package not in reading.target.own | _SAME:
+            reading.left.append(
+                (element, f"check that package '{package}' exists for ROS 2, and the name of '{program}'")
+            )
+        if package == "rviz":
+            reading.decided.append((element, "RViz 2 reads other files: convert the .rviz file with rviz1_to_rviz2.py"))
+        yield _plain(element, *new)
+
+
+def _plain(element: Element, package: str, program: str) -> Action:
+    attrs = element.attrs
+    pairs, files, remaps = [], [], []
+    for child in element.elements():
+        if child.tagName == "param" and "value" in child.attrs:
+            pairs.append((child.attrs.get("name", ""), parsed(child.attrs["value"])))
+        elif child.tagName == "rosparam" and "file" in child.attrs:
+            files.append(parsed(child.attrs["file"]))
+        elif child.tagName == "remap":
+            remaps.append((parsed(child.attrs.get("from", "")), parsed(child.attrs.get("to", ""))))
+    flags = [("output", attrs["output"])] if attrs.get("output") in {"screen", "log"} else []
+    flags += [("respawn", "True")] if attrs.get("respawn", "").lower() == "true" else []
+    return Action(
+        "node",
+        program,
+        value=parsed(attrs["ns"]) if attrs.get("ns") else None,
+        package=package,
+        node_name=parsed(attrs.get("name", "")),
+        words=words_of(parsed(attrs.get("args", ""))),
+        pairs=tuple(pairs),
+        files=tuple(files),
+        remaps=tuple(remaps),
+        flags=tuple(flags),
+    )
+
+
+def _spawner(reading: Reading, element: Element, words: Sequence[Text], files: Sequence[Text]) -> Iterator[Action]:
+    if element.attrs.get("type") == "controller_manager":
+        verb = plain(words[0]) if words else ""
+        if verb not in ("spawn", "load"):
+            reading.left.append((element, f"'controller_manager {verb}' has no counterpart: use 'ros2 control'"))
+            return
+        words = [*words[1:], *([literal("--inactive")] if verb == "load" else [])]
+    names: list[Text] = []
+    rest = iter(words)
+    space = parsed(element.attrs.get("ns", ""))
+    for word in rest:
+        option, mark, value = (plain(word) if is_literal(word) else "").partition("=")
+        if option in _SPAWNER_WORDS:
+            names.append(literal(_SPAWNER_WORDS[option]))
+            if option == "--timeout":
+                names.append(literal(value) if mark else next(rest, ()))
+        elif option == "--namespace":
+            space = parsed(value) if mark else next(rest, ())
+        elif option in _DROPPED_WORDS:
+            if not mark:
+                next(rest, None)
+        elif option.startswith("__ns:"):
+            space = literal(value)
+        else:
+            names.append(word)
+    manager = (
+        [literal("-c"), (*space, *literal("/controller_manager"))]
+        if plain(space).strip("/") or not is_literal(space)
+        else []
+    )
+    for name in names:
+        if len(name) == 1 and name[0].kind == "arg" and " " in reading.defaults.get(name[0].text, ""):
+            reading.left.append((element, f"give each name in argument '{name[0].text}' as a word of its own"))
+    known = [file for file in files if reading.target.is_controllers_file(_file_text(file))]
+    passed = (
+        [word for file in known for word in (literal("--param-file"), file)] if reading.target.takes_param_file else []
+    )
+    yield Action("node", "spawner", package="controller_manager", words=(*names, *manager, *passed))
+
+
+def _file_text(file: Text) -> str:
+    return "".join(part.text if part.kind == "text" else f"$({part.kind} {part.text})" for part in file)
+
+
+def _spawned_model(reading: Reading, element: Element, words: Sequence[Text]) -> Action:
+    target = reading.target
+    is_gz = target.simulator != "gazebo-classic"
+    shown: list[Text] = []
+    rest = iter(words)
+    for word in rest:
+        option = plain(word) if is_literal(word) else ""
+        if option == "-model":
+            shown += [literal("-name" if is_gz else "-entity"), next(rest, ())]
+        elif option == "-param":
+            name = next(rest, ())
+            shown += [literal("-topic"), literal(plain(name)) if is_literal(name) else name]
+        elif option in ("-file", "-J"):
+            value = next(rest, ())
+            if option == "-file":
+                shown += [literal("-file"), value]
+            else:
+                next(rest, ())
+                reading.left.append(
+                    (element, "joint positions at the start: set initial_value of the state interfaces")
+                )
+        elif option in _POSES:
+            shown += [literal(option), next(rest, ())]
+        elif option not in ("-urdf", "-sdf", "-unpause", "-wait") or not option:
+            shown += [] if option else [word]
+    package = target.gz["package"] if is_gz else "gazebo_ros"
+    space = element.attrs.get("ns")
+    return Action(
+        "node",
+        "create" if is_gz else "spawn_entity.py",
+        value=parsed(space) if space else None,
+        package=package,
+        words=tuple(shown),
+        flags=(("output", "screen"),),
+    )
+
+
+def simulator_actions(reading: Reading, given: Mapping[str, Text]) -> Iterator[Action]:
+    """Yield the actions that start the simulator with the arguments of gazebo_ros' empty_world.launch."""
+    target = reading.target
+    world = given.get("world_name", ())
+    if target.simulator == "gazebo-classic":
+        names = {
+            "world": world,
+            "gui": given.get("gui", ()),
+            "pause": given.get("paused", ()),
+            "verbose": given.get("verbose", ()),
+        }
+        pairs = tuple((name, value) for name, value in names.items() if value)
+        yield Action("include", value=parsed("$(find gazebo_ros)/launch/gazebo.launch.py"), pairs=pairs)
+        return
+    if target.simulator != "gz":
+        return
+    paused = plain(given.get("paused", ())).lower() == "true"
+    is_empty = not world or plain(world) in EMPTY_WORLDS
+    flags = (*literal("" if paused else "-r "), *_server_only(given.get("gui", ())))
+    arguments = (*flags, *(literal("empty.sdf") if is_empty and is_literal(world) else world))
+    gz = target.gz
+    yield Action(
+        "include",
+        value=parsed(f"$(find {gz['package']})/launch/{gz['launch']}"),
+        pairs=((gz["argument"], arguments),),
+    )
+    clock = literal(f"/clock@rosgraph_msgs/msg/Clock[{gz['messages']}.Clock")
+    yield Action("node", "parameter_bridge", package=gz["bridge"], words=(clock,))
+
+
+def _server_only(gui: Text) -> Text:
+    """The option of gz without a window, if `gui` is false."""
+    if is_literal(gui):
+        return literal("-s " if plain(gui).lower() == "false" else "")
+    if len(gui) == 1 and gui[0].kind == "arg":
+        return (PartOfText("eval", f"'' if arg('{gui[0].text}') == 'true' else '-s '"),)
+    return ()
+
+
+def _joint_states(element: Element) -> Action:
+    """The publisher of joint states; with its window if `use_gui` asks for it."""
+    gui = next((child for child in element.elements() if child.attrs.get("name", "").endswith("use_gui")), None)
+    program = "joint_state_publisher"
+    if gui is not None and gui.attrs.get("value", "").lower() in ("true", "1"):
+        program = "joint_state_publisher_gui"
+    node = _plain(element, program, program)
+    return node._replace(pairs=tuple(pair for pair in node.pairs if not pair[0].endswith("use_gui")))
+
+
+def _transform(words: Sequence[Text], *, is_tf: bool) -> Iterator[Text]:
+    """The arguments of static_transform_publisher, by name (geometry2, tf2_ros static_transform_broadcaster)."""
+    count = len(words) - (1 if is_tf else 0)
+    angles = ("--yaw", "--pitch", "--roll") if count == 8 else ("--qx", "--qy", "--qz", "--qw")  # noqa: PLR2004
+    names = ("--x", "--y", "--z", *angles, "--frame-id", "--child-frame-id")
+    if len(names) != count:
+        yield from words
+        return
+    for name, word in zip(names, words, strict=False):
+        yield literal(name)
+        yield word

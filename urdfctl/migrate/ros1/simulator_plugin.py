@@ -1,0 +1,261 @@
+"""The plugin that runs ros_control in Gazebo becomes that of ros2_control; mimic plugins become <mimic>."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+
+from urdfctl.diagnostic import Edit
+from urdfctl.load.loader import LoadedTarget
+from urdfctl.migrate.hardware import host_plugin, simulated_by
+from urdfctl.migrate.manager import BROADCASTER, RATE, manager_text
+from urdfctl.migrate.markup import (
+    attribute,
+    child,
+    content,
+    element_at,
+    elements,
+    end_of,
+    indent_of,
+    indented,
+    merged,
+    parent_of,
+    removal,
+    root_of,
+    span_of,
+    step_of,
+)
+from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.ros1.followers import is_mimic_plugin, mimic_plugins
+from urdfctl.migrate.ros1.uses import ElementKey, key_of, key_of_element
+from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.todo import for_you
+from urdfctl.migrate.wishes import Part
+from urdfctl.model.robot import Plugin
+from urdfctl.source.dom import Element
+from urdfctl.source.opaque import UNKNOWN
+from urdfctl.source.packages import package_around, package_name
+from urdfctl.source.span import SourceSpan
+
+CONTROL = "libgazebo_ros_control.so"
+_SIM_TYPES = ("gazebo_ros_control/DefaultRobotHWSim", "")
+_DROPPED = ("robotSimType", "legacyModeNS", "controlPeriod", "eStopTopic", "robotParam")
+_AUTHORITY = "gz_ros2_control doc/index.rst; gazebo_ros2_control doc/index.rst"
+_MIMIC = "gz_ros2_control doc/index.rst: mimic joints by <mimic> of the URDF"
+_OF_XML = (".xacro", ".urdf", ".gazebo", ".xml", ".inc")
+
+
+def _plugins(packages: Packages) -> Iterator[Proposal]:
+    robots = _robots_by_plugin(packages)
+    for element in plugin_elements(packages):
+        if attribute(element, "filename") == CONTROL and not _has_successor(element):
+            yield from _migrated(packages, element, robots.get(key_of_element(element), []))
+
+
+def _has_successor(element: Element) -> bool:
+    """Whether the file is half migrated: it also has the plugin of ros2_control, and chooses one by an argument."""
+    return any(name in element.source.data for name in (b"libgazebo_ros2_control.so", b"gz_ros2_control-system"))
+
+
+def plugin_elements(packages: Packages) -> Iterator[Element]:
+    """Yield the `<plugin>` elements in the XML files, as they are written."""
+    for path in packages.files(*_OF_XML):
+        source = packages.read(path)
+        root = root_of(source) if b"<plugin" in source.data else None
+        if root is not None and root.tagName in {"robot", "gazebo"}:
+            yield from (element for element in elements(root) if element.tagName == "plugin")
+
+
+def _robots_by_plugin(packages: Packages) -> dict[ElementKey, list[LoadedTarget]]:
+    found: dict[ElementKey, list[LoadedTarget]] = {}
+    for loaded in packages.loaded():
+        for plugin in loaded.project.robot.plugins if loaded.project.robot else ():
+            found.setdefault(key_of(plugin.at), []).append(loaded)
+    return found
+
+
+def _migrated(packages: Packages, element: Element, robots: list[LoadedTarget]) -> Iterator[Proposal]:
+    host = host_plugin(packages)
+    sim_type = child(element, "robotSimType")
+    if host is None:
+        around = parent_of(element)
+        is_alone = around is not None and len(around.elements()) == 1
+        edit = removal(around if around is not None and is_alone else element)
+        message = f"the plugin for ros_control is removed: simulator '{simulated_by(packages)}' needs none"
+        yield Proposal((edit,), entries=(Entry(EntryKind.DONE, message, element.at),))
+        return
+    if sim_type is not None and content(sim_type) not in _SIM_TYPES and "$" not in content(sim_type):
+        text = f"the simulated hardware '{content(sim_type)}' is a class of its own: port it to ros2_control"
+        yield Proposal(entries=(Entry(EntryKind.FOR_YOU, text, sim_type.at),))
+    name = host.names[0] if host.names else "gazebo_ros2_control"
+    edits = [_attribute(element, "filename", host.filenames[0]), _attribute(element, "name", name)]
+    dropped = [one for one in element.elements() if one.tagName in _DROPPED]
+    edits += [removal(one) for one in dropped]
+    space = child(element, "robotNamespace")
+    text = content(space) if space is not None else ""
+    step = step_of(element.source)
+    if space is not None:
+        is_root = text.strip("/") == ""
+        inner = f"<ros>\n{step}<namespace>{text}</namespace>\n</ros>"
+        edits.append(removal(space) if is_root else Edit(span_of(space), indented(inner, indent_of(space)).lstrip()))
+    files = controller_files(packages, robots)
+    created: tuple[tuple[str, str], ...] = ()
+    if not files and (new := _new_file(element)) is not None:
+        files, created = [new[0]], (new[1:],)
+    edits.append(_with_parameters(element, files, step))
+    edits = [edit for edit in edits if edit.text or edit.span.start != edit.span.end]
+    entries = [
+        Entry(
+            EntryKind.DONE,
+            f"the plugin for ros_control became {host.names[0] if host.names else host.id}",
+            element.at,
+            authority=_AUTHORITY,
+        )
+    ]
+    if created:
+        message = "no launch file says which controllers the robot has: a new file has the joint state broadcaster"
+        entries.append(Entry(EntryKind.DECIDED, message, file=created[0][0]))
+    elif not files:
+        message = "name the controller file in <parameters>: no launch file says which one belongs to this robot"
+        entries.append(Entry(EntryKind.FOR_YOU, message, element.at))
+    yield Proposal((merged(edits),), created=created, entries=tuple(entries))
+
+
+def _attribute(element: Element, name: str, value: str) -> Edit:
+    tag = element.source.start_tag(element.start)
+    if tag is not None and name in tag.attributes:
+        start, end = tag.attributes[name]
+        return Edit(SourceSpan(element.source, start, end), value)
+    start = element.start + len(b"<plugin")
+    return Edit(SourceSpan(element.source, start, start), f' {name}="{value}"')
+
+
+def _with_parameters(element: Element, files: list[str], step: str) -> Edit:
+    """The edit that adds the controller files at the end of a plugin."""
+    indent = indent_of(element)
+    lines = "".join(f"{indent}{step}<parameters>{file}</parameters>\n" for file in files)
+    if element.close is None or ((tag := element.source.start_tag(element.start)) and tag.self_closed):
+        end = end_of(element)
+        return Edit(SourceSpan(element.source, end - 2, end), f">\n{lines}{indent}</plugin>" if files else "/>")
+    line = element.source.data.rfind(b"\n", 0, element.close) + 1
+    if element.source.data[line : element.close].strip():
+        return Edit(SourceSpan(element.source, element.close, element.close), f"\n{lines}{indent}" if files else "")
+    return Edit(SourceSpan(element.source, line, line), lines)
+
+
+def controller_files(packages: Packages, robots: list[LoadedTarget]) -> list[str]:
+    """Return the controller files of some robots as xacro names them.
+
+    They are those of the launch files; otherwise the only file that names joints of the robots. Several robots may have
+    different ones.
+    """
+    started = (one.project.controllers for one in robots)
+    paths = [file.path for each in started if each for file in each.files if not file.is_moveit]
+    if not paths:
+        joints = {name for one in robots if one.project.robot for name in one.project.robot.joint_names}
+        fitting = [path for path, names in _joints_by_file(packages).items() if names <= joints]
+        paths = fitting if len(fitting) == 1 else []
+    return [address for path in dict.fromkeys(paths) if (address := _address(path))]
+
+
+def _address(path: str) -> str | None:
+    """The address of a file in its package, as xacro writes it."""
+    folder = package_around(os.path.dirname(path))
+    name = package_name(os.path.join(folder, "package.xml")) if folder else None
+    return f"$(find {name})/{os.path.relpath(path, folder).replace(os.sep, '/')}" if folder and name else None
+
+
+def _new_file(element: Element) -> tuple[str, str, str] | None:
+    """The address, path and text of a new controller file in the package of a description."""
+    folder = package_around(os.path.dirname(element.source.path))
+    name = package_name(os.path.join(folder, "package.xml")) if folder else None
+    path = os.path.join(folder or "", "config", "ros2_controllers.yaml")
+    if not folder or not name or os.path.exists(path):
+        return None
+    manager = manager_text("", {"joint_state_broadcaster": BROADCASTER}, RATE, simulated=True)
+    return f"$(find {name})/config/ros2_controllers.yaml", path, manager
+
+
+def _joints_by_file(packages: Packages) -> dict[str, set[str]]:
+    """The joints that the controllers in each file name."""
+    found: dict[str, set[str]] = {}
+    for loaded in packages.loaded():
+        for controller in loaded.project.controllers.controllers if loaded.project.controllers else ():
+            at = controller.declared_at
+            names = {
+                text for p in controller.own.leaves if p.last in {"joint", "joints"} for text, _ in p.value.strings
+            }
+            if at is not None and names:
+                found.setdefault(at.source.path, set()).update(names)
+    return found
+
+
+# -- mimic plugins ---------------------------------------------------------------------------------------------------
+
+
+def _mimics(packages: Packages) -> Iterator[Proposal]:
+    added: dict[ElementKey, list[Edit]] = {}
+    kept: set[ElementKey] = set()
+    for loaded in packages.loaded():
+        robot = loaded.project.robot
+        for plugin, follower, leader in mimic_plugins(robot) if robot else ():
+            key = key_of(plugin.at)
+            joint = robot.joint(follower) if robot else None
+            if joint is None or UNKNOWN in leader + follower:
+                kept.add(key)
+                continue
+            if joint.mimic is None:
+                edit = _mimic_edit(packages, key_of(joint.at), plugin, leader)
+                kept |= set() if edit else {key}
+                added.setdefault(key, []).extend([edit] if edit else [])
+            added.setdefault(key, [])
+    for element in plugin_elements(packages):
+        if not is_mimic_plugin(attribute(element, "filename")):
+            continue
+        key = key_of_element(element)
+        around = parent_of(element)
+        if key in kept or around is None:
+            yield for_you(element.at, "write <mimic> in the joint that this plugin moves, and remove the plugin")
+            continue
+        edit = removal(around if len(around.elements()) == 1 else element)
+        message = "a mimic plugin became <mimic> of the joint, which ros2_control reads"
+        yield Proposal(
+            (edit, *dict.fromkeys(added.get(key, ()))),
+            entries=(Entry(EntryKind.DONE, message, element.at, authority=_MIMIC),),
+        )
+
+
+def _mimic_edit(packages: Packages, joint: ElementKey, plugin: Plugin, leader: str) -> Edit | None:
+    """The edit that adds <mimic> to a joint; None if the joint is written in a macro."""
+    path, start = joint
+    element = element_at(packages.read(path), start) if packages.may_change(path) else None
+    if element is None or "$" in attribute(element, "name") or element.close is None:
+        return None
+    values = {name: tag.text for name in ("multiplier", "offset") if (tag := plugin.setting(name))}
+    more = "".join(f' {name}="{value}"' for name, value in values.items() if value)
+    line = element.source.data.rfind(b"\n", 0, element.close) + 1
+    text = f'{indent_of(element)}{step_of(element.source)}<mimic joint="{leader}"{more}/>\n'
+    return Edit(SourceSpan(element.source, line, line), text)
+
+
+SIMULATOR_PLUGIN = Step(
+    name="simulator-plugin",
+    part=Part.URDF,
+    summary="The plugin that runs controllers in the simulator",
+    propose=_plugins,
+    generation=1,
+    rows=(
+        Row(CONTROL, "gz_ros2_control-system, or libgazebo_ros2_control.so up to iron", "", _AUTHORITY),
+        Row("<robotNamespace>", "<ros><namespace>", "", _AUTHORITY),
+        Row("<controlPeriod>", "update_rate of the controller manager", "", _AUTHORITY),
+        Row("<robotSimType>, <legacyModeNS>, <eStopTopic>", "", "", _AUTHORITY),
+    ),
+)
+MIMIC_PLUGINS = Step(
+    name="mimic-plugins",
+    part=Part.URDF,
+    summary="Plugins for mimicking joints",
+    propose=_mimics,
+    generation=1,
+    rows=(Row("libroboticsgroup_gazebo_mimic_joint_plugin.so", "<mimic> of the joint", "", _MIMIC),),
+)

@@ -1,0 +1,187 @@
+"""Transmissions of ROS 1 become the joints of a `<ros2_control>` element."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from urdfctl.diagnostic import Edit
+from urdfctl.migrate.hardware import HARDWARE_OPTION, simulated_by, system_plugin
+from urdfctl.migrate.markup import attribute, element_at, elements, root_of, step_of
+from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.ros1.followers import followers_of
+from urdfctl.migrate.ros1.following import following, idle
+from urdfctl.migrate.ros1.gathering import Component, Gathering, label_of, prefix_of, written_component
+from urdfctl.migrate.ros1.parts import Converted, Unreadable, converted
+from urdfctl.migrate.ros1.uses import ElementKey, Uses, key_of_element
+from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.todo import for_you
+from urdfctl.migrate.wishes import Part
+from urdfctl.source.dom import Element
+from urdfctl.source.span import SourceText
+
+_AUTHORITY = "ros2_control hardware_interface/src/component_parser.cpp: <ros2_control> is a child of <robot>"
+_REDUCTIONS = "gazebo_ros_control DefaultRobotHWSim: <mechanicalReduction> is not read"
+_NESTED = (
+    "control.ros.org, transmission_interface; ros2_control#599: the hardware plugin must load transmissions itself"
+)
+
+
+def _transmissions(packages: Packages) -> Iterator[Proposal]:
+    uses = Uses(packages)
+    done = _joints_of_components(packages)
+    known = [element for key in uses.by_element if (element := uses.element(key)) is not None]
+    parts: list[tuple[Element, Converted]] = []
+    for element in [*known, *uses.unused()]:
+        if {attribute(joint, "name") for joint in element.elements() if joint.tagName == "joint"} & done:
+            continue
+        try:
+            parts.append((element, _converted(packages, uses, element)))
+        except Unreadable as reason:
+            yield _left(packages, element, str(reason))
+    for key in uses.inserted:
+        if (element := uses.element(key)) is not None:
+            yield _left(packages, element, "it is passed to a macro as a block")
+    yield from _components(packages, uses, parts)
+
+
+def _left(packages: Packages, element: Element, reason: str) -> Proposal:
+    at = packages.read(element.source.path)
+    found = element_at(at, element.start)
+    text = f"transmission '{attribute(element, 'name')}' has no counterpart in ROS 2: {reason}"
+    return for_you((found or element).at, text)
+
+
+def _converted(packages: Packages, uses: Uses, element: Element) -> Converted:
+    its_uses = uses.by_element.get(key_of_element(element), [])
+    robots = {use.robot for use in its_uses}
+    followers = {
+        joint: text for robot in robots for joint, text in followers_of(packages, uses.robots[robot].project).items()
+    }
+    simulated = simulated_by(packages) != "none"
+    return converted(element, its_uses, followers, simulated=simulated, step=step_of(element.source))
+
+
+def _joints_of_components(packages: Packages) -> set[str]:
+    """The joints that the `<ros2_control>` elements of half-migrated packages have, as they are written."""
+    names = set()
+    for path in packages.files(".xacro", ".urdf", ".xml", ".gazebo"):
+        source = packages.read(path)
+        root = root_of(source) if b"<ros2_control" in source.data else None
+        for element in elements(root) if root is not None else ():
+            if element.tagName == "ros2_control":
+                names |= {attribute(joint, "name") for joint in element.elements() if joint.tagName == "joint"}
+    return names
+
+
+def _components(packages: Packages, uses: Uses, parts: list[tuple[Element, Converted]]) -> Iterator[Proposal]:
+    sources: Mapping[str, SourceText] = _Sources(packages)
+    gathering = Gathering(sources)
+    for element, part in parts:
+        its_uses = uses.by_element.get(key_of_element(element), [])
+        paths = [(use.robot, use.calls) for use in its_uses]
+        gathering.add(element, part, paths, dict(idle(packages, uses, its_uses)))
+    try:
+        components = list(gathering.components())
+    except Unreadable as reason:
+        for element, _ in parts:
+            yield _left(packages, element, str(reason))
+        return
+    texts = {key_of_element(element): part for element, part in parts}
+    names = _names(uses, components)
+    lifted = [edit for edits in gathering.edits.values() for edit in edits]
+    edits: list[Edit] = []
+    entries: list[Entry] = []
+    for component, name in zip(components, names, strict=True):
+        try:
+            more = following(packages, uses, component)
+            edits += list(written_component(component, name, system_plugin(packages), more))
+        except Unreadable as reason:
+            yield _left(packages, component.items[0].element, str(reason))
+            if lifted:
+                return
+            continue
+        entries += _entries(packages, component, name, texts)
+    if edits:
+        yield Proposal(edits=tuple(dict.fromkeys([*lifted, *edits])), entries=tuple(entries))
+
+
+class _Sources(dict[str, SourceText]):
+    """The texts of files by path, read when they are asked for."""
+
+    def __init__(self, packages: Packages) -> None:
+        super().__init__()
+        self._packages = packages
+
+    def __missing__(self, path: str) -> SourceText:
+        return self._packages.read(path)
+
+
+def _names(uses: Uses, components: list[Component]) -> list[str]:
+    """A name for each component, different for those of one robot."""
+    names: list[str] = []
+    for component in components:
+        robots = sorted({robot for item in component.items for robot, _ in item.paths})
+        found = (uses.robots[number].project.robot for number in robots)
+        label = label_of(component.unit, next((robot.name for robot in found if robot and robot.name), "robot"))
+        prefix = prefix_of(name for item in component.items for name in item.names)
+        name = f"{prefix}{label}_system"
+        same = [
+            other for other, taken in zip(components, names, strict=False) if taken == name and _share(other, component)
+        ]
+        names.append(f"{name}_{len(same) + 1}" if same else name)
+    return names
+
+
+def _share(one: Component, other: Component) -> bool:
+    robots = [{robot for item in each.items for robot, _ in item.paths} for each in (one, other)]
+    return bool(robots[0] & robots[1])
+
+
+def _entries(
+    packages: Packages, component: Component, name: str, texts: Mapping[ElementKey, Converted]
+) -> Iterator[Entry]:
+    at = component.items[0].element.at
+    joints = list(dict.fromkeys(joint for item in component.items for joint in item.names))
+    shown = ", ".join(joints[:3]) + (f" and {len(joints) - 3} more" if len(joints) > 3 else "")  # noqa: PLR2004
+    message = f"transmissions of {shown} became the joints of component '{name}' in <ros2_control>"
+    yield Entry(EntryKind.DONE, message, at, authority=_AUTHORITY)
+    plugin = system_plugin(packages)
+    if simulated_by(packages) == "none" and packages.wishes.hardware is None:
+        yield Entry(
+            EntryKind.FOR_YOU,
+            f"component '{name}' uses {plugin}, which moves nothing: name the plugin of the real hardware in <plugin>",
+            at,
+            option=HARDWARE_OPTION,
+        )
+    parts = [part for item in component.items if (part := texts.get(key_of_element(item.element)))]
+    dropped = [part for part in parts if part.dropped]
+    if dropped:
+        yield Entry(
+            EntryKind.DECIDED,
+            f"the reduction {dropped[0].dropped} of {len(dropped)} transmissions is dropped: simulators have no motors",
+            at,
+            authority=_REDUCTIONS,
+            option="--simulator none",
+        )
+    if any(part.kept for part in parts):
+        message = f"transmissions with a reduction are nested in component '{name}'; its hardware plugin must load them"
+        yield Entry(EntryKind.DECIDED, message, at, authority=_NESTED)
+
+
+TRANSMISSIONS = Step(
+    name="transmissions",
+    part=Part.URDF,
+    summary="Transmissions",
+    propose=_transmissions,
+    generation=1,
+    rows=(
+        Row("<transmission> with EffortJointInterface", 'command "effort" in <ros2_control>', "", _AUTHORITY),
+        Row("<transmission> with VelocityJointInterface", 'command "velocity" in <ros2_control>', "", _AUTHORITY),
+        Row("<transmission> with PositionJointInterface", 'command "position" in <ros2_control>', "", _AUTHORITY),
+        Row("PosVelJointInterface", 'commands "position" and "velocity"', "", _AUTHORITY),
+        Row("PosVelAccJointInterface", 'commands "position", "velocity" and "acceleration"', "", _AUTHORITY),
+        Row("<mechanicalReduction> in simulation", "", "", _REDUCTIONS),
+        Row("<mechanicalReduction>", "<transmission> in <ros2_control>", "", _NESTED),
+        Row("DifferentialTransmission, FourBarLinkageTransmission", "<transmission> in <ros2_control>", "", _NESTED),
+    ),
+)
