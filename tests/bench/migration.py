@@ -42,6 +42,7 @@ OLDEST = {"foxy": "humble", "galactic": "humble"}
 """Distros that are at their end: the interfaces are those of the next one."""
 LATEST = "rolling"
 HERE = Path(__file__).resolve().parents[2]
+OF_GZ = ("gz_ros2_control", "ign_ros2_control", "gz-sim-", "ignition-gazebo-")
 CLASSIC = ("gazebo_ros2_control", "gazebo_ros_control")
 SCORED = ("joints", *KINDS)
 KNOWN_HARDWARE = (*CLASSIC, "gz_ros2_control", "ign_ros2_control", "_components", "transmission_interface")
@@ -93,7 +94,7 @@ def simulator_of(after: Facts) -> str | None:
     """The simulator of a robot by its plugins; None if they name none or both."""
     names = [name for (name,) in after["plugins"]]
     classic = any(part in name for name in names for part in CLASSIC)
-    gz = any("gz_ros2_control" in name or "ign_ros2_control" in name for name in names)
+    gz = any(part in name for name in names for part in OF_GZ)
     return None if classic == gz else "gazebo-classic" if classic else "gz"
 
 

@@ -134,7 +134,10 @@ class Gathering:
             if call is None:
                 raise Unreadable("the calls of its macro cannot be found")
             text = _idle_text(parts, (path, start)) or f"{_written(call) if is_pure else _call_text(call, own)}\n"
-            self._put(PartItem(call, text, frozenset(paths), not is_pure, (), arguments))
+            item = PartItem(
+                element=call, text=text, paths=frozenset(paths), stays=not is_pure, names=(), arguments=arguments
+            )
+            self._put(item)
 
 
 def _idle_text(parts: Iterable[PartItem], call: ElementKey) -> str:

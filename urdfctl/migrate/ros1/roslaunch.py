@@ -17,7 +17,7 @@ from urdfctl.migrate.launch.actions import (
     plain,
     words_of,
 )
-from urdfctl.migrate.ros1.roslaunch_nodes import EMPTY_WORLDS, Target, migrated_node, simulator_actions
+from urdfctl.migrate.ros1.roslaunch_nodes import EMPTY_WORLDS, Notes, migrated_node, simulator_actions
 from urdfctl.source.dom import COMMENT, Element
 from urdfctl.source.dom import Text as Characters
 
@@ -26,19 +26,8 @@ _OF_WORLD = ("gazebo_ros", "gazebo_worlds")
 _LAUNCH_ENDINGS = (".launch.xml", ".launch", ".xml")
 
 
-class Reading:
-    """The actions of one launch file, and what could not be read.
-
-    left: what a person must do, each with the element that it is about.
-    decided: the choices that were made.
-    defaults: the defaults of the arguments so far.
-    """
-
-    def __init__(self, target: Target) -> None:
-        self.target = target
-        self.left: list[tuple[Element, str]] = []
-        self.decided: list[tuple[Element, str]] = []
-        self.defaults: dict[str, str] = {}
+class Reading(Notes):
+    """The actions of one launch file, and what is found out about them."""
 
     def actions(self, root: Element) -> list[Action]:
         """Return the actions of a file."""

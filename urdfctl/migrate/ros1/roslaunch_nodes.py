@@ -6,11 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from urdfctl.migrate.launch.actions import Action, PartOfText, Text, is_literal, literal, parsed, plain, words_of
 from urdfctl.source.dom import Element
-from urdfctl.startup.hints import TYPE_CHECKING
 from urdfctl.startup.records import NamedTuple
-
-if TYPE_CHECKING:
-    from urdfctl.migrate.ros1.roslaunch import Reading
 
 
 class Target(NamedTuple):
@@ -44,6 +40,21 @@ class Target(NamedTuple):
         return self.simulator in ("gz", "gazebo-classic")
 
 
+class Notes:
+    """What is found out while a launch file is read.
+
+    left: what a person must do, each with the element that it is about.
+    decided: the choices that were made.
+    defaults: the defaults of the arguments so far.
+    """
+
+    def __init__(self, target: Target) -> None:
+        self.target = target
+        self.left: list[tuple[Element, str]] = []
+        self.decided: list[tuple[Element, str]] = []
+        self.defaults: dict[str, str] = {}
+
+
 _RENAMED = {
     ("rviz", "rviz"): ("rviz2", "rviz2"),
     ("rqt_gui", "rqt_gui"): ("rqt_gui", "rqt_gui"),
@@ -67,7 +78,7 @@ EMPTY_WORLDS = ("worlds/empty.world", "empty.world")
 _POSES = {"-x": "-x", "-y": "-y", "-z": "-z", "-R": "-R", "-P": "-P", "-Y": "-Y"}
 
 
-def migrated_node(reading: Reading, element: Element, description: Text, files: Sequence[Text]) -> Iterator[Action]:
+def migrated_node(reading: Notes, element: Element, description: Text, files: Sequence[Text]) -> Iterator[Action]:
     """Yield the actions for a node. What is left to a person is added to the reading."""
     package, program = element.attrs.get("pkg", ""), element.attrs.get("type", "")
     words = words_of(parsed(element.attrs.get("args", "")))
@@ -122,7 +133,7 @@ def _plain(element: Element, package: str, program: str) -> Action:
     )
 
 
-def _spawner(reading: Reading, element: Element, words: Sequence[Text], files: Sequence[Text]) -> Iterator[Action]:
+def _spawner(reading: Notes, element: Element, words: Sequence[Text], files: Sequence[Text]) -> Iterator[Action]:
     if element.attrs.get("type") == "controller_manager":
         verb = plain(words[0]) if words else ""
         if verb not in ("spawn", "load"):
@@ -166,7 +177,7 @@ def _file_text(file: Text) -> str:
     return "".join(part.text if part.kind == "text" else f"$({part.kind} {part.text})" for part in file)
 
 
-def _spawned_model(reading: Reading, element: Element, words: Sequence[Text]) -> Action:
+def _spawned_model(reading: Notes, element: Element, words: Sequence[Text]) -> Action:
     target = reading.target
     is_gz = target.simulator != "gazebo-classic"
     shown: list[Text] = []
@@ -203,7 +214,7 @@ def _spawned_model(reading: Reading, element: Element, words: Sequence[Text]) ->
     )
 
 
-def simulator_actions(reading: Reading, given: Mapping[str, Text]) -> Iterator[Action]:
+def simulator_actions(reading: Notes, given: Mapping[str, Text]) -> Iterator[Action]:
     """Yield the actions that start the simulator with the arguments of gazebo_ros' empty_world.launch."""
     target = reading.target
     world = given.get("world_name", ())
