@@ -12,9 +12,9 @@ A copy of *before* is migrated in place to the distro of *after*. Compared are s
     precision   what of the migration *after* also has
 
 Only what both sides have is compared: joints that are controlled before and after, controllers that are configured
-before and after. The hardware plugin of a driver that appears only in *after* is left out: nobody can know it before.
-`joints` counts those that have a command interface in common, `interfaces` every interface: people add some. They
-rename, drop and re-tune too, so that no score can reach 1.
+before and after, parameters that the distro reads. The hardware plugin of a driver that appears only in *after* is left
+out: nobody can know it before. `joints` counts those that have a command interface in common, `interfaces` every
+interface: people add some. They rename, drop and re-tune too, so that no score can reach 1.
 
 The row `people` compares *before* with *after* in the same way: what people kept. Nothing here judges: the exit status
 is 1 only if a migration failed.
@@ -149,8 +149,9 @@ def _spelled(facts: Iterable[tuple[str, ...]]) -> set[tuple[str, ...]]:
 def measured(pair: dict[str, Any], options: argparse.Namespace, folder: Path) -> dict[str, Any]:
     """Migrate one pair and compare it."""
     before_folder, after_folder = (options.trees / pair["id"] / side for side in ("before", "after"))
-    before, after = facts_of_folder(str(before_folder.resolve())), facts_of_folder(str(after_folder.resolve()))
-    distro, simulator = target_of(pair), simulator_of(after)
+    distro = target_of(pair)
+    before, after = facts_of_folder(str(before_folder.resolve())), facts_of_folder(str(after_folder.resolve()), distro)
+    simulator = simulator_of(after)
     out = (options.keep or folder).resolve() / pair["id"]
     failure = migrated(before_folder.resolve(), out, distro, simulator)
     ours = facts_of_folder(str(out), distro)

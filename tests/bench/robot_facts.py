@@ -10,11 +10,15 @@ from typing import Any
 
 import yaml
 
+from urdfctl.catalog.catalog import CATALOG
+from urdfctl.catalog.map_parameters import matching
 from urdfctl.config.settings import Settings
 from urdfctl.discover.robots import discover_files
-from urdfctl.lint.job import Work, Workers, launch_variants, run_on_targets, shared_loader
+from urdfctl.lint.job import Work, Workers, run_on_targets, shared_loader
 from urdfctl.lint.planning import planned
+from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
+from urdfctl.model.controllers import Controller
 from urdfctl.model.project import Project
 from urdfctl.model.robot import Robot
 from urdfctl.source.files import is_launch
@@ -37,7 +41,8 @@ def facts_of_folder(folder: str, distro: str | None = None) -> Facts:
     plan = [entry.target for entry in planned(files, ())]
     started = [target for target in plan if is_launch(target.path)]
     others = [target for target in plan if not is_launch(target.path)]
-    variants = [variant for choices in launch_variants(started, settings) for variant in choices] if started else []
+    loader = Loader(settings)
+    variants = [variant for target in started for variant in loader.variants(target)]
     targets = [*others, *variants, *(Target(path) for path in files.controllers_candidates)]
     targets += [Target(path) for path in map(os.path.abspath, files.others) if Target(path) not in others]
     facts: Facts = defaultdict(set)
@@ -106,7 +111,16 @@ def _of_controllers(project: Project, facts: dict[str, list[tuple[str, ...]]]) -
         facts["controllers"].append((controller.name,))
         if controller.type is not None:
             facts["types"].append((controller.name, controller.type.text))
-        facts["keys"] += ((controller.name, parameter.name) for parameter in controller.own.leaves)
+        facts["keys"] += ((controller.name, name) for name in _keys_of(controller, project.distro))
+
+
+def _keys_of(controller: Controller, distro: str | None) -> Iterator[str]:
+    """The parameters of a controller that its type reads in a distro, and that are not deprecated there."""
+    kind = CATALOG.controller(controller.type.text, distro) if controller.type and distro else None
+    for parameter in controller.own.leaves:
+        found = matching(parameter.name, kind.parameters) if kind else None
+        if kind is None or (found and not kind.parameters[found[0]].deprecated):
+            yield parameter.name
 
 
 def _of_launch(project: Project, facts: dict[str, list[tuple[str, ...]]]) -> None:

@@ -225,7 +225,8 @@ class _File:
         """The controller files of the package."""
         folder = package_around(os.path.dirname(self.file.source.path))
         yamls = (path for path in self.packages.files(".yaml") if folder and path.startswith(folder + os.sep))
-        return [path for path in yamls if b"controller_manager:" in self.packages.read(path).data]
+        texts = {path: self.packages.read(path).data for path in yamls}
+        return [path for path, text in texts.items() if b"controller_manager" in text and b"ros__parameters" in text]
 
     def _manager(self) -> str | None:
         """The controller manager of the package's only controller file, in the namespace of the spawned robot."""

@@ -18,11 +18,13 @@ from urdfctl.source.yaml import Mapping as Map
 from urdfctl.source.yaml import Node, Scalar
 from urdfctl.source.yaml import Sequence as List
 from urdfctl.source.yaml_types import typed_by_rcl
+from urdfctl.startup.patterns import lazy_pattern
 from urdfctl.startup.records import NamedTuple
 
 _RENAMED = "ros2_controllers doc/migration.rst; the parameters that the distro's branch declares"
 _TYPES = "control.ros.org, differences between ros_control and ros2_control"
-_DOUBLES = "rcl_yaml_param_parser: an integer is not accepted for a parameter of type double"
+_CLAMP = "control_toolbox#298: i_clamp_max and i_clamp_min are deprecated"
+_PID = lazy_pattern(r"(?:^|\.)pid\.")
 
 
 class ControllerSection(NamedTuple):
@@ -58,6 +60,7 @@ class _Writer:
         self.item, self.kind, self.source = item, kind, source
         self.entries: list[Entry] = []
         self.rate: float | None = None
+        self.gone: set[str] = set()
         assert isinstance(item.entry.value, Map)  # noqa: S101 (the caller looked)
         self.map = item.entry.value
 
@@ -76,13 +79,24 @@ class _Writer:
     def _loops(self, names: Mapping[str, Path]) -> list[str]:
         """The settings of a pid_controller for a controller with a PID loop."""
         joints = [text for name in ("joint", "joints") if name in names for text in _texts(names[name][-1][1].value)]
-        gains = [(n.removeprefix("pid."), self._scalar(p)) for n, p in names.items() if n.startswith("pid.")]
-        known = [
-            (name, value)
-            for name, value in _clamps(gains)
-            if matching(f"gains.{joints[0] if joints else 'j'}.{name}", self.kind.parameters)
+        return pid_settings(self.item.type, {joint: self._gains(joint, names) for joint in joints})
+
+    def _gains(self, joint: str, names: Mapping[str, Path]) -> list[tuple[str, str]]:
+        """The gains of a joint: its own, or those of the only one."""
+        starts = (f"{joint}.pid.", "pid.")
+        given = [
+            (name[len(start) :], path) for start in starts for name, path in names.items() if name.startswith(start)
         ]
-        return pid_settings(self.item.type, joints, known)
+        kept = []
+        for name, value in _clamps([(name, self._scalar(path)) for name, path in given]):
+            parameter = self.kind.parameters.get(f"gains.<dof_names>.{name}")
+            if parameter is not None and not parameter.deprecated:
+                kept.append((name, value))
+            elif parameter is not None:
+                what = f"the limit '{name}: {value}' of the integral part is dropped: choose an antiwindup_strategy"
+                at = self.item.entry.key.at
+                self.entries.append(Entry(EntryKind.DECIDED, what, at, authority=_CLAMP))
+        return kept
 
     def _scalar(self, path: Path) -> str:
         node = path[-1][1].value
@@ -91,18 +105,18 @@ class _Writer:
     def _change(self, edits: MapEdits, name: str, path: Path, added: list[str], packages: Packages) -> None:
         key, value = path[-1][1].key, path[-1][1].value
         if name == "type":
-            edits.drop(path)
+            self._drop(edits, path)
             return
         if name.endswith("publish_rate") and isinstance(value, Scalar):
             self.rate = _number(value)
         found = changed(name, changes_of(self.kind.type))
-        if found is None and name.startswith("pid.") and "gains.<dof_names>.p" in self.kind.parameters:
-            edits.drop(path)
+        if found is None and _PID.search(name) and "gains.<dof_names>.p" in self.kind.parameters:
+            self._drop(edits, path)
             return
         change, element = found or (Change(name), "")
         targets = [each.replace("<>", element) for each in change.name.split()]
         if not targets or matching(targets[0], self.kind.parameters) is None:
-            edits.drop(path)
+            self._drop(edits, path)
             why = change.why or f"'{self.kind.type}' does not read it in {packages.wishes.target}"
             message = f"parameter '{name}' of '{self.item.name}' is dropped: {why}"
             self.entries.append(Entry(EntryKind.DONE, message, key.at, authority=_RENAMED))
@@ -112,6 +126,13 @@ class _Writer:
             self.entries.append(Entry(EntryKind.DONE, message, key.at, authority=_RENAMED))
         self._rename(edits, name, path, targets, added)
         self._retype(edits, value, targets[0], as_list=change.as_list)
+
+    def _drop(self, edits: MapEdits, path: Path) -> None:
+        """Drop a parameter; those of a map in braces when their lines are written."""
+        if len(path) == 1 and _is_flow(self.map):
+            self.gone.add(path[0][1].key.text)
+        else:
+            edits.drop(path)
 
     def _rename(self, edits: MapEdits, name: str, path: Path, targets: Sequence[str], added: list[str]) -> None:
         key, value = path[-1][1].key, path[-1][1].value
@@ -124,7 +145,7 @@ class _Writer:
                 f"{other}: {_as_double(value) if isinstance(value, Scalar) else written}" for other in targets[1:]
             )
         else:
-            edits.drop(path)
+            self._drop(edits, path)
             added += (f"{other}: {_as_double(value) if isinstance(value, Scalar) else written}" for other in targets)
 
     def _retype(self, edits: MapEdits, value: Node, name: str, *, as_list: bool) -> None:
@@ -147,15 +168,15 @@ class _Writer:
 
     def _text(self, edits: MapEdits, added: Sequence[str]) -> str:
         """The parameters as YAML, indented by nothing: as they are written, with the edits."""
-        lines = _block(self.map, self.source, edits)
-        return "".join(f"{line}\n" for line in [*lines, *added])
+        lines = list(_block(self.map, self.source, edits))
+        kept = [line for line in lines if not self.gone or line.partition(":")[0].strip("'\" ") not in self.gone]
+        return "".join(f"{line}\n" for line in [*kept, *added])
 
 
 def _block(node: Map, source: SourceText, edits: MapEdits) -> Iterator[str]:
     if not node.entries:
         return
-    is_flow = source.data[node.start : node.start + 1] == b"{"
-    if is_flow:
+    if _is_flow(node):
         inside = _edited(source, edits, node.start + 1, node.end - 1).decode("utf-8", "surrogateescape")
         yield from _flow_entries(inside)
         return
@@ -165,6 +186,11 @@ def _block(node: Map, source: SourceText, edits: MapEdits) -> Iterator[str]:
     text = _edited(source, edits, first, len(source.data) if end < 0 else end + 1).decode("utf-8", "surrogateescape")
     for line in text.rstrip().splitlines():
         yield line[min(column, len(line) - len(line.lstrip())) :] if line.strip() else ""
+
+
+def _is_flow(node: Map) -> bool:
+    """Whether a map is written in braces."""
+    return node.source.data[node.start : node.start + 1] == b"{"
 
 
 def _edited(source: SourceText, edits: MapEdits, start: int, end: int) -> bytes:

@@ -103,7 +103,7 @@ def _own_packages(packages: Packages) -> Iterator[str]:
 
 def _controller_files(packages: Packages) -> set[str]:
     """The names of the controller files, before or after their own migration."""
-    marks = (b"controller_manager:", b"_controller/", b"_controllers/", b"_broadcaster/")
+    marks = (b"controller_manager", b"_controller/", b"_controllers/", b"_broadcaster/")
     return {
         os.path.basename(path)
         for path in packages.files(".yaml", ".yml")

@@ -62,7 +62,7 @@ def _manifests(packages: Packages) -> Iterator[Proposal]:
             yield Proposal(entries=(Entry(EntryKind.FOR_YOU, text, root.at, authority=_AUTHORITY),))
             continue
         yield Proposal(
-            tuple(_manifest_edits(packages, root)),
+            (merged(_manifest_edits(packages, root)),),
             entries=(Entry(EntryKind.DONE, "the package is built by ament", root.at, authority=_AUTHORITY),),
         )
         if cmake.data:
@@ -88,7 +88,8 @@ def _manifest_edits(packages: Packages, root: Element) -> Iterator[Edit]:
             yield _text_edit(element, "ament_cmake")
         elif element.tagName in _DEPENDS:
             yield from _dependency(packages, element, known)
-    yield merged([*_additions(packages, root, known), _export(root)])
+    yield from _additions(packages, root, known)
+    yield _export(root)
 
 
 def _additions(packages: Packages, root: Element, known: set[str]) -> Iterator[Edit]:

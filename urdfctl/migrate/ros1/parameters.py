@@ -86,18 +86,16 @@ def changed(name: str, changes: Mapping[str, Change]) -> tuple[Change, str] | No
     return None
 
 
-def pid_settings(ros1_type: str, joints: Sequence[str], gains: Sequence[tuple[str, str]]) -> list[str]:
+def pid_settings(ros1_type: str, gains: Mapping[str, Sequence[tuple[str, str]]]) -> list[str]:
     """Return the lines of a pid_controller that does what a controller with a PID loop did.
 
-    gains: the gains of ROS 1, names and values as written.
+    gains: the gains of each joint, names and values as written.
     """
     if ros1_type not in _PID_REFERENCES:
         return []
     command, reference = _PID_REFERENCES[ros1_type]
     lines = [f"command_interface: {command}", f"reference_and_state_interfaces: [{reference}]"]
-    if gains:
-        lines.append("gains:")
-        for joint in joints:
-            lines.append(f"  {joint}:")
-            lines += (f"    {name}: {value}" for name, value in gains)
+    lines += ["gains:"] if any(gains.values()) else []
+    for joint, own in gains.items():
+        lines += [f"  {joint}:", *(f"    {name}: {value}" for name, value in own)] if own else []
     return lines

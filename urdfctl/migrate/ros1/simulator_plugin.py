@@ -100,7 +100,7 @@ def _migrated(packages: Packages, element: Element, robots: list[LoadedTarget]) 
         edits.append(removal(space) if is_root else Edit(span_of(space), indented(inner, indent_of(space)).lstrip()))
     files = controller_files(packages, robots)
     created: tuple[tuple[str, str], ...] = ()
-    if not files and (new := _new_file(element)) is not None:
+    if not files and (new := _new_file(element, text)) is not None:
         files, created = [new[0]], (new[1:],)
     edits.append(_with_parameters(element, files, step))
     edits = [edit for edit in edits if edit.text or edit.span.start != edit.span.end]
@@ -165,14 +165,15 @@ def _address(path: str) -> str | None:
     return f"$(find {name})/{os.path.relpath(path, folder).replace(os.sep, '/')}" if folder and name else None
 
 
-def _new_file(element: Element) -> tuple[str, str, str] | None:
+def _new_file(element: Element, namespace: str) -> tuple[str, str, str] | None:
     """The address, path and text of a new controller file in the package of a description."""
     folder = package_around(os.path.dirname(element.source.path))
     name = package_name(os.path.join(folder, "package.xml")) if folder else None
     path = os.path.join(folder or "", "config", "ros2_controllers.yaml")
     if not folder or not name or os.path.exists(path):
         return None
-    manager = manager_text("", {"joint_state_broadcaster": BROADCASTER}, RATE, simulated=True)
+    space = "/**" if "$" in namespace else f"/{namespace.strip('/')}" if namespace.strip("/") else ""
+    manager = manager_text(space, {"joint_state_broadcaster": BROADCASTER}, RATE, simulated=True)
     return f"$(find {name})/config/ros2_controllers.yaml", path, manager
 
 

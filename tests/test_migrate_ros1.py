@@ -1,0 +1,328 @@
+"""What a migration from ROS 1 makes of transmissions, plugins, controller files, launch files and packages."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+from folder import CHECKOUT, Folder
+
+MANIFEST = """\
+<?xml version="1.0"?>
+<package format="2">
+  <name>arm</name>
+  <version>0.1.0</version>
+  <description>An arm</description>
+  <maintainer email="a@example.com">A</maintainer>
+  <license>MIT</license>
+
+  <buildtool_depend>catkin</buildtool_depend>
+
+  <exec_depend>gazebo_ros_control</exec_depend>
+  <exec_depend>joint_state_controller</exec_depend>
+</package>
+"""
+LEG = """\
+  <xacro:macro name="leg" params="side *origin">
+    <link name="${side}_foot"/>
+    <joint name="${side}_knee" type="continuous">
+      <xacro:insert_block name="origin"/>
+      <parent link="body"/>
+      <child link="${side}_foot"/>
+    </joint>
+    <!-- the motor of the knee -->
+    <transmission name="${side}_knee_transmission">
+      <type>transmission_interface/SimpleTransmission</type>
+      <joint name="${side}_knee"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>
+      <actuator name="${side}_motor"><mechanicalReduction>1</mechanicalReduction></actuator>
+    </transmission>
+  </xacro:macro>
+"""
+LEGS = f"""\
+<robot name="walker" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <link name="body"/>
+{LEG}
+  <xacro:leg side="left"><origin xyz="0 1 0"/></xacro:leg>
+  <xacro:leg side="right"><origin xyz="0 -1 0"/></xacro:leg>
+</robot>
+"""
+EFFORT = """\
+arm:
+  ctl:
+    type: effort_controllers/JointEffortController
+    joint: shoulder
+"""
+PLUGIN = """\
+  <gazebo>
+    <plugin name="gazebo_ros_control" filename="libgazebo_ros_control.so">
+      <robotNamespace>/arm</robotNamespace>
+      <robotSimType>gazebo_ros_control/DefaultRobotHWSim</robotSimType>
+    </plugin>
+  </gazebo>
+"""
+
+
+def arm(transmission: str, more: str = "") -> str:
+    """A robot with one joint."""
+    return f"""\
+<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <link name="base"/>
+  <link name="upper"/>
+  <joint name="shoulder" type="revolute">
+    <parent link="base"/>
+    <child link="upper"/>
+    <limit lower="-1" upper="1" effort="10" velocity="1"/>
+  </joint>
+{transmission}{more}</robot>
+"""
+
+
+def transmission(interface: str, reduction: str = "1") -> str:
+    """The transmission of the joint."""
+    return f"""\
+  <transmission name="shoulder_transmission">
+    <type>transmission_interface/SimpleTransmission</type>
+    <joint name="shoulder">
+      <hardwareInterface>{interface}</hardwareInterface>
+    </joint>
+    <actuator name="shoulder_motor">
+      <mechanicalReduction>{reduction}</mechanicalReduction>
+    </actuator>
+  </transmission>
+"""
+
+
+def migrated(folder: Folder, files: dict[str, str], *words: str) -> dict[str, str]:
+    """All files of a package after its migration from noetic to jazzy."""
+    folder.write({"arm/package.xml": MANIFEST, **{f"arm/{name}": text for name, text in files.items()}})
+    ran = folder.run("migrate", "arm", "--from", "noetic", "--to", "jazzy", *words, "-o", "new", "--force")
+    assert ran.returncode == 0, ran.stderr
+    found = (path for path in (folder.path / "new").rglob("*") if path.is_file())
+    return {path.relative_to(folder.path / "new").as_posix(): path.read_text() for path in found}
+
+
+@pytest.mark.parametrize(
+    ("interface", "commands", "states"),
+    [
+        ("hardware_interface/EffortJointInterface", ["effort"], ["position", "velocity", "effort"]),
+        ("VelocityJointInterface", ["velocity"], ["position", "velocity"]),
+        ("hardware_interface/PosVelJointInterface", ["position", "velocity"], ["position", "velocity"]),
+    ],
+)
+def test_the_interface_of_a_transmission_becomes_commands_and_states(
+    folder: Folder, interface: str, commands: list[str], states: list[str]
+) -> None:
+    after = migrated(folder, {"urdf/arm.xacro": arm(transmission(interface))})["urdf/arm.xacro"]
+    shown = [f'      <command_interface name="{name}"/>\n' for name in commands]
+    shown += [f'      <state_interface name="{name}"/>\n' for name in states]
+    component = f"""\
+  <ros2_control name="arm_system" type="system">
+    <hardware>
+      <plugin>mock_components/GenericSystem</plugin>
+    </hardware>
+    <joint name="shoulder">
+{"".join(shown)}    </joint>
+  </ros2_control>
+"""
+    assert after == arm(component)
+
+
+def test_an_interface_from_an_argument_stays_an_argument(folder: Folder) -> None:
+    argument = '  <xacro:arg name="interface" default="EffortJointInterface"/>\n'
+    text = arm(argument + transmission("hardware_interface/$(arg interface)"))
+    after = migrated(folder, {"urdf/arm.xacro": text})
+    folder.write({f"new/{name}": content for name, content in after.items()})
+    for given, command in (("EffortJointInterface", "effort"), ("PositionJointInterface", "position")):
+        ran = folder.run("expand", "new/urdf/arm.xacro", f"interface:={given}")
+        assert f'<command_interface name="{command}"/>' in ran.stdout
+
+
+def test_a_macro_that_is_called_twice_gets_a_macro_beside_it_for_one_component(folder: Folder) -> None:
+    after = migrated(folder, {"urdf/legs.xacro": LEGS})["urdf/legs.xacro"]
+    assert '<xacro:macro name="leg_ros2_control" params="side">' in after
+    assert after.count("<ros2_control ") == 1
+    assert '    <xacro:leg_ros2_control side="left"/>\n    <xacro:leg_ros2_control side="right"/>\n' in after
+    assert "<transmission" not in after
+    ran = folder.run("expand", "new/urdf/legs.xacro")
+    component = ran.stdout.partition("<ros2_control")[2]
+    assert '<joint name="left_knee">' in component
+    assert '<joint name="right_knee">' in component
+
+
+def test_a_reduction_is_nested_for_hardware_and_dropped_for_a_simulator(folder: Folder) -> None:
+    text = arm(transmission("EffortJointInterface", "50"))
+    kept = migrated(folder, {"urdf/arm.xacro": text}, "--hardware", "my_driver/Arm")["urdf/arm.xacro"]
+    assert "<plugin>my_driver/Arm</plugin>" in kept
+    assert "<mechanical_reduction>50</mechanical_reduction>" in kept
+    simulated = migrated(folder, {"urdf/arm.xacro": arm(transmission("EffortJointInterface", "50"), PLUGIN)})
+    assert "mechanical_reduction" not in simulated["urdf/arm.xacro"]
+    assert "the reduction 50 of 1 transmissions is dropped" in simulated["MIGRATION.md"]
+
+
+def test_an_interface_of_its_own_is_left_to_a_person(folder: Folder) -> None:
+    text = arm(transmission("my_interfaces/TorqueInterface"))
+    after = migrated(folder, {"urdf/arm.xacro": text})
+    assert "<transmission" in after["urdf/arm.xacro"]
+    assert "the interface 'my_interfaces/TorqueInterface' has no known replacement" in after["MIGRATION.md"]
+    assert "TODO" in after["urdf/arm.xacro"]
+
+
+def test_the_plugin_of_gazebo_keeps_its_namespace_and_names_the_controller_file(folder: Folder) -> None:
+    files = {
+        "urdf/arm.xacro": arm(transmission("EffortJointInterface"), PLUGIN),
+        "config/controllers.yaml": EFFORT,
+    }
+    after = migrated(folder, files)["urdf/arm.xacro"]
+    assert (
+        """\
+    <plugin name="gz_ros2_control::GazeboSimROS2ControlPlugin" filename="gz_ros2_control-system">
+      <ros>
+        <namespace>/arm</namespace>
+      </ros>
+      <parameters>$(find arm)/config/controllers.yaml</parameters>
+    </plugin>
+"""
+        in after
+    )
+
+
+def test_controllers_get_sections_types_and_doubles_and_keep_their_comments(folder: Folder) -> None:
+    before = """\
+# the controllers of the arm
+arm:
+  joint_state_controller: {type: joint_state_controller/JointStateController, publish_rate: 200}
+
+  # moves the arm
+  arm_controller:
+    type: "effort_controllers/JointTrajectoryController"
+    joints: [shoulder]
+    gains:
+      shoulder: {p: 100, d: 1.5}  # tuned
+    state_publish_rate: 25
+    velocity_ff: {shoulder: 2}
+"""
+    files = {"config/controllers.yaml": before, "urdf/arm.xacro": arm(transmission("EffortJointInterface"))}
+    after = migrated(folder, files, "--only", "urdf,yaml")["config/controllers.yaml"]
+    assert after.startswith(
+        "# the controllers of the arm\n\n/arm/controller_manager:\n  ros__parameters:\n    update_rate: 200"
+    )
+    assert "    joint_state_controller:\n      type: joint_state_broadcaster/JointStateBroadcaster\n" in after
+    assert "\n# moves the arm\n/arm/arm_controller:\n  ros__parameters:\n    joints: [shoulder]\n" in after
+    assert "shoulder: {p: 100.0, d: 1.5}  # tuned\n" in after
+    assert "gains.shoulder.ff_velocity_scale: 2.0\n" in after
+    assert "command_interfaces: [effort]\n" in after
+    assert "state_publish_rate" not in after
+
+
+def test_a_loop_around_effort_becomes_a_pid_controller_with_the_same_gains(folder: Folder) -> None:
+    before = """\
+ctl:
+  type: effort_controllers/JointPositionController
+  joint: shoulder
+  pid: {p: 10, i: 1, d: 0.5, i_clamp: 2}
+"""
+    files = {"config/controllers.yaml": before, "urdf/arm.xacro": arm(transmission("EffortJointInterface"))}
+    after = migrated(folder, files, "--only", "urdf,yaml")["config/controllers.yaml"]
+    assert "      type: pid_controller/PidController\n" in after
+    for line in ("dof_names: [shoulder]", "command_interface: effort", "reference_and_state_interfaces: [position]"):
+        assert f"    {line}\n" in after
+    for line in ("p: 10.0", "i: 1.0", "d: 0.5"):
+        assert f"        {line}\n" in after
+    assert "i_clamp" not in after
+
+
+LAUNCH = """\
+<launch>
+  <!-- what to start -->
+  <arg name="side" default="left" doc="which arm"/>
+  <group ns="$(arg side)">
+    <param name="robot_description" command="$(find xacro)/xacro --inorder $(find arm)/urdf/arm.xacro s:=$(arg side)"/>
+    <rosparam file="$(find arm)/config/controllers.yaml"/>
+    <node name="spawner" pkg="controller_manager" type="spawner" args="ctl --stopped --timeout 5"/>
+    <node name="rsp" pkg="robot_state_publisher" type="robot_state_publisher"/>
+  </group>
+  <node name="map" pkg="tf" type="static_transform_publisher" args="1 2 3 0 0 0 world base 100" if="$(arg side)"/>
+</launch>
+"""
+
+
+STARTED = {
+    "launch/arm.launch": LAUNCH,
+    "urdf/arm.xacro": arm('  <xacro:arg name="s" default=""/>\n' + transmission("EffortJointInterface")),
+    "config/controllers.yaml": EFFORT.replace("arm:\n", "").replace("\n  ", "\n").removeprefix("  "),
+}
+
+
+def test_a_launch_file_becomes_one_in_python_that_starts_the_same(folder: Folder) -> None:
+    after = migrated(folder, STARTED)
+    text = after["launch/arm.launch.py"]
+    assert "launch/arm.launch" not in after
+    compile(text, "arm.launch.py", "exec")
+    for part in (
+        "# what to start",
+        'DeclareLaunchArgument("side", default_value="left", description="which arm")',
+        'PushRosNamespace(LaunchConfiguration("side"))',
+        '"--inactive"',
+        '"--controller-manager-timeout"',
+        '"--frame-id"',
+        'condition=IfCondition(LaunchConfiguration("side"))',
+    ):
+        assert part in text
+    assert '"xacro ", FindPackageShare("arm"), "/urdf/arm.xacro s:=\'"' in text
+
+
+def test_a_launch_file_becomes_one_in_xml_if_asked(folder: Folder) -> None:
+    text = migrated(folder, STARTED, "--launch", "xml")["launch/arm.launch.xml"]
+    assert '<arg name="side" default="left" description="which arm"/>' in text
+    assert '<push-ros-namespace namespace="$(var side)"/>' in text
+    assert 'exec="spawner"' in text
+
+
+def test_a_package_of_catkin_is_built_by_ament_and_installs_its_folders(folder: Folder) -> None:
+    cmake = "cmake_minimum_required(VERSION 2.8.3)\nproject(arm)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+    files = {"CMakeLists.txt": cmake, "urdf/arm.xacro": arm(transmission("EffortJointInterface"), PLUGIN)}
+    after = migrated(folder, files)
+    manifest, build = after["package.xml"], after["CMakeLists.txt"]
+    assert '<package format="3">' in manifest
+    assert "<buildtool_depend>ament_cmake</buildtool_depend>" in manifest
+    assert "<exec_depend>gz_ros2_control</exec_depend>" in manifest
+    assert "<exec_depend>joint_state_broadcaster</exec_depend>" in manifest
+    assert "<build_type>ament_cmake</build_type>" in manifest
+    assert "find_package(ament_cmake REQUIRED)" in build
+    assert "install(DIRECTORY config urdf\n  DESTINATION share/${PROJECT_NAME}\n)" in build
+    assert build.endswith("ament_package()\n")
+    assert "catkin" not in build
+
+
+def test_a_package_with_compiled_code_is_left_to_a_person(folder: Folder) -> None:
+    cmake = "project(arm)\nfind_package(catkin REQUIRED)\ncatkin_package()\nadd_library(driver src/driver.cpp)\n"
+    after = migrated(folder, {"CMakeLists.txt": cmake, "urdf/arm.xacro": arm(transmission("EffortJointInterface"))})
+    assert after["CMakeLists.txt"] == cmake
+    assert after["package.xml"] == MANIFEST
+    assert "this package compiles code or messages" in after["MIGRATION.md"]
+
+
+TARGETS = (("humble", "gazebo-classic"), ("jazzy", "gz"), ("rolling", "none"))
+
+
+@pytest.mark.parametrize(("distro", "simulator"), TARGETS)
+@pytest.mark.parametrize("sample", ["mybot", "my_robot", "radu"])
+def test_a_sample_migrates_without_errors_and_leaves_only_its_hardware_to_a_person(
+    folder: Folder, sample: str, distro: str, simulator: str
+) -> None:
+    shutil.copytree(CHECKOUT / "samples" / sample, folder.path / sample)
+    words = ("--to", distro, "--simulator", simulator, "--in-place", "--force", "--report", "report.json")
+    ran = folder.run("migrate", sample, *words)
+    assert ran.returncode == 0, ran.stderr
+    report = Path(folder.path / "report.json")
+    entries = json.loads(report.read_text())["for_you"] if report.is_file() else []
+    left = [entry["message"] for entry in entries]
+    assert [text.partition(": name ")[2] for text in left] == (
+        ["the plugin of the real hardware in <plugin>"] if simulator == "none" else []
+    )
+    lint = folder.run("lint", sample, "--distro", distro, "--fail-on", "warning")
+    assert lint.returncode == 0, lint.stdout
+    again = folder.run("migrate", sample, *words[:4])
+    assert (again.returncode, again.stdout) == (0, "")
