@@ -66,6 +66,7 @@ LINKS = (
     Link("UC345", ("UC355",), at_its_place),
     Link("UC361", ("UC471", "UC513"), of_its_robot),
     Link("UC436", ("UC435",), at_its_place),
+    Link("UC450", ("UC464",), of_its_name),
     Link("UC471", ("UC021", "UC330"), of_its_robot),
     Link("UC524", ("UC525",), of_its_robot),
     Link("UC601", ("UC603",), of_its_robot),
