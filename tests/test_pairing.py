@@ -342,18 +342,16 @@ def test_launch_files_that_describe_nothing_are_no_robots(folder: Folder) -> Non
 
 
 def test_in_folders_only_what_configures_controllers_is_linted_alone(folder: Folder) -> None:
-    twice = "\nx: 1\nx: 2\n"
-    folder.write(
-        {
-            "manager.yaml": ROS2 + twice,
-            "ros1.yaml": ROS1 + twice,
-            "flow.yaml": "ns: {arm: {type: effort_controllers/JointPositionController}}" + twice,
-            "nav.yaml": "amcl: {ros__parameters: {x: 1}}" + twice,
-            "moveit.yaml": "controller_list:\n- {name: arm, type: FollowJointTrajectory}" + twice,
-            "template.yaml": ROS1 + "x: {{ y }}" + twice,
-            "other.yaml": "a: 1" + twice,
-        }
-    )
+    files = {
+        "manager.yaml": ROS2,
+        "ros1.yaml": ROS1,
+        "flow.yaml": "ns: {arm: {type: effort_controllers/JointPositionController}}",
+        "nav.yaml": "amcl: {ros__parameters: {x: 1}}",
+        "moveit.yaml": "controller_list:\n- {name: arm, type: FollowJointTrajectory}",
+        "template.yaml": ROS1 + "x: {{ y }}",
+        "other.yaml": "a: 1",
+    }
+    folder.write({name: f"{text}\n{name[0]}: 1\n{name[0]}: 2\n" for name, text in files.items()})
     assert {file for _, file, _ in codes(folder, ".")} == {"manager.yaml", "ros1.yaml", "flow.yaml"}
     assert targets(folder, ".") == []
     assert "3 files not used by any robot: flow.yaml, manager.yaml, ros1.yaml" in folder.run("lint", ".").stdout
