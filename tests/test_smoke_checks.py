@@ -52,6 +52,17 @@ def test_a_joint_with_a_small_step_may_miss_its_target_by_a_hundredth(error: flo
     assert codes(TRAJECTORY, moved_to(0.02 - error), 0.02) == expected
 
 
+@pytest.mark.parametrize(("error", "expected"), [(0.0019, []), (0.0021, ["UC932"])])
+def test_a_joint_with_a_tiny_step_may_miss_its_target_by_half_of_it(error: float, expected: list[str]) -> None:
+    assert codes(TRAJECTORY, moved_to(0.004 - error), 0.004) == expected
+
+
+@pytest.mark.parametrize(("place", "expected"), [(0.0439, []), (0.0441, ["UC936"]), (-0.0041, ["UC936"])])
+def test_a_finger_may_exceed_its_limits_by_a_tenth_of_its_range(place: float, expected: list[str]) -> None:
+    finger = HINGE._replace(type="prismatic", lower=0.0, upper=0.04)
+    assert codes(TRAJECTORY, moved_to(place), place, hinge=finger) == expected
+
+
 @pytest.mark.parametrize(("error", "expected"), [(0.14, []), (0.16, ["UC932"])])
 def test_a_joint_may_sag_by_one_and_a_half_times_its_weight_over_its_gain(error: float, expected: list[str]) -> None:
     assert codes(PUSHED_BY, moved_to(0.2 - error), weight=1.0) == expected

@@ -89,6 +89,12 @@ def test_a_mimic_joint_may_be_a_little_off(off: float, expected: list[str]) -> N
     assert codes(trial(Obedient(off=off), JOINTS, (MOVER,))) == expected
 
 
+@pytest.mark.parametrize(("off", "expected"), [(0.0039, []), (0.0041, ["UC938"])])
+def test_a_finger_may_be_off_by_a_tenth_of_its_range(off: float, expected: list[str]) -> None:
+    fingers = tuple(joint._replace(type="prismatic", lower=0.0, upper=0.04) for joint in JOINTS)
+    assert codes(trial(Obedient(off=off), fingers, (MOVER,))) == expected
+
+
 def test_an_obedient_base_drives_and_turns() -> None:
     made = trial(Obedient(), WHEELS, (ROLLER,), fixed=False)
     assert codes(made) == []

@@ -15,14 +15,16 @@ from urdfctl.rules.smoke.joint_oscillates import joint_oscillates
 from urdfctl.rules.smoke.joint_too_fast import joint_too_fast
 from urdfctl.rules.smoke.joints_oscillate_together import joints_oscillate_together
 from urdfctl.smoke.engines import Standing
+from urdfctl.smoke.mechanism import Hinge
 from urdfctl.smoke.motions import CRUISE, Goal
 from urdfctl.smoke.results import Trouble, trouble_of
 from urdfctl.smoke.tasks import Drive, Family, Task, is_skidding
 from urdfctl.startup.records import NamedTuple
 
 ERROR_OF_STEP, LEAST_ERROR, DROOP = 0.25, 0.01, 1.5
-"""A joint reaches its target if its error is at most the largest of three limits: a quarter of its step; 0.01 rad or m;
-1.5 times the weight on it divided by the p gain."""
+"""A joint reaches its target if its error is at most the largest of three limits: a quarter of its step; 0.01 rad or m,
+but at most half of its step; 1.5 times the weight on it divided by the p gain."""
+HALF = 0.5
 SWING_OF_STEP, SPEED_OF_STEP = 0.2, 0.5
 """A joint oscillates if both hold in the last quarter of the motion: it swings by more than 0.2 of its step, and its
 root mean square speed is more than 0.5 of its step per second."""
@@ -40,6 +42,8 @@ PAST_VELOCITY, SLACK = 1.2, 0.01
 """A joint may exceed its velocity limit by this factor, plus this much in rad/s or m/s."""
 MIMIC = 0.02
 """A joint may be this far from where it should mimic another one, in rad or m."""
+OF_SPAN = 0.1
+"""A joint of a small range may exceed its limits, or be off, by this fraction of its range."""
 STRAIGHT = (0.85, 1.15)
 """The range of the distance driven, as a fraction of the commanded one."""
 SLIPPING = 0.25
@@ -81,11 +85,18 @@ def _trouble(rule: Rule, task: Task, goal: Goal, *notes: str, **fields: object) 
     return trouble_of(rule, f"joint:{hinge.name}", task.controller, notes, joint=hinge.name, unit=hinge.unit, **fields)
 
 
+def within_span(slack: float, hinge: Hinge) -> float:
+    """Return a slack in rad or m that is small for the range of a joint too."""
+    low, high = hinge.span
+    return min(slack, OF_SPAN * (high - low))
+
+
 def limit_troubles(task: Task, goal: Goal, track: Track) -> Iterator[Trouble]:
     """Yield where a joint exceeds its limits."""
     lower, upper = goal.hinge.span
     least, most = min(track.positions), max(track.positions)
-    if goal.hinge.type != "continuous" and (least < lower - PAST_LIMIT or most > upper + PAST_LIMIT):
+    slack = within_span(PAST_LIMIT, goal.hinge)
+    if goal.hinge.type != "continuous" and (least < lower - slack or most > upper + slack):
         yield _trouble(joint_leaves_limits, task, goal, least=least, most=most, lower=lower, upper=upper)
     fastest, limit = max(map(abs, track.velocities)), goal.hinge.velocity
     if task.family is not Family.POSITION_PID and limit and fastest > PAST_VELOCITY * limit + SLACK:
@@ -101,7 +112,7 @@ def _arrived(task: Task, goal: Goal, track: Track, p: float) -> Iterator[Trouble
         return
     droop = DROOP * abs(goal.weight) / p if task.interface == "effort" and p > 0 else 0.0
     error = abs(track.positions[-1] - goal.end)
-    if error > max(ERROR_OF_STEP * step, LEAST_ERROR, droop):
+    if error > max(ERROR_OF_STEP * step, min(LEAST_ERROR, HALF * step), droop):
         moved = track.positions[-1] - goal.start
         notes = ["it hardly moves: check its effort limit and its p gain"] if abs(moved) < ERROR_OF_STEP * step else []
         yield _trouble(joint_does_not_follow, task, goal, *notes, expected=goal.by, actual=moved)

@@ -11,7 +11,7 @@ from urdfctl.rules.smoke.robot_tips_over import robot_tips_over
 from urdfctl.rules.smoke.simulation_explodes import simulation_explodes
 from urdfctl.rules.smoke.wheel_off_the_ground import wheel_off_the_ground
 from urdfctl.smoke.assignments import Assignment
-from urdfctl.smoke.checks import MIMIC, Track, joint_troubles, together_troubles
+from urdfctl.smoke.checks import MIMIC, Track, joint_troubles, together_troubles, within_span
 from urdfctl.smoke.driving import driven, rolled, wheels_of_drives
 from urdfctl.smoke.engines import STEP, Engine, Refused, Setup, open_engine
 from urdfctl.smoke.ground import TIPPED
@@ -378,6 +378,6 @@ class Trial:
         for hinge in self._hinges.values():
             if self._simulation.follows(hinge) and hinge.mimic:
                 apart = abs(self._engine.position(hinge.name) - self._simulation.followed(hinge))
-                if apart > MIMIC:
+                if apart > within_span(MIMIC, hinge):
                     fields = {"joint": hinge.name, "distance": apart, "unit": hinge.unit, "leader": hinge.mimic[0]}
                     self.troubles.append(trouble_of(mimic_not_kept, f"joint:{hinge.name}", None, (), **fields))
