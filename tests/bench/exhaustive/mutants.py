@@ -21,7 +21,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[3]
 SMOKE = ROOT / "urdfctl" / "smoke"
-TESTS = ("checks", "formulas", "trial", "agreement", "groups", "manager", "page")
+TESTS = ("checks", "formulas", "stability", "trial", "agreement", "groups", "manager", "page", "runs")
 SLOW_TESTS = ("test_smoke_engines", "test_smoke_faults", "test_smoke_rules", "test_cli_smoke_gates", "test_cli_smoke")
 FACTORS = (3.0, 1 / 3)
 REVERSED: dict[type[ast.cmpop], type[ast.cmpop]] = {
