@@ -156,14 +156,16 @@ def _with_controllers(target: Target, controllers: Sequence[str]) -> Target:
 
 
 def _reported(smoked: list[Smoked | None]) -> Iterator[int]:
-    """Yield the indices of the results to report. Each robot with its controllers is reported once. A robot without
+    """Yield the indices of the results to report. Each robot with its controllers is reported once, in whatever order
+    launch files start them, unless they are rejected for another reason then. A robot without
     controllers is reported only if no launch file gives it any."""
     driven = {robot.linted.path for robot in smoked if robot and robot.controllers}
     seen = set()
     for index, robot in enumerate(smoked):
         if robot is None:
             continue
-        key = robot.linted.path, robot.linted.controllers, tuple(result.name for result in robot.controllers)
+        verdicts = frozenset((result.name, result.verdict, result.reason) for result in robot.controllers)
+        key = robot.linted.path, robot.linted.controllers, verdicts
         if key not in seen and (robot.controllers or robot.linted.path not in driven):
             seen.add(key)
             yield index
