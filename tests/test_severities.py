@@ -7,7 +7,7 @@ import re
 import pytest
 from sampling import assert_each
 
-from urdfctl.cli.rule_explanation import rule_explanation
+from urdfctl.report.rule_explanation import rule_explanation
 from urdfctl.rule import Rule, Runtime, Severity
 from urdfctl.rules import all_rules, rule_of
 

@@ -87,7 +87,7 @@ def _explain_rule(rule: Rule, output_format: str, files: CheckIn) -> int:
 
         print_text(json.dumps(plain_rule(rule), indent=1) + "\n")
         return 0
-    from urdfctl.cli.rule_explanation import rule_explanation
+    from urdfctl.report.rule_explanation import rule_explanation
 
     print_text(rule_explanation(rule))
     return 0

@@ -14,6 +14,9 @@ from pygls.lsp.server import LanguageServer
 from urdfctl import __version__
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.errors import UserError
+from urdfctl.report.rule_explanation import rule_explanation
+from urdfctl.rules import all_rules
+from urdfctl.server.actions import EXPLAIN, FIX_ALL, actions_at
 from urdfctl.server.checking import Checking
 from urdfctl.server.diagnostics import shown_diagnostic
 from urdfctl.server.positions import Positions, path_of, uri_of
@@ -105,6 +108,13 @@ def _robots(checked: Checked) -> Iterable[dict[str, Any]]:
 def make_server() -> Server:
     """Return a server that answers an editor."""
     server = Server()
+    _follow_texts(server)
+    _answer_questions(server)
+    return server
+
+
+def _follow_texts(server: Server) -> None:
+    """Register what takes the editor's texts."""
 
     @server.feature(types.INITIALIZED)
     def initialized(ls: Server, _: types.InitializedParams) -> None:
@@ -138,4 +148,19 @@ def make_server() -> Server:
         if ls.checking is not None:
             ls.checking.end()
 
-    return server
+
+def _answer_questions(server: Server) -> None:
+    """Register what answers the editor's questions."""
+
+    @server.feature(types.TEXT_DOCUMENT_CODE_ACTION, types.CodeActionOptions([types.CodeActionKind.QuickFix, FIX_ALL]))
+    def actions(ls: Server, params: types.CodeActionParams) -> list[types.CodeAction]:
+        found = ls.findings.get(path_of(params.text_document.uri) or "", ())
+        wanted = [str(getattr(kind, "value", kind)) for kind in params.context.only or ()]
+        return actions_at(found, params.range, ls.positions(), wanted)
+
+    @server.command(EXPLAIN)
+    def explain(ls: Server, code: str) -> str:
+        rule = next((rule for rule in all_rules() if rule.code == code), None)
+        text = rule_explanation(rule) if rule else f"urdfctl has no rule {code}"
+        ls.window_show_message(types.ShowMessageParams(types.MessageType.Info, text))
+        return text
