@@ -68,6 +68,10 @@ class Positions:
             ),
         )
 
+    def position_of(self, path: str, line: int, column: int) -> types.Position:
+        """Return the editor's position for a line and a column, both from 1, in code points."""
+        return self._codec.position_to_client_units(self.lines(path), types.Position(line - 1, column - 1))
+
     def location_of(self, at: Location) -> types.Location:
         """Return a location with its file, in the editor's units."""
         return types.Location(uri_of(at.file), self.range_of(at))

@@ -14,7 +14,10 @@ from urdfctl.lint.files import LintRun, lint_files
 from urdfctl.lint.live import LiveLinter
 from urdfctl.lint.merging import merge
 from urdfctl.lint.planning import discovered
+from urdfctl.lint.results import TargetResult
 from urdfctl.lint.selection import Selection, validate_selection
+from urdfctl.load.loader import LoadedTarget, Loader
+from urdfctl.load.target import Target
 from urdfctl.source.packages import package_around
 from urdfctl.startup.records import NamedTuple
 
@@ -61,11 +64,16 @@ class Workspace:
         self.settings = _settings(self.config, wishes)
         self._selection = _selection(self.config, wishes)
         self._is_outdated = is_outdated
+        self._run: LintRun | None = None
+        self._loaded: tuple[object, list[LoadedTarget]] | None = None
+        self._edition = 0
+        self._whole: dict[Target, LoadedTarget] = {}
         self._linter = LiveLinter(self.settings, self._selection, self.texts, is_outdated)
 
     def changed(self, path: str, text: bytes | None) -> None:
         """Take an open file's text; None if it was closed, and its text on disk counts again."""
         real = os.path.realpath(path)
+        self._edition += 1
         is_new = not os.path.exists(real)
         if text is None:
             self.texts.pop(real, None)
@@ -88,6 +96,31 @@ class Workspace:
         """Lint everything again: files were created or deleted."""
         self._linter = LiveLinter(self.settings, self._selection, dict(self.texts), self._is_outdated)
 
+    def robots_with(self, path: str) -> list[LoadedTarget]:
+        """Return the robots that read a file, as they were found last: the one that says most first.
+
+        Of a file that no robot reads, it is what the file is by itself.
+        """
+        real = os.path.realpath(path)
+        pairs = self._run.targets if self._run else []
+        found = [pair for pair in pairs if real in map(os.path.realpath, pair[1].files)]
+        targets = [target for target, _ in sorted(found, key=lambda pair: _weight(pair[1]), reverse=True)]
+        chosen = targets[:_MOST_ROBOTS] or [Target(real)]
+        key = tuple(chosen), self._edition
+        if self._loaded is None or self._loaded[0] != key:
+            loader = Loader(self.settings, dict(self.texts))
+            self._loaded = key, [self._read(loader, target) for target in chosen]
+        return self._loaded[1]
+
+    def _read(self, loader: Loader, target: Target) -> LoadedTarget:
+        """The robot of a target; as it was last, or as it is on disk, while a text that is typed cannot be parsed."""
+        loaded = loader.load(target)
+        if loaded.root is not None:
+            self._whole[target] = loaded
+        elif target not in self._whole:
+            self._whole[target] = Loader(self.settings).load(target)
+        return self._whole[target]
+
     def check(self, path: str | None = None) -> Checked:
         """Return the findings in the package around a file, or in the whole folder.
 
@@ -98,6 +131,8 @@ class Workspace:
             folder = package_around(os.path.dirname(os.path.realpath(path))) or folder
         with self.reading():
             run = lint_files(discovered([folder], self.config), (), self._linter, self.config.robots)
+        if path is None or self._run is None:
+            self._run = run
         merged = merge([result.outcome for result in run.results], self._selection)
         findings: dict[str, list[Diagnostic]] = {}
         for finding in merged:
@@ -111,6 +146,14 @@ class Workspace:
         """Read the open texts instead of the files on disk, also when robots are looked for."""
         with reading_instead(self.texts):
             yield
+
+
+_MOST_ROBOTS = 8
+"""So many robots with a file are looked at when an editor asks about a name in it."""
+
+
+def _weight(result: TargetResult) -> tuple[object, ...]:
+    return not result.library, result.complete, bool(result.controllers), result.launch is not None, len(result.files)
 
 
 _OF_PACKAGES = frozenset({"package.xml", "CMakeLists.txt", "setup.py", "urdfctl.toml", "pyproject.toml"})

@@ -1,0 +1,242 @@
+"""Going to a name, finding its uses, renaming it, pointing at it, and completing it, in an editor."""
+
+from __future__ import annotations
+
+import os
+import re
+
+import pytest
+from editor import Editor, in_editor, types
+from folder import Folder
+from pygls.exceptions import JsonRpcException
+
+from urdfctl.diagnostic import Replacement
+from urdfctl.errors import UserError
+from urdfctl.server.completion import items_at
+from urdfctl.server.hover import hover
+from urdfctl.server.navigation import NamesAround, definitions, renamed
+from urdfctl.server.question import Question
+from urdfctl.server.symbols import hints_in, symbols_in
+from urdfctl.server.workspace import Wishes, Workspace
+from urdfctl.source.span import SourceText
+
+MACROS = """<robot xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="wheel" params="side radius:=0.1">
+    <link name="${side}_wheel"/>
+    <joint name="${side}_hinge" type="continuous">
+      <parent link="base"/><child link="${side}_wheel"/><axis xyz="0 1 0"/>
+      <limit effort="1" velocity="${2 * radius}"/>
+    </joint>
+  </xacro:macro>
+</robot>
+"""
+ROBOT = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:include filename="macros.xacro"/>
+  <link name="base"/>
+  <link name="head"/>
+  <joint name="neck" type="revolute">
+    <parent link="base"/><child link="head"/><axis xyz="0 0 1"/>
+    <limit lower="-1" upper="1" effort="5" velocity="2"/>
+  </joint>
+  <xacro:wheel side="left"/>
+  <xacro:wheel side="right" radius="0.2"/>
+  <ros2_control name="c" type="system">
+    <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+    <joint name="neck"><command_interface name="position"/><state_interface name="position"/></joint>
+  </ros2_control>
+</robot>
+"""
+CONTROLLERS = """controller_manager:
+  ros__parameters:
+    update_rate: 100
+    turn:
+      type: position_controllers/JointGroupPositionController
+turn:
+  ros__parameters:
+    joints: [neck]
+"""
+LAUNCH = """from launch import LaunchDescription
+from launch_ros.actions import Node
+from launch.substitutions import Command, PathJoinSubstitution
+from ament_index_python.packages import get_package_share_directory
+import os
+def generate_launch_description():
+    share = get_package_share_directory('p')
+    robot = Command(['xacro ', os.path.join(share, 'urdf', 'robot.xacro')])
+    return LaunchDescription([
+        Node(package='robot_state_publisher', executable='robot_state_publisher',
+             parameters=[{'robot_description': robot}]),
+        Node(package='controller_manager', executable='ros2_control_node',
+             parameters=[os.path.join(share, 'config', 'controllers.yaml')]),
+        Node(package='controller_manager', executable='spawner', arguments=['turn']),
+    ])
+"""
+XACRO, URDF, YAML, STARTS = "urdf/macros.xacro", "urdf/robot.xacro", "config/controllers.yaml", "launch/r.launch.py"
+FILES = {XACRO: MACROS, URDF: ROBOT, YAML: CONTROLLERS, STARTS: LAUNCH}
+
+
+def place(text: str, name: str, number: int = 1) -> types.Position:
+    """The position of the middle of the n-th place of a name in a text."""
+    offset = -1
+    for _ in range(number):
+        offset = text.index(name, offset + 1)
+    offset += len(name) // 2
+    return types.Position(text.count("\n", 0, offset), offset - text.rfind("\n", 0, offset) - 1)
+
+
+def question(folder: Folder, file: str, at: types.Position, typed: str | None = None) -> Question:
+    """A question about a place in a package whose files are open; one of them perhaps as it is being typed."""
+    folder.write({".git/HEAD": "", "package.xml": "<package format='3'><name>p</name></package>", **FILES})
+    folder.write({"urdfctl.toml": 'distro = "jazzy"\n'})
+    workspace = Workspace(str(folder.path), Wishes())
+    workspace.check()
+    if typed is not None:
+        workspace.changed(str(folder.path / file), typed.encode())
+        workspace.check()
+    path = os.path.realpath(folder.path / file)
+    robots = workspace.robots_with(path)
+    source = SourceText(path, (typed if typed is not None else FILES[file]).encode())
+    return Question(robots, source, at.line + 1, at.character + 1, is_current=typed is None)
+
+
+def texts(edits: list[Replacement]) -> dict[str, str]:
+    """The files with some edits."""
+    changed = {name: text.encode() for name, text in FILES.items()}
+    for edit in sorted(edits, key=lambda one: -one.start):
+        name = next(name for name in FILES if edit.file.endswith(name))
+        changed[name] = changed[name][: edit.start] + edit.text.encode() + changed[name][edit.end :]
+    return {name: text.decode() for name, text in changed.items()}
+
+
+@pytest.mark.parametrize(
+    ("file", "name", "number", "found"),
+    [
+        (YAML, "neck", 1, ("robot.xacro", 5)),
+        (YAML, "turn", 2, ("controllers.yaml", 4)),
+        (STARTS, "'turn'", 1, ("controllers.yaml", 4)),
+        (URDF, "wheel", 1, ("macros.xacro", 2)),
+        (XACRO, "radius", 2, ("macros.xacro", 2)),
+        (XACRO, "_wheel", 2, ("macros.xacro", 3)),
+        (URDF, "base", 2, ("robot.xacro", 3)),
+    ],
+)
+def test_a_name_leads_to_its_definition(
+    folder: Folder, file: str, name: str, number: int, found: tuple[str, int]
+) -> None:
+    around = NamesAround(question(folder, file, place(FILES[file], name, number)))
+    assert {(os.path.basename(at.file), at.line) for at in definitions(around)} == {found}
+
+
+def test_a_joint_is_renamed_in_all_files(folder: Folder) -> None:
+    edits = renamed(NamesAround(question(folder, YAML, place(CONTROLLERS, "neck"))), "pan")
+    assert texts(edits) == {name: text.replace("neck", "pan") for name, text in FILES.items()}
+
+
+def test_a_controller_is_renamed_in_its_file_and_where_it_is_started(folder: Folder) -> None:
+    changed = texts(renamed(NamesAround(question(folder, YAML, place(CONTROLLERS, "turn"))), "look"))
+    assert changed[YAML] == CONTROLLERS.replace("turn", "look")
+    assert changed[STARTS] == LAUNCH.replace("'turn'", "'look'")
+
+
+@pytest.mark.parametrize(
+    ("file", "name", "new", "reason"),
+    [
+        (XACRO, "_hinge", "x", "is computed from '${side}_hinge' at macros.xacro:4; rename its parts there"),
+        (URDF, "neck", "right_hinge", "joint 'right_hinge' exists already"),
+        (URDF, "neck", "a b", "'a b' is no name for a joint"),
+        (URDF, "revolute", "x", "there is no name here that can be renamed"),
+    ],
+)
+def test_a_rename_that_is_not_sure_is_refused_with_the_reason(
+    folder: Folder, file: str, name: str, new: str, reason: str
+) -> None:
+    with pytest.raises(UserError, match=re.escape(reason)):
+        renamed(NamesAround(question(folder, file, place(FILES[file], name))), new)
+
+
+@pytest.mark.parametrize(
+    ("file", "name", "words"),
+    [
+        (
+            URDF,
+            "neck",
+            ["**joint** `neck`", "revolute, -1 to 1 rad, at most 2 rad/s, at most 5 N m", "controller `turn`"],
+        ),
+        (YAML, "joints", ["**parameter** `joints`", "type: `string_array`"]),
+        (XACRO, "${2 * radius}", ["`0.2` in the call of `wheel` in line 9", "`0.4` in the call of `wheel` in line 10"]),
+    ],
+)
+def test_pointing_at_something_tells_what_is_known_about_it(
+    folder: Folder, file: str, name: str, words: list[str]
+) -> None:
+    found = hover(question(folder, file, place(FILES[file], name)))
+    assert found is not None
+    assert [word for word in words if word not in found] == []
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "offered"),
+    [
+        (URDF, ROBOT.replace("</robot>", '<joint name="x"><parent link="|'), {"base", "head", "left_wheel"}),
+        (URDF, ROBOT.replace('    <joint name="neck"><c', '    <joint name="|"><c'), {"neck", "left_hinge"}),
+        (URDF, ROBOT.replace("</robot>", "<xacro:|"), {"xacro:wheel"}),
+        (URDF, ROBOT.replace("</robot>", "<xacro:wheel |"), {'side=""', 'radius=""'}),
+        (YAML, CONTROLLERS.replace("[neck]", "[|]"), {"neck", "right_hinge"}),
+        (YAML, CONTROLLERS.replace("position_controllers/JointGroupPositionController", "|"),
+         {"joint_trajectory_controller/JointTrajectoryController"}),
+        (YAML, CONTROLLERS.replace("    joints: [neck]", "    |"), {"joints: [neck]"}),
+    ],
+)  # fmt: skip
+def test_what_can_be_written_is_offered_while_the_text_is_unfinished(
+    folder: Folder, file: str, text: str, offered: set[str]
+) -> None:
+    before = text[: text.index("|")]
+    at = types.Position(before.count("\n"), len(before) - before.rfind("\n") - 1)
+    items = items_at(question(folder, file, at, typed=text.replace("|", "")))
+    assert offered - {item.text for item in items} == set()
+
+
+def test_a_file_has_an_outline(folder: Folder) -> None:
+    outline = symbols_in(question(folder, XACRO, types.Position(0, 0)))
+    expected = [("wheel", "macro"), ("${side}_wheel", "link"), ("${side}_hinge", "joint")]
+    assert [(one.name, one.kind) for one in outline] == expected
+
+
+def test_values_are_shown_where_all_calls_agree(folder: Folder) -> None:
+    text = MACROS.replace('effort="1"', 'effort="${3 * 4}"')
+    asks = question(folder, XACRO, types.Position(0, 0), typed=text)
+    assert [(hint.line, hint.value) for hint in hints_in(asks)] == [(6, "12")]
+
+
+def test_the_server_answers_each_kind_of_question(folder: Folder) -> None:
+    question(folder, URDF, types.Position(0, 0))  # writes the files
+
+    async def use(editor: Editor) -> list[str]:
+        for name in FILES:
+            await editor.open(name)
+        await editor.checked()
+        document, at, client = editor.document(YAML), place(CONTROLLERS, "neck"), editor.client
+        whole = types.Range(types.Position(0, 0), types.Position(99, 0))
+        context = types.ReferenceContext(include_declaration=True)
+        wrong = types.RenameParams(editor.document(URDF), place(ROBOT, "neck"), "a b")
+        with pytest.raises(JsonRpcException, match="is no name for a joint"):
+            await client.text_document_rename_async(wrong)
+        answers = [
+            await client.text_document_definition_async(types.DefinitionParams(document, at)),
+            await client.text_document_references_async(types.ReferenceParams(context, document, at)),
+            await client.text_document_rename_async(types.RenameParams(document, at, "pan")),
+            await client.text_document_hover_async(types.HoverParams(document, at)),
+            await client.text_document_completion_async(types.CompletionParams(document, at)),
+            await client.text_document_document_symbol_async(types.DocumentSymbolParams(document)),
+            await client.text_document_inlay_hint_async(types.InlayHintParams(editor.document(XACRO), whole)),
+        ]
+        return [str(answer) for answer in answers]
+
+    defined, used, edited, about, offered, outline, hints = in_editor(folder.path, use)
+    assert "robot.xacro" in defined
+    assert used.count("robot.xacro:") == 2
+    assert edited.count("new_text='pan'") == 3
+    assert "revolute" in about
+    assert "right_hinge" in offered
+    assert "turn" in outline
+    assert hints == "()"

@@ -1,0 +1,25 @@
+"""A name is renamed wherever it is meant, and nowhere else: rename and expand gives what expand and rename gives."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from corpus import CORPUS, needs_corpus, roots
+from folder import CHECKOUT
+from renaming import differences
+from sampling import sample
+
+SAMPLES = sorted((CHECKOUT / "samples").glob("*/urdf/*.xacro"))
+
+
+@pytest.mark.parametrize("path", SAMPLES, ids=lambda path: path.name)
+def test_names_of_samples_are_renamed_everywhere(path: Path) -> None:
+    assert list(differences(path, number=10, seed=1)) == []
+
+
+@needs_corpus
+def test_names_of_public_robots_are_renamed_everywhere() -> None:
+    paths = [root["path"] for root in sample(roots(), 25)]
+    found = {path: list(differences(CORPUS / path, number=4, seed=1)) for path in paths}
+    assert {path: names for path, names in found.items() if names} == {}

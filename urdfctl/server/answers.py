@@ -1,0 +1,147 @@
+"""The editor's questions, each passed to the module that answers it, with positions converted on both ways."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from lsprotocol import types
+from pygls.exceptions import JsonRpcInvalidParams
+
+from urdfctl.diagnostic import Location
+from urdfctl.errors import UserError
+from urdfctl.report.rule_explanation import rule_explanation
+from urdfctl.rules import all_rules
+from urdfctl.server.actions import EXPLAIN, FIX_ALL, actions_at, edit_of
+from urdfctl.server.completion import items_at
+from urdfctl.server.hover import hover
+from urdfctl.server.navigation import NamesAround, definitions, references, renamed
+from urdfctl.server.positions import path_of
+from urdfctl.server.question import Question
+from urdfctl.server.symbols import hints_in, symbols_in
+from urdfctl.server.window import Window
+
+_Placed = types.DefinitionParams | types.ReferenceParams | types.RenameParams
+_START = types.Position(0, 0)
+_SYMBOLS = {
+    "link": types.SymbolKind.Object,
+    "joint": types.SymbolKind.Interface,
+    "controller": types.SymbolKind.Class,
+    "macro": types.SymbolKind.Function,
+    "property": types.SymbolKind.Constant,
+    "argument": types.SymbolKind.Variable,
+}
+_ITEMS = {
+    "link": types.CompletionItemKind.Reference,
+    "joint": types.CompletionItemKind.Reference,
+    "controller": types.CompletionItemKind.Class,
+    "type": types.CompletionItemKind.Class,
+    "macro": types.CompletionItemKind.Function,
+    "parameter": types.CompletionItemKind.Field,
+    "interface": types.CompletionItemKind.EnumMember,
+    "property": types.CompletionItemKind.Constant,
+    "argument": types.CompletionItemKind.Variable,
+    "package": types.CompletionItemKind.Module,
+}
+
+
+def answer_questions(server: Window) -> None:
+    """Register what answers an editor."""
+    _about_findings(server)
+    _about_names(server)
+    _about_files(server)
+
+
+def _about_findings(server: Window) -> None:
+    @server.feature(types.TEXT_DOCUMENT_CODE_ACTION, types.CodeActionOptions([types.CodeActionKind.QuickFix, FIX_ALL]))
+    def actions(window: Window, params: types.CodeActionParams) -> list[types.CodeAction]:
+        found = window.findings.get(path_of(params.text_document.uri) or "", ())
+        wanted = [str(getattr(kind, "value", kind)) for kind in params.context.only or ()]
+        return actions_at(found, params.range, window.positions(), wanted)
+
+    @server.command(EXPLAIN)
+    def explain(window: Window, code: str) -> str:
+        rule = next((rule for rule in all_rules() if rule.code == code), None)
+        text = rule_explanation(rule) if rule else f"urdfctl has no rule {code}"
+        window.window_show_message(types.ShowMessageParams(types.MessageType.Info, text))
+        return text
+
+
+def _about_names(server: Window) -> None:
+    def names(window: Window, params: _Placed) -> NamesAround | None:
+        question = window.question(params.text_document.uri, params.position)
+        return NamesAround(question) if question else None
+
+    def places(window: Window, found: Iterable[Location]) -> list[types.Location]:
+        positions = window.positions()
+        return [positions.location_of(at) for at in found]
+
+    @server.feature(types.TEXT_DOCUMENT_DEFINITION)
+    def definition(window: Window, params: types.DefinitionParams) -> list[types.Location]:
+        around = names(window, params)
+        return places(window, definitions(around)) if around else []
+
+    @server.feature(types.TEXT_DOCUMENT_REFERENCES)
+    def uses(window: Window, params: types.ReferenceParams) -> list[types.Location]:
+        around = names(window, params)
+        found = references(around, with_definition=params.context.include_declaration) if around else []
+        return places(window, found)
+
+    @server.feature(types.TEXT_DOCUMENT_RENAME)
+    def rename(window: Window, params: types.RenameParams) -> types.WorkspaceEdit | None:
+        around = names(window, params)
+        try:
+            return edit_of(renamed(around, params.new_name), window.positions()) if around else None
+        except UserError as error:
+            raise JsonRpcInvalidParams(str(error)) from None
+
+    @server.feature(types.TEXT_DOCUMENT_HOVER)
+    def about(window: Window, params: types.HoverParams) -> types.Hover | None:
+        question = window.question(params.text_document.uri, params.position)
+        text = hover(question) if question else None
+        return types.Hover(types.MarkupContent(types.MarkupKind.Markdown, text)) if text else None
+
+    @server.feature(types.TEXT_DOCUMENT_COMPLETION, types.CompletionOptions(trigger_characters=list("\"'<{ :/[")))
+    def completion(window: Window, params: types.CompletionParams) -> list[types.CompletionItem]:
+        question = window.question(params.text_document.uri, params.position)
+        return [
+            types.CompletionItem(
+                label=item.text,
+                kind=_ITEMS[item.kind],
+                detail=item.kind,
+                documentation=types.MarkupContent(types.MarkupKind.Markdown, item.about) if item.about else None,
+            )
+            for item in (items_at(question) if question else [])
+        ]
+
+
+def _about_files(server: Window) -> None:
+    def whole(window: Window, document: types.TextDocumentIdentifier) -> Question | None:
+        return window.question(document.uri, _START)
+
+    @server.feature(types.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
+    def symbols(window: Window, params: types.DocumentSymbolParams) -> list[types.DocumentSymbol]:
+        question, positions = whole(window, params.text_document), window.positions()
+        return [
+            types.DocumentSymbol(
+                name=symbol.name,
+                kind=_SYMBOLS[symbol.kind],
+                range=positions.range_of(symbol.at),
+                selection_range=positions.range_of(symbol.at),
+                detail=symbol.kind,
+            )
+            for symbol in (symbols_in(question) if question else [])
+            if symbol.name
+        ]
+
+    @server.feature(types.TEXT_DOCUMENT_INLAY_HINT)
+    def hints(window: Window, params: types.InlayHintParams) -> list[types.InlayHint]:
+        question, positions = whole(window, params.text_document), window.positions()
+        return [
+            types.InlayHint(
+                position=positions.position_of(question.file, hint.line, hint.column),
+                label=f"= {hint.value}",
+                padding_left=True,
+            )
+            for hint in (hints_in(question) if question else [])
+            if question and params.range.start.line <= hint.line - 1 <= params.range.end.line
+        ]

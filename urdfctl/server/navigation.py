@@ -1,0 +1,80 @@
+"""Where a name is defined and used, and how to rename it everywhere."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable
+
+from urdfctl.diagnostic import Location, Replacement, located
+from urdfctl.errors import UserError
+from urdfctl.server.names import Name, name_at, names_in
+from urdfctl.server.question import Question
+from urdfctl.server.xacro_names import MACRO, PARAMETER, PROPERTY
+
+_IDENTIFIER = r"[A-Za-z_]\w*"
+_OF_XACRO = {MACRO, PARAMETER, PROPERTY}
+_SIGNS = set("\"'<>&${}") | set(" \t\n")
+
+
+class NamesAround:
+    """The names in all robots of a question, and the one at its place; None if there is none."""
+
+    def __init__(self, question: Question) -> None:
+        self.at: Name | None = None
+        self.is_current = question.is_current
+        found: dict[tuple[str, int, int, str], Name] = {}
+        for robot in question.robots:
+            names = names_in(robot)
+            if self.at is None:
+                self.at = name_at(names, question.file, question.offset)
+            for name in names:
+                found.setdefault((name.span.file, name.span.start, name.span.end, name.text), name)
+        self.all = list(found.values())
+
+    def same(self) -> list[Name]:
+        """Return all places of the thing that is named there."""
+        if self.at is None:
+            return []
+        at = self.at
+        if not at.is_computed:
+            return [name for name in self.all if name.is_same(at)]
+        here = [name for name in self.all if name.span == at.span]
+        return [name for name in self.all if any(name.is_same(one) for one in here)]
+
+
+def definitions(around: NamesAround) -> list[Location]:
+    """Return where the thing at the asked place is defined."""
+    return _places(name for name in around.same() if name.defines)
+
+
+def references(around: NamesAround, *, with_definition: bool) -> list[Location]:
+    """Return where the thing at the asked place is used."""
+    return _places(name for name in around.same() if with_definition or not name.defines)
+
+
+def _places(names: Iterable[Name]) -> list[Location]:
+    return sorted({located(name.span) for name in names})
+
+
+def renamed(around: NamesAround, new: str) -> list[Replacement]:
+    """Return the edits that rename the thing at the asked place. UserError with the reason if that is impossible."""
+    at = around.at
+    if at is None or not around.is_current:
+        raise UserError("there is no name here that can be renamed, or a file with it cannot be read now")
+    places = around.same()
+    computed = next((name for name in places if name.is_computed), None)
+    if computed is not None:
+        where = located(computed.span)
+        written = f"'{computed.span.text}' at {os.path.basename(where.file)}:{where.line}"
+        raise UserError(f"'{computed.text}' is computed from {written}; rename its parts there")
+    if not any(name.defines for name in places):
+        raise UserError(f"{at.kind} '{at.text}' is not defined in these files")
+    if (at.kind in _OF_XACRO and not re.fullmatch(_IDENTIFIER, new)) or not new or _SIGNS & set(new):
+        raise UserError(f"'{new}' is no name for a {at.kind}")
+    if any(name.kind == at.kind and name.text == new and name.scope == at.scope for name in around.all):
+        raise UserError(f"{at.kind} '{new}' exists already")
+    shared = {PROPERTY: PARAMETER, PARAMETER: PROPERTY}.get(at.kind)
+    if any(name.kind == shared and name.text in {at.text, new} for name in around.all):
+        raise UserError(f"'{at.text}' or '{new}' is a parameter of a macro and elsewhere a property; rename it by hand")
+    return [Replacement(location, new) for location in _places(places)]

@@ -1,0 +1,44 @@
+"""What an editor asks about: a place in a file, and the robots that the file is read for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from urdfctl.load.loader import LoadedTarget
+from urdfctl.source.span import SourceSpan, SourceText
+from urdfctl.startup.records import NamedTuple
+
+
+class Question(NamedTuple):
+    """A place that an editor asks about.
+
+    robots: those that read the file, the one that says most first.
+    source: the file as it is open; its path is as the robots read it.
+    line, column: from 1, in code points.
+    """
+
+    robots: Sequence[LoadedTarget]
+    source: SourceText
+    line: int
+    column: int
+    is_current: bool = True
+    """Whether the robots were read from the texts as they are; a text that cannot be parsed now was read before."""
+
+    @property
+    def file(self) -> str:
+        """The path of the file."""
+        return self.source.path
+
+    @property
+    def offset(self) -> int:
+        """The byte offset of the place."""
+        return self.source.offset(self.line, self.column)
+
+    @property
+    def before(self) -> str:
+        """The text of the line before the place."""
+        return self.source.line(self.line)[: self.column - 1]
+
+    def is_in(self, span: SourceSpan) -> bool:
+        """Return whether the place is in a span of the file, or at its end."""
+        return span.file == self.file and span.start <= self.offset <= span.end

@@ -1,0 +1,115 @@
+"""One editor window: its folder, its open texts, and the findings that it was sent."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+from collections.abc import Iterable
+from typing import Any
+
+from lsprotocol import types
+from pygls.lsp.server import LanguageServer
+
+from urdfctl import __version__
+from urdfctl.diagnostic import Diagnostic
+from urdfctl.errors import UserError
+from urdfctl.server.checking import Checking
+from urdfctl.server.diagnostics import shown_diagnostic
+from urdfctl.server.positions import Positions, path_of, uri_of
+from urdfctl.server.question import Question
+from urdfctl.server.workspace import Checked, Wishes, Workspace
+from urdfctl.source.span import SourceText
+
+
+class Window(LanguageServer):
+    """The language server of one editor window: the folder that it shows, and what was found in it last."""
+
+    def __init__(self) -> None:
+        super().__init__("urdfctl", __version__)
+        self.checking: Checking | None = None
+        self.findings: dict[str, tuple[Diagnostic, ...]] = {}
+        self.last: Checked | None = None
+        self._loop: asyncio.AbstractEventLoop | None = None
+
+    # -- the workspace -------------------------------------------------------------------------------------------------
+
+    def begin(self, folder: str, wishes: Wishes) -> None:
+        """Lint a folder from now on. A wrong configuration is told, and nothing is linted."""
+        self._loop = asyncio.get_running_loop()
+        try:
+            self.checking = Checking(lambda is_outdated: Workspace(folder, wishes, is_outdated), self._take)
+        except UserError as error:
+            self.window_show_message(types.ShowMessageParams(types.MessageType.Error, f"urdfctl: {error}"))
+            return
+        self.checking.start()
+
+    def text_changed(self, uri: str, text: str | None) -> None:
+        """Lint with an open file's text; None if it was closed."""
+        path = path_of(uri)
+        if path is None:
+            return
+        if self.checking is None:
+            self.begin(os.path.dirname(path), Wishes())
+        data = None if text is None else text.encode("utf-8", "surrogatepass")
+        if self.checking is not None:
+            self.checking.change(lambda workspace: workspace.changed(path, data), near=path)
+
+    def positions(self) -> Positions:
+        """Return what converts positions, as the texts are now."""
+        texts = self.checking.workspace.texts if self.checking else {}
+        return Positions(self.workspace.position_codec, lambda path: dict(texts).get(path))
+
+    def question(self, uri: str, position: types.Position) -> Question | None:
+        """Return what is asked about a place in a file; None for what is no file of a folder."""
+        path = path_of(uri)
+        if path is None or self.checking is None:
+            return None
+        robots = self.checking.workspace.robots_with(path)
+        sources = [source for robot in robots for source in robot.sources.values()]
+        read = next((one for one in sources if os.path.realpath(one.path) == path), None)
+        text = self.workspace.get_text_document(uri).source.encode("utf-8", "surrogatepass")
+        line, column = self.positions().line_and_column(path, position)
+        if read is not None and read.data == text:
+            return Question(robots, read, line, column)
+        return Question(robots, SourceText(read.path if read else path, text), line, column, is_current=False)
+
+    # -- findings ------------------------------------------------------------------------------------------------------
+
+    def _take(self, checked: Checked, is_whole: bool, changes: int) -> None:  # noqa: FBT001
+        """Take the findings from the thread that lints."""
+        if self._loop is not None:
+            self._loop.call_soon_threadsafe(self._publish, checked, is_whole, changes)
+
+    def _publish(self, checked: Checked, is_whole: bool, changes: int) -> None:  # noqa: FBT001
+        if is_whole:
+            self.last = checked
+        concerned = {*self.findings, *checked.findings} if is_whole else {*checked.findings, *checked.files}
+        positions = self.positions()
+        for path in sorted(concerned):
+            found = checked.findings.get(path, ())
+            if found != self.findings.get(path, ()):
+                self._send(path, found, positions)
+        self.protocol.notify(
+            "urdfctl/checked", {"whole": is_whole, "changes": changes, "robots": list(_robots(checked))}
+        )
+
+    def _send(self, path: str, found: tuple[Diagnostic, ...], positions: Positions) -> None:
+        self.findings[path] = found
+        shown = [shown_diagnostic(finding, positions) for finding in found]
+        self.text_document_publish_diagnostics(types.PublishDiagnosticsParams(uri_of(path), shown))
+
+
+def _robots(checked: Checked) -> Iterable[dict[str, Any]]:
+    """The robots of a workspace, for the editor's status item."""
+    for result in checked.run.robots:
+        if result.robot is not None:
+            yield {
+                "file": result.path,
+                "robot": result.robot,
+                "arguments": dict(result.arguments),
+                "launch": result.launch,
+                "distro": result.distro,
+                "distro_from": result.distro_from,
+                "simulator": result.simulator,
+                "files": list(result.files),
+            }
