@@ -62,6 +62,22 @@ def test_a_plain_run_of_lint_loads_neither_that_nor_typer_rich_or_yaml(folder: F
     assert not loaded_by(folder, LINT) & unwanted
 
 
+def test_a_plain_run_of_lint_loads_nothing_of_the_commands_that_show_a_robot(folder: Folder) -> None:
+    folder.write({"r.xacro": ROBOT})
+    code = f"{LINT}\nimport sys\nprint('LOADED', *sys.modules)"
+    ran = subprocess.run([sys.executable, "-c", code], env=environment({}), capture_output=True, text=True, check=True)
+    loaded = ran.stdout.rpartition("LOADED")[2].split()
+    shown = (
+        "urdfctl.trace",
+        "urdfctl.compare",
+        "urdfctl.graph",
+        "urdfctl.source.xacro.tracing",
+        "urdfctl.report.pages",
+    )
+    assert [name for name in loaded if name.startswith(shown)] == []
+    assert "urdfctl.source.xacro.expansion" in loaded or "urdfctl.lint.job" in loaded
+
+
 def test_its_worker_loads_nothing_heavy_either(folder: Folder) -> None:
     assert not loaded_by(folder, LINT_HERE) & {*HEAVY, "typer", "click", "rich", "yaml"}
 

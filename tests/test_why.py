@@ -135,6 +135,13 @@ def test_a_file_that_only_some_arguments_choose_asks_for_them(arm: Folder) -> No
     assert arm.run("why", "other.yaml:1").stderr == f"urdfctl: {said}urdfctl why robot.xacro other.yaml:1 NAME:=VALUE\n"
 
 
+def test_a_description_without_the_prefix_of_xacro_is_traced_too(folder: Folder) -> None:
+    body = '<macro name="m" params="v"><link name="a"><inertial><mass value="${2 * v}"/></inertial></link></macro>'
+    folder.write({"robot.xacro": f'<robot name="r" {XACRO}>\n{body}\n<m v="1.5"/><link name="b"/></robot>'})
+    [found] = answers(folder, "robot.xacro", "link:a/inertial/mass/@value")
+    assert (found["value"], numbers(found)) == ("3.0", [("2", 2), ("1.5", 3)])
+
+
 def test_a_plain_urdf_leads_to_itself(folder: Folder) -> None:
     folder.write(
         {"r.urdf": '<robot name="r">\n<link name="a"><inertial><mass value="2.5"/></inertial></link>\n</robot>'}

@@ -24,6 +24,8 @@ class Traced(NamedTuple):
 
 def tracing(kind: type[Expander]) -> type[TracingExpander]:
     """Return a kind of expander that records its evaluations."""
+    if issubclass(kind, TracingExpander):
+        return kind
     return type(f"Tracing{kind.__name__}", (TracingExpander, kind), {})
 
 

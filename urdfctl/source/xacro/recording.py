@@ -7,7 +7,7 @@ import sys
 from collections.abc import Iterator
 from types import FrameType, ModuleType
 
-from urdfctl.source.dom import Element
+from urdfctl.source.dom import COMMENT, Element
 from urdfctl.source.dom import Text as Characters
 from urdfctl.source.files import Files
 from urdfctl.source.span import Call, Place, SourceText
@@ -208,8 +208,11 @@ class Recorder:
             call = call.parent
         if step is not None:
             return step
-        at = element.at[attribute] if attribute else element.at.content
-        return Step("attribute", attribute, at, element.attrs.get(attribute, "") if attribute else at.span.text)
+        if attribute:
+            return Step("attribute", attribute, element.at[attribute], element.attrs.get(attribute, ""))
+        texts = (node.data for node in element.children() if isinstance(node, Characters) and node.nodeType != COMMENT)
+        text = "".join(texts).strip()
+        return Step("text", "", element.at.content.part(text), text)
 
     def deciding(self, place: Place, properties: frozenset[str]) -> Iterator[Step]:
         """Yield the steps that decide whether what is at a place is there: conditions and names of what is called.
