@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 
 from urdfctl.rules.smoke.mimic_not_kept import mimic_not_kept
 from urdfctl.rules.smoke.robot_tips_over import robot_tips_over
@@ -52,8 +52,7 @@ def tried(plan: Plan, seen: Callable[[Tried], None] = lambda _: None) -> Tried:
     began = time.process_time()
     mechanism = plan.mechanism
     weightless = [body.name for body in mechanism.bodies.values() if not body.falls]
-    rolling = {name for task in plan.tasks if task.drive for name in (*task.drive.wheels, *task.drive.steered)}
-    wheels = [hinge.child for hinge in mechanism.hinges if hinge.name in rolling]
+    wheels = list(_wheels(plan))
     setup = Setup(
         urdf=plan.urdf,
         root=mechanism.root,
@@ -105,6 +104,17 @@ def _not_modelled(plan: Plan, task: Task, lying: str) -> dict[str, str]:
         return {**standing, "contact": "links do not collide"}
     slipping = {"turning rate": "wheels slip; only the direction was tested"} if is_skidding(task.drive) else {}
     return {**slipping, "friction": "a wheel grips unless <gazebo> gives less, and all other parts slide"}
+
+
+def _wheels(plan: Plan) -> Iterator[str]:
+    """The links that grip the ground: driven wheels, and whatever a steering joint turns."""
+    mechanism = plan.mechanism
+    for drive in (task.drive for task in plan.tasks if task.drive):
+        for hinge in mechanism.hinges:
+            if hinge.name in drive.wheels:
+                yield hinge.child
+            elif hinge.name in drive.steered:
+                yield from mechanism.below(hinge.child)
 
 
 def _skidding(plan: Plan) -> set[str]:
