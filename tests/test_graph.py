@@ -16,6 +16,14 @@ import pytest
 from folder import Folder
 from jsonschema import Draft202012Validator
 
+from urdfctl.config.settings import Settings
+from urdfctl.graph.build import graph_of
+from urdfctl.graph.view import collapsed
+from urdfctl.lint.selection import Selection
+from urdfctl.lint.target import LintedTarget, lint_target
+from urdfctl.load.loader import Loader
+from urdfctl.load.target import Target
+
 SCHEMA = json.loads(files("urdfctl.graph").joinpath("graph.schema.json").read_text(encoding="utf-8"))
 ROBOT = """\
 <robot name="r">
@@ -169,6 +177,32 @@ def test_names_that_would_be_markup_are_texts_in_every_format(arm: Folder) -> No
         assert "<b>" not in shown
         assert "b" in shown
     assert '[label="a<b>\\"]#;c\\nrevolute"' in arm.run("graph", "r.urdf", "c.yaml", "--format", "dot").stdout
+
+
+def many_joints(folder: Path, number: int) -> LintedTarget:
+    """A chain of joints that one controller commands, linted."""
+    names = [f"j{n}" for n in range(1, number + 1)]
+    joints = "".join(
+        f'<link name="l{n}"/><joint name="j{n}" type="revolute"><parent link="l{n - 1}"/><child link="l{n}"/>'
+        '<limit lower="-1" upper="1" effort="1" velocity="1"/></joint>'
+        for n in range(1, number + 1)
+    )
+    interfaces = '<command_interface name="position"/><state_interface name="position"/>'
+    parts = "".join(f'<joint name="{name}">{interfaces}</joint>' for name in names)
+    plugin = "<hardware><plugin>mock_components/GenericSystem</plugin></hardware>"
+    control = f'<ros2_control name="hw" type="system">{plugin}{parts}</ros2_control>'
+    (folder / "r.urdf").write_text(f'<robot name="r"><link name="l0"/>{joints}{control}</robot>')
+    kept = CONTROLLERS.partition("fwd:\n")[0].replace("[elbow]", f"[{', '.join(names)}]")
+    (folder / "c.yaml").write_text("".join(line for line in kept.splitlines(keepends=True) if "fwd" not in line))
+    target = Target(str(folder / "r.urdf"), controllers=(str(folder / "c.yaml"),))
+    return lint_target(Loader(Settings(distro="jazzy")), target, Selection(select=("UC4",)))
+
+
+def test_two_hundred_joints_of_a_controller_collapse_to_one(tmp_path: Path) -> None:
+    linted = many_joints(tmp_path, 200)
+    found = graph_of(linted.project, linted.result.outcome.diagnostics)
+    assert len([edge for edge in found.edges if edge.kind == "claims"]) == 200
+    assert len(collapsed(found).nodes) < 12
 
 
 MODULES = os.environ.get("URDFCTL_NODE_MODULES")

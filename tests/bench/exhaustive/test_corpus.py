@@ -4,6 +4,10 @@
 from __future__ import annotations
 
 from test_corpus_pairs import test_the_robots_of_the_index_and_what_belongs_to_them_are_found
+from test_diff_corpus import (
+    test_a_robot_that_is_only_written_in_another_way_has_no_changes,
+    test_each_known_change_of_a_robot_is_reported_and_nothing_else,
+)
 from test_expand_corpus import (
     test_a_problem_is_told_where_it_stands,
     test_what_does_not_expand_has_a_problem_in_a_real_line,
@@ -13,7 +17,12 @@ from test_fix_corpus import test_only_what_the_fixes_say_changes_and_what_they_a
 from test_generate_corpus import (
     test_a_package_for_a_robot_without_control_adds_nothing_to_what_lint_says_of_it,
 )
+from test_graph_corpus import (
+    test_the_edges_of_the_graph_are_the_claims_of_the_controllers,
+    test_the_rules_on_edges_are_the_errors_of_lint_at_their_claims,
+)
 from test_hostile_files import test_no_expression_of_a_public_robot_is_refused
 from test_migrate_corpus import test_a_migration_does_not_depend_on_its_path_and_is_not_repeated
 from test_server_renaming import test_names_of_public_robots_are_renamed_everywhere
 from test_shards import test_each_file_of_the_corpus_is_in_one_share_and_the_shares_are_alike
+from test_why_corpus import test_numbers_that_why_lists_change_the_value_and_others_do_not

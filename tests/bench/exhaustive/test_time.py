@@ -9,10 +9,15 @@ from pathlib import Path
 
 import pytest
 from expansion import expanded, laid_out, robot
+from test_graph import many_joints
 from test_hostile_readers import READERS, REPEATED
 from test_log_digest import HOSTILE, log
 
 from urdfctl.errors import UserError
+from urdfctl.graph.build import graph_of
+from urdfctl.graph.svg import svg
+from urdfctl.graph.text_formats import dot, mermaid
+from urdfctl.graph.view import collapsed
 from urdfctl.source.gitignore import patterns_of
 from urdfctl.source.problem import ReadError
 from urdfctl.source.span import SourceText
@@ -73,3 +78,14 @@ def test_aliases_of_aliases_are_refused_soon() -> None:
 def test_a_long_text_in_xacro_is_expanded_or_refused_soon(body: str, tmp_path: Path) -> None:
     path = laid_out(tmp_path, {"r.xacro": robot(body)})
     assert seconds(lambda: expanded(path)) < 2
+
+
+def test_two_hundred_joints_are_drawn_in_less_than_half_a_second(tmp_path: Path) -> None:
+    linted = many_joints(tmp_path, 200)
+
+    def draw() -> None:
+        graph = graph_of(linted.project, linted.result.outcome.diagnostics)
+        for one in (graph, collapsed(graph)):
+            assert all(function(one) for function in (mermaid, dot, svg))
+
+    assert seconds(draw) < 0.5
