@@ -99,6 +99,15 @@ def test_changes_that_are_not_committed_are_not_overwritten_without_force(folder
     assert folder.run("migrate", "arm", "--to", "jazzy", "--in-place", "--force").returncode == 0
 
 
+def test_files_that_git_ignores_are_left_alone(folder: Folder) -> None:
+    folder.write({**FILES, "arm/.gitignore": "made\n", "arm/made/urdf/arm.urdf": ROBOT})
+    subprocess.run(["git", "init", "-q"], cwd=folder.path / "arm", check=True)
+    folder.run("migrate", "arm", "--to", "jazzy", "--in-place", "--force")
+    after = content(folder)
+    assert after["made/urdf/arm.urdf"] == ROBOT.encode()
+    assert after["urdf/arm.urdf.xacro"] == MIGRATED.encode()
+
+
 def test_only_the_parts_that_are_named_are_migrated(folder: Folder) -> None:
     folder.write(FILES)
     assert folder.run("migrate", "arm", "--to", "jazzy", "--only", "yaml,launch").returncode == 0

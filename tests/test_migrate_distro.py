@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import textwrap
+from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
@@ -11,9 +12,9 @@ from folder import Folder
 
 from urdfctl.catalog.catalog import CATALOG
 from urdfctl.catalog.distros import ROS2
+from urdfctl.catalog.entries import Parameter
 from urdfctl.catalog.map_parameters import matching
-from urdfctl.catalog.moves import Move, name_moves, parameter_moves
-from urdfctl.migrate.controller_files import MANAGER
+from urdfctl.catalog.moves import MANAGER, Move, name_moves, parameter_moves
 from urdfctl.migrate.steps import STEPS
 from urdfctl.migrate.table import rows
 from urdfctl.migrate.wishes import Wishes
@@ -153,6 +154,14 @@ def test_a_type_that_is_gone_becomes_its_successor_with_the_parameters_that_it_n
     assert migrated(folder, {name: file}, "--to", "jazzy")[name] == file
 
 
+def test_a_parameter_that_only_the_new_type_reads_is_dropped(folder: Folder) -> None:
+    given = "joint: finger\nstate_interfaces: [position]\ngoal_tolerance: 0.1\n"
+    name = "config/c.yaml"
+    file = controllers("position_controllers/GripperActionController", given)
+    after = migrated(folder, {name: file}, "--to", "lyrical", "--only", "yaml")[name]
+    assert after.endswith("    joint: finger\n    goal_tolerance: 0.1\n")
+
+
 def test_names_change_as_whole_values_and_not_in_comments_or_other_words(folder: Folder) -> None:
     world = '<!-- ignition-gazebo-x-system --><sdf><plugin filename="libignition-gazebo-imu-system.so"/></sdf>\n'
     sensor = "<sensor><ignition_frame_id>f</ignition_frame_id></sensor>"
@@ -193,16 +202,20 @@ def test_one_migration_over_several_distros_equals_several_migrations(folder: Fo
 # -- the data ----------------------------------------------------------------------------------------------------------
 
 
+def parameters_of(name: str, distro: str) -> Mapping[str, Parameter]:
+    """The parameters that a type has in a distro; those that all types have for `*`."""
+    kind = CATALOG.controller(name, distro)
+    if name == "*":
+        return {**CATALOG.common_parameters(distro), **CATALOG.controller_keys(distro)}
+    return CATALOG.manager_parameters(distro) if name == MANAGER else kind.parameters if kind else {}
+
+
 @pytest.mark.parametrize(
     "move", parameter_moves(), ids=lambda move: f"{move.controllers[0].partition('/')[0]}-{move.name}-{move.since}"
 )
 def test_what_a_move_writes_is_a_parameter_of_its_first_distro_and_what_it_takes_was_one_before(move: Move) -> None:
     for name in move.controllers:
-        kinds = {distro: CATALOG.controller(name, distro) for distro in ROS2}
-        read = {
-            distro: CATALOG.manager_parameters(distro) if name == MANAGER else kind.parameters if kind else {}
-            for distro, kind in kinds.items()
-        }
+        read = {distro: parameters_of(name, distro) for distro in ROS2}
         assert all(matching(new, read[move.since]) for new in move.becomes if not move.only_set), name
         assert move.is_default or any(matching(move.name, parameters) for parameters in read.values())
 

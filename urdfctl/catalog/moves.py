@@ -47,7 +47,7 @@ class When(NamedTuple):
 class Move(NamedTuple):
     """What becomes of one parameter.
 
-    controllers: the types of controllers that have it; `controller_manager` for the manager.
+    controllers: the types of controllers that have it; `controller_manager` for the manager, `*` for all controllers.
     name: its dotted name, in which `<joints>` stands for any element.
     when: the condition, if any; of several moves of a parameter the first whose condition holds is made.
     becomes: the parameters that take its place, each with its value: `same`, `negative`, or a literal. Empty: dropped.
@@ -66,6 +66,14 @@ class Move(NamedTuple):
     only_set: bool = False
     is_default: bool = False
     todo: str = ""
+
+    def is_for(self, kind: str) -> bool:
+        """Return whether the parameter is one of a type of controllers."""
+        return kind in self.controllers or ("*" in self.controllers and kind != MANAGER)
+
+
+MANAGER = "controller_manager"
+"""The type of the controller manager itself."""
 
 
 @lru_cache(maxsize=1)
@@ -96,9 +104,7 @@ def replacement_in_words(kind: str, name: str, distro: str) -> str | None:
     name: the parameter's name in the catalogue, with placeholders.
     """
     order = ROS2.index
-    moves = [
-        move for move in parameter_moves() if kind in move.controllers and move.name == name and not move.is_default
-    ]
+    moves = [move for move in parameter_moves() if move.is_for(kind) and move.name == name and not move.is_default]
     moves = [move for move in moves if distro in ROS2 and order(move.since) <= order(distro)]
     texts = [" and ".join(in_words(new, value) for new, value in move.becomes.items()) for move in moves]
     wanted = [(text, move) for text, move in zip(texts, moves, strict=True) if text]

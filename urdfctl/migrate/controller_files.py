@@ -6,6 +6,7 @@ import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
+from urdfctl.catalog.moves import MANAGER
 from urdfctl.migrate.packages import Packages
 from urdfctl.source.files import is_yaml
 from urdfctl.source.install_maps import read_install_map
@@ -15,8 +16,6 @@ from urdfctl.source.yaml import Mapping as Map
 from urdfctl.source.yaml import Scalar, read_yaml
 from urdfctl.startup.records import NamedTuple
 
-MANAGER = "controller_manager"
-"""The type of a section of the controller manager itself."""
 _PARAMETERS = "ros__parameters"
 
 

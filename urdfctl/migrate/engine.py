@@ -18,6 +18,7 @@ from urdfctl.startup.records import NamedTuple
 
 MOST_ROUNDS = 12
 MOST_ATTEMPTS = 24
+MOST_PASSES = 3
 
 
 class Migration(NamedTuple):
@@ -35,19 +36,27 @@ def migrate(scratch: Scratch, wishes: Wishes, settings: Settings, lint: Lint, st
     """Return the migration of the packages in a copy.
 
     The steps are applied in order, then the whole is judged. If there are objections, the step that is responsible is
-    left out in the files concerned, and all is done again.
+    left out in the files concerned, and all is done again. As a second run would begin with the result of that, all is
+    repeated from there until nothing changes.
 
     settings: without a distro.
     """
     source = lint(settings._replace(distro=wishes.source))
-    target = lint(settings._replace(distro=wishes.target))
-    packages = Packages(scratch, wishes, settings, source)
-    wanted = [step for step in steps if _is_wanted(step, packages)]
-    state = before(source, target, packages.loaded())
-    trials = _Trials(packages, wanted, state, lint, settings)
-    attempt, found = trials.best()
-    lines = [*attempt.lines(found), *_left(scratch, source, attempt)] if scratch.changes() or attempt.barred else []
-    return Migration(scratch.changes(), tuple(lines))
+    first, done = source, list[ReportLine]()
+    for _ in range(MOST_PASSES):
+        target = lint(settings._replace(distro=wishes.target))
+        packages = Packages(scratch, wishes, settings, source)
+        wanted = [step for step in steps if _is_wanted(step, packages)]
+        state = before(source, target, packages.loaded())
+        scratch.keep()
+        attempt, found = _Trials(packages, wanted, state, lint, settings).best()
+        done += attempt.done()
+        if not attempt.barred or not attempt.touched:
+            break
+        source = lint(settings._replace(distro=wishes.source))  # what was left out may be possible now
+    changes = scratch.changes()
+    left = [*attempt.not_done(found), *_left(scratch, first, attempt)] if changes or attempt.barred else []
+    return Migration(changes, (*done, *left))
 
 
 def _left(scratch: Scratch, source: Linted, attempt: _Attempt) -> Iterator[ReportLine]:
@@ -234,17 +243,21 @@ class _Attempt:
         self.linted = lint(settings._replace(distro=self.packages.wishes.target))
         return list(objections(state, self.linted, self.packages.loaded(), self._claims, self._moved))
 
-    def lines(self, left: Sequence[Objection]) -> Iterator[ReportLine]:
-        """Yield the report's lines, with real paths and the lines of the migrated files.
-
-        left: the objections that no step is responsible for.
-        """
+    def done(self) -> Iterator[ReportLine]:
+        """Yield the report's lines on what was applied, with real paths and the lines of the migrated files."""
         scratch = self.packages.scratch
         for noted in self._noted:
             entry, file = noted.entry, scratch.real(noted.file) if noted.file else ""
             line = _line(noted.file, noted.offset) if entry.at and os.path.exists(noted.file) else 0
             message, more = scratch.shown(entry.message), (entry.authority, entry.option)
             yield ReportLine(entry.kind, message, noted.step, file, line, *more)
+
+    def not_done(self, left: Sequence[Objection]) -> Iterator[ReportLine]:
+        """Yield the report's lines on what was left out.
+
+        left: the objections that no step is responsible for.
+        """
+        scratch = self.packages.scratch
         for (step, file), why in self.barred.items():
             message = scratch.shown(f"not changed by step '{step}': {why}")
             yield ReportLine(EntryKind.FOR_YOU, message, step, scratch.real(file))

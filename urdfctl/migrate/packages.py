@@ -86,8 +86,9 @@ class Packages:
         return self._sources[path]
 
     def targets(self) -> list[Target]:
-        """Return the targets before the migration whose files still exist."""
-        return [target for target, _ in self.linted if os.path.exists(target.path)]
+        """Return the targets before the migration whose files still exist, and that lint read within its limits."""
+        wanted = (target for target, result in self.linted if _was_read(result))
+        return [target for target in wanted if os.path.exists(target.path)]
 
     def loaded(self, distro: str | None = None) -> list[LoadedTarget]:
         """Return all targets as they are read now: robot, controllers and launch file, each part with its place.
@@ -108,6 +109,11 @@ class Packages:
     def may_change(self, path: str) -> bool:
         """Return whether a file is among those to migrate; others, as of /opt/ros, are never changed."""
         return self.scratch.may_write(path)
+
+
+def _was_read(result: TargetResult) -> bool:
+    """Whether a worker read a target within its limits."""
+    return not {finding.code for finding in result.outcome.diagnostics} & {"UC000", "UC014"}
 
 
 def _load(loader: Loader, target: Target) -> LoadedTarget | None:

@@ -11,6 +11,7 @@ from collections.abc import Iterator, Sequence
 from urdfctl.errors import UserError
 from urdfctl.fix.edits import Change
 from urdfctl.source.files import folders_upwards
+from urdfctl.source.gitignore import GitIgnore
 from urdfctl.source.packages import package_around, package_folders
 from urdfctl.source.workspace import workspace_of
 
@@ -44,6 +45,7 @@ class Scratch:
             if not any(_is_below(os.path.realpath(folder), mine) for mine in real)
         ]
         self._originals: dict[str, bytes | None] = {}
+        self._kept: dict[str, bytes | None] = {}
 
     def close(self) -> None:
         """Delete the copy."""
@@ -77,6 +79,7 @@ class Scratch:
         """Write a file in the copy, or delete it if `data` is None."""
         path = os.path.normpath(path)
         self._originals.setdefault(path, bytes_of(path))
+        self._kept.setdefault(path, bytes_of(path))
         if data is None:
             if os.path.lexists(path):
                 os.unlink(path)
@@ -87,11 +90,15 @@ class Scratch:
         with open(path, "wb") as file:
             file.write(data)
 
+    def keep(self) -> None:
+        """Let `reset` return to what is written now."""
+        self._kept.clear()
+
     def reset(self) -> None:
-        """Undo everything that was written."""
-        for path, data in list(self._originals.items()):
+        """Undo what was written since `keep`."""
+        for path, data in list(self._kept.items()):
             self.write(path, data)
-        self._originals.clear()
+        self._kept.clear()
 
     def changes(self) -> tuple[Change, ...]:
         """Return what was written, with real paths; `before` is None for a new file, `after` for a deleted one."""
@@ -99,18 +106,24 @@ class Scratch:
         return tuple(sorted(Change(self.real(path), old, new) for path, old, new in found if old != new))
 
     def files(self) -> Iterator[str]:
-        """Yield the files in the folders to migrate, in order."""
+        """Yield the files in the folders to migrate, in order, except those that git ignores."""
         for folder in self.folders:
+            git = GitIgnore(folder)
             for current, folders, names in os.walk(folder):
-                folders[:] = sorted(name for name in folders if name not in _PRUNED)
-                yield from (os.path.join(current, name) for name in sorted(names))
+                wanted = (name for name in folders if name not in _PRUNED)
+                folders[:] = sorted(
+                    one for one in wanted if not git.ignores(os.path.join(current, one), is_folder=True)
+                )
+                paths = (os.path.join(current, name) for name in sorted(names))
+                yield from (path for path in paths if not git.ignores(path, is_folder=False))
 
     def _copy_settings(self, real: Sequence[str]) -> None:
         """Copy the configuration files above the folders to migrate, and the .gitignore files."""
         above = {one for folder in real for one in folders_upwards(os.path.dirname(folder))}
-        for folder in sorted(above):
+        for folder in sorted(one for one in above if _is_below(one, self._workspace)):
+            _mark_repository(folder, self.of(folder))
             for name in ("urdfctl.toml", "pyproject.toml", ".gitignore"):
-                if _is_below(folder, self._workspace) and os.path.isfile(os.path.join(folder, name)):
+                if os.path.isfile(os.path.join(folder, name)):
                     os.makedirs(self.of(folder), exist_ok=True)
                     shutil.copyfile(os.path.join(folder, name), os.path.join(self.of(folder), name))
 
@@ -146,7 +159,9 @@ def _copy(folder: str, copy: str) -> None:
         folders[:] = [name for name in folders if name not in _PRUNED]
         target = os.path.normpath(os.path.join(copy, os.path.relpath(current, folder)))
         os.makedirs(target, exist_ok=True)
-        for name in (*names, *(name for name in folders if os.path.islink(os.path.join(current, name)))):
+        _mark_repository(current, target)
+        linked = (name for name in folders if os.path.islink(os.path.join(current, name)))
+        for name in (*(name for name in names if name not in _PRUNED), *linked):
             path = os.path.join(current, name)
             if os.path.islink(path):
                 real = os.path.realpath(path)
@@ -156,6 +171,12 @@ def _copy(folder: str, copy: str) -> None:
                 )
             else:
                 _copy_file(path, os.path.join(target, name))
+
+
+def _mark_repository(folder: str, copy: str) -> None:
+    """Make the copy of a repository a repository too, so that files that git ignores are known there."""
+    if os.path.exists(os.path.join(folder, ".git")):
+        os.makedirs(os.path.join(copy, ".git"), exist_ok=True)
 
 
 def _copy_file(path: str, copy: str) -> None:

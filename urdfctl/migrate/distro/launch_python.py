@@ -6,8 +6,9 @@ import ast
 from collections.abc import Iterator, Sequence
 from itertools import takewhile
 
+from urdfctl.catalog.moves import MANAGER
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.controller_files import MANAGER, Section, installed_path, sections, sections_near
+from urdfctl.migrate.controller_files import Section, installed_path, sections, sections_near
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.python_edits import PythonFile, keyword, text_of
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step

@@ -6,8 +6,9 @@ import os
 from collections.abc import Iterator, Sequence
 from itertools import takewhile
 
+from urdfctl.catalog.moves import MANAGER
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.controller_files import MANAGER, Section, installed_path, sections, sections_near
+from urdfctl.migrate.controller_files import Section, installed_path, sections, sections_near
 from urdfctl.migrate.distro.launch_python import AUTHORITY_OF_FILE, AUTHORITY_OF_OPTIONS, AUTHORITY_OF_TOPIC
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Step

@@ -9,9 +9,9 @@ from urdfctl.catalog.catalog import CATALOG
 from urdfctl.catalog.distros import ROS2
 from urdfctl.catalog.entries import ControllerType
 from urdfctl.catalog.map_parameters import matching
-from urdfctl.catalog.moves import Move, When, as_yaml, in_words, parameter_moves
+from urdfctl.catalog.moves import MANAGER, Move, When, as_yaml, in_words, parameter_moves
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.controller_files import MANAGER, Section, sections
+from urdfctl.migrate.controller_files import Section, sections
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import todo_line
@@ -213,7 +213,7 @@ def _moves_for(name: str, target: str) -> list[Move]:
     """The moves of a controller's parameters: those of the data, then those that the catalogue's entry says."""
     if not name:
         return []
-    known = [move for move in parameter_moves() if name in move.controllers]
+    known = [move for move in parameter_moves() if move.is_for(name)]
     kind = None if name == MANAGER else CATALOG.controller(name, target)
     return [*known, *(_of_catalogue(kind, {move.name for move in known}) if kind else ())]
 

@@ -7,13 +7,14 @@ from collections.abc import Iterator
 from urdfctl.catalog.catalog import CATALOG
 from urdfctl.catalog.distros import ROS2, generation
 from urdfctl.catalog.entries import Replacement
+from urdfctl.catalog.map_parameters import matching
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.controller_files import Section, TypeName, sections, type_names
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.wishes import Part
 from urdfctl.migrate.xml_edits import elements_of, span_of, words_of
-from urdfctl.migrate.yaml_edits import MapEdits
+from urdfctl.migrate.yaml_edits import MapEdits, leaves
 from urdfctl.source.dom import Element
 from urdfctl.source.span import SourceSpan
 
@@ -29,11 +30,14 @@ def _types(packages: Packages) -> Iterator[Proposal]:
         is_ros2 = any(generation(distro) == 2 for distro in CATALOG.distros_of(old))  # noqa: PLR2004
         if instead and is_ros2 and CATALOG.controller(old, target) is None and packages.may_change(declared.path):
             own = [s for s in known if s.node == declared.controller and s.type == old]
-            yield _proposal(declared, instead, own)
+            yield _proposal(declared, instead, own, target)
 
 
-def _proposal(declared: TypeName, instead: Replacement, own: list[Section]) -> Proposal:
-    """The proposal to change the type of a controller, and to add the parameters that the new type needs."""
+def _proposal(declared: TypeName, instead: Replacement, own: list[Section], target: str) -> Proposal:
+    """The proposal to change the type of a controller, and to add the parameters that the new type needs.
+
+    Parameters that only the new type reads had no effect; so they are dropped.
+    """
     scalar = declared.value
     by_path = {section.path: MapEdits(section.parameters.source) for section in own}
     edits = by_path.setdefault(declared.path, MapEdits(scalar.source))
@@ -46,10 +50,25 @@ def _proposal(declared: TypeName, instead: Replacement, own: list[Section]) -> P
                 )
     what = f"controller type '{scalar.text}' became '{instead.type}'"
     entries = [Entry(EntryKind.DONE, what, scalar.at, authority=_AUTHORITY)]
+    for section in own:
+        for name, path in list(leaves(section.parameters)):
+            if _is_read_only_by(name, scalar.text, instead.type, target):
+                by_path[section.path].drop(path)
+                dropped = f"'{name}' is dropped: the old type did not read it, and the new one would"
+                at = path[-1][1].key.at
+                entries.append(Entry(EntryKind.DECIDED, dropped, at, authority=_AUTHORITY, option=f"add {name} again"))
     if instead.note:
         entries.append(Entry(EntryKind.DECIDED, instead.note, scalar.at, authority=_AUTHORITY))
     all_edits: list[Edit] = [edit for one in by_path.values() for edit in one.edits()]
     return Proposal(tuple(all_edits), entries=tuple(entries), fixes=("UC422",))
+
+
+def _is_read_only_by(name: str, old: str, new: str, target: str) -> bool:
+    """Whether a type reads a parameter that the type which it replaces never read."""
+    kinds = [kind for distro in ROS2 if (kind := CATALOG.controller(old, distro))]
+    now = CATALOG.controller(new, target)
+    was_read = any(matching(name, kind.parameters) or matching(name, kind.former) for kind in kinds)
+    return now is not None and not was_read and matching(name, now.parameters) is not None
 
 
 def _yaml(value: object) -> str:
