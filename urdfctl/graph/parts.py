@@ -35,8 +35,9 @@ class Node(NamedTuple):
 
     @property
     def label(self) -> str:
-        """What is shown of it."""
-        return f"{self.name} ({len(self.members)})" if self.members else self.name
+        """What is shown of it: without the package of ROS 1's interfaces, which is always the same."""
+        name = self.name.replace("hardware_interface/", "")
+        return f"{name} ({len(self.members)})" if self.members else name
 
 
 class Edge(NamedTuple):
