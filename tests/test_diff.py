@@ -86,6 +86,15 @@ def test_hardware_interfaces_and_geometry_have_their_areas(folder: Folder) -> No
     ]
 
 
+def test_a_shape_with_another_name_and_size_is_still_the_same_shape(folder: Folder) -> None:
+    shape = '<visual name="{}"><geometry><box size="{}"/></geometry></visual>'
+    edit = ("</visual>", f"</visual>{shape.format('one', '2 2 2')}")
+    folder.write({"a.urdf": ARM.replace(*edit), "b.urdf": ARM.replace(*edit).replace("2 2 2", "2 2 3")})
+    assert found(folder, "a.urdf", "b.urdf") == [
+        ("geometry", "changed", "link:base/visual[2]/geometry/box/@size", "2 2 2", "2 2 3")
+    ]
+
+
 def test_variants_of_one_file_are_compared(folder: Folder) -> None:
     folder.write({"r.xacro": f"{VARIED}{BODY.replace('SPEED', '$(arg v)')}</robot>"})
     assert found(folder, "r.xacro", "v:=3", "r.xacro") == [

@@ -90,10 +90,11 @@ class _Comparison:
     def _among(self, before: list[Node], after: list[Node], path: tuple[str, ...]) -> Iterator[Change]:
         """The changes among parts with the same label: equal ones are the same, the others in their order."""
         several = len(before) > 1 or len(after) > 1
+        numbers = {id(node): number for number, node in enumerate(after, 1)}
         if several:
             before, after = self._without_equal(before, after)
-        for number, (old, new) in enumerate(zip(before, after, strict=False), 1):
-            yield from self.between(old, new, (*path[:-1], f"{path[-1]}[{number}]") if several else path)
+        for old, new in zip(before, after, strict=False):
+            yield from self.between(old, new, (*path[:-1], f"{path[-1]}[{numbers[id(new)]}]") if several else path)
         for node in before[len(after) :]:
             yield Change(_area(path), "removed", path, before=summary(node))
         for node in after[len(before) :]:

@@ -27,6 +27,8 @@ _IMPLIED = {"joint": ("origin", "axis"), "inertial": ("origin",), "visual": ("or
 """Elements that mean the same if they are missing as if they had their defaults."""
 _MERGED = frozenset({"gazebo"})
 """Elements of the same name whose contents are read as one."""
+_BY_CONTENT = frozenset({"visual", "collision"})
+"""Elements whose names nothing refers to: they are the same if their contents are."""
 
 
 class Node(NamedTuple):
@@ -78,7 +80,7 @@ def node_of(element: Element, shown: Callable[[str], str], part: str = "") -> No
     implied = _IMPLIED.get(tag, ()) if part in ("link", "joint") else ()
     children += [Node(name, "", _DEFAULTS[(part, name)], ()) for name in implied if name not in present]
     key = given.get("name") or given.get("reference") or ""
-    return Node(tag, plain(key), values, merged(children))
+    return Node(tag, "" if tag in _BY_CONTENT else plain(key), values, merged(children))
 
 
 def merged(children: list[Node]) -> tuple[Node, ...]:
