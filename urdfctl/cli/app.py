@@ -20,7 +20,7 @@ from urdfctl.cli.help import GroupedCommand
 from urdfctl.cli.init_options import InitOptions
 from urdfctl.cli.migrate_options import MigrateOptions
 from urdfctl.cli.options import ExpandOptions, ExplainOptions, LintOptions, RulesOptions, ShowOptions, SmokeOptions
-from urdfctl.cli.see_options import DiffOptions, GraphOptions, WhyOptions
+from urdfctl.cli.see_options import DiffOptions, GraphOptions, ViewOptions, WhyOptions
 from urdfctl.cli.server_options import ServerOptions
 from urdfctl.cli.slips import command_hint
 from urdfctl.errors import UserError
@@ -60,6 +60,12 @@ def _graph(options: GraphOptions) -> int:
     from urdfctl.cli.graph_command import run_graph
 
     return run_graph(options)
+
+
+def _view(options: ViewOptions) -> int:
+    from urdfctl.cli.view_command import run_view
+
+    return run_view(options)
 
 
 def _why(options: WhyOptions) -> int:
@@ -118,6 +124,7 @@ _RUN: dict[type, Callable[[Any], int]] = {
     ExpandOptions: _expand,
     WhyOptions: _why,
     GraphOptions: _graph,
+    ViewOptions: _view,
     DiffOptions: _diff,
     RulesOptions: _rules,
     ExplainOptions: _explain,
@@ -182,6 +189,7 @@ _command("expand", short_help="Expand xacro without ROS.")(ExpandOptions)
 _command("why", short_help="Show where a value of a robot comes from, and what uses it.")(WhyOptions)
 _command("diff", short_help="Show what changed between two robots, as models.")(DiffOptions)
 _command("graph", short_help="Draw what is wired to what, with errors in red.")(GraphOptions)
+_command("view", short_help="Show the robot in 3-D, in one page.")(ViewOptions)
 _command("rules")(RulesOptions)
 _command("explain", short_help="Explain a rule, an error message, or a whole log.")(ExplainOptions)
 _command("init", short_help="Write a configuration with the robots of a project.")(InitOptions)

@@ -1,4 +1,4 @@
-"""Options of the commands that show a robot: why, diff and graph. Annotations are evaluated here; see options.py."""
+"""Options of the commands that show a robot: why, diff, graph, view. Annotations are evaluated here; see options.py."""
 
 from dataclasses import dataclass
 from typing import Annotated
@@ -84,6 +84,21 @@ class GraphOptions(TargetOptions):
             help="Show joints with the same wiring as one. Default: with more than 30 joints, except in json.",
         ),
     ] = None
+    start: Annotated[
+        str | None, typer.Option(help="Controllers that are started together, in this order: NAME,NAME, or all.")
+    ] = None
+
+
+@dataclass(kw_only=True)
+class ViewOptions(TargetOptions):
+    """Show the robot in 3-D, its joints coloured by how they are controlled: a page that needs no network.
+
+    \b
+    Example: urdfctl view urdf/robot.xacro -o robot.html
+    """
+
+    paths: Paths = None
+    output: Annotated[str, typer.Option("-o", "--output", help="Write the page to this file.")] = "robot.html"
     start: Annotated[
         str | None, typer.Option(help="Controllers that are started together, in this order: NAME,NAME, or all.")
     ] = None

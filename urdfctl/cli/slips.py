@@ -16,6 +16,7 @@ _COMMANDS = {
     **dict.fromkeys(("list", "ls"), "rules"),
     **dict.fromkeys(("compare", "changes"), "diff"),
     **dict.fromkeys(("draw", "plot", "wiring"), "graph"),
+    **dict.fromkeys(("visualize", "visualise", "3d", "open"), "view"),
     **dict.fromkeys(("trace", "where", "whence"), "why"),
     "version": "--version",
     "help": "--help",

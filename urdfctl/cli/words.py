@@ -15,7 +15,7 @@ from urdfctl.startup.hints import TYPE_CHECKING
 if TYPE_CHECKING:
     from urdfctl.cli.known_findings import Baseline
     from urdfctl.cli.options import CheckOptions, ReadingOptions
-    from urdfctl.cli.see_options import GraphOptions
+    from urdfctl.cli.see_options import GraphOptions, ViewOptions
 
 
 def codes(given: list[str] | None) -> tuple[str, ...]:
@@ -88,7 +88,9 @@ def settings_from(
     )
 
 
-def settings_to_check(config: Config, options: CheckOptions | GraphOptions, named: Sequence[str]) -> Settings:
+def settings_to_check(
+    config: Config, options: CheckOptions | GraphOptions | ViewOptions, named: Sequence[str]
+) -> Settings:
     """Return the settings of a run that checks robots. named: as in `settings_from`."""
     return settings_from(
         config, options, distro=options.distro, simulator=options.simulator, start=options.start, named=named

@@ -208,8 +208,7 @@ def _tuples(data: dict[str, Any], *names: str) -> dict[str, Any]:
 def mechanism_of(robot: Robot) -> Mechanism | None:
     """Return the mechanism of a robot description, or None if its links do not form a tree with one root."""
     names = [link.name for link in robot.links if link.name]
-    controls = _controls(robot)
-    hinges = [hinge for joint in robot.joints if (hinge := _hinge(joint, controls.get(joint.name or ""))) is not None]
+    hinges = hinges_of(robot)
     children = [hinge.child for hinge in hinges]
     roots = [name for name in names if name not in children]
     unique = len(set(names)) == len(names) and len(set(children)) == len(children)
@@ -226,6 +225,12 @@ def mechanism_of(robot: Robot) -> Mechanism | None:
         if link.name
     }
     return Mechanism(roots[0], bodies, tuple(ordered))
+
+
+def hinges_of(robot: Robot) -> list[Hinge]:
+    """Return the hinges of a robot description in its order, also if they form no tree."""
+    controls = _controls(robot)
+    return [hinge for joint in robot.joints if (hinge := _hinge(joint, controls.get(joint.name or ""))) is not None]
 
 
 def _ordered(root: str, hinges: list[Hinge]) -> list[Hinge]:

@@ -1,0 +1,20 @@
+"""The robot in 3-D as a page of its own."""
+
+from __future__ import annotations
+
+from urdfctl.report.common import shown
+from urdfctl.report.pages import page
+from urdfctl.startup.hints import Any
+from urdfctl.view.joints import CONTROLS
+
+
+def html(scene: dict[str, Any], file: str, distro: str = "") -> str:
+    """Return the page. Its parts `robot_part.html.j2` and, once for all robots of a page, `robot_script.html.j2` can be
+    included in others, with the values of `part_values`."""
+    title = f"{scene['robot'] or shown(file)} in 3-D"
+    return page("view", title=title, file=shown(file), distro=distro, scene=scene, **part_values())
+
+
+def part_values() -> dict[str, Any]:
+    """Return what `robot_part.html.j2` needs besides its `scene`."""
+    return {"controls": list(CONTROLS.items()), "words": CONTROLS}

@@ -1,0 +1,75 @@
+"""Make the graph and the scene of targets in limited workers."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator, Sequence
+
+from urdfctl.config.settings import Settings
+from urdfctl.graph.build import graph_of
+from urdfctl.graph.parts import Graph
+from urdfctl.lint.job import Work, Workers, run_on_targets
+from urdfctl.lint.target import lint_target
+from urdfctl.load.meshes import mesh_path
+from urdfctl.load.target import Target
+from urdfctl.startup.hints import Any
+from urdfctl.startup.records import NamedTuple
+from urdfctl.view.meshes import installed
+from urdfctl.view.scene import MOST_TRIANGLES, MeshShelf, scene_of
+
+_SHARE = 0.6
+"""Meshes may take this part of the time limit of a robot."""
+
+
+class Portrait(NamedTuple):
+    """What a page shows of a robot.
+
+    graph: what is wired to what; None if it could not be made.
+    scene: the robot in 3-D, as plain data; None if it has no links, or meshes were not asked for.
+    failure: why there is neither; empty if there is.
+    crashed: whether that is a fault of urdfctl.
+    """
+
+    graph: Graph | None = None
+    scene: dict[str, Any] | None = None
+    failure: str = ""
+    crashed: bool = False
+
+
+def portraits(
+    targets: Sequence[Target], settings: Settings, *, parallel: int | None = None, in_3d: bool | None = None
+) -> Iterator[Portrait]:
+    """Yield the portrait of each target, in order.
+
+    in_3d: whether to make scenes; by default if the libraries are installed.
+    """
+    wanted = installed() if in_3d is None else in_3d
+    most = MOST_TRIANGLES // max(1, len(targets))
+    details = {"in_3d": wanted, "most": most, "seconds": settings.timeout * _SHARE}
+    results = run_on_targets(
+        portrait_work, targets, settings, details=[details] * len(targets), workers=Workers(parallel=parallel)
+    )
+    for result in results:
+        if isinstance(result, dict):
+            graph = Graph.from_json(result["graph"]) if result["graph"] is not None else None
+            yield Portrait(graph, result["scene"])
+        else:
+            yield Portrait(failure=result.reason, crashed=result.our_fault)
+
+
+def portrait_work(work: Work) -> dict[str, Any]:
+    """Make a portrait in a worker."""
+    began = time.process_time()
+    linted = lint_target(work.loader, work.target, work.selection)
+    findings = linted.result.outcome.diagnostics
+    project = linted.project
+    graph = graph_of(project, findings) if project.distros or project.distro else None
+    scene = None
+    if work.details["in_3d"] and project.robot is not None and project.robot.links:
+        files, packages = work.loader.reading(linted.result.path)
+        path = linted.result.path
+        shelf = MeshShelf(
+            files, lambda address: mesh_path(address, packages, path), began + float(work.details["seconds"])
+        )
+        scene = scene_of(project.robot, graph, findings, shelf, int(work.details["most"]))
+    return {"graph": graph.to_json() if graph else None, "scene": scene}
