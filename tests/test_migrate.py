@@ -108,6 +108,14 @@ def test_files_that_git_ignores_are_left_alone(folder: Folder) -> None:
     assert after["urdf/arm.urdf.xacro"] == MIGRATED.encode()
 
 
+def test_a_package_of_the_same_name_elsewhere_in_the_workspace_is_not_taken_for_it(folder: Folder) -> None:
+    named = {f"{name}/package.xml": MANIFEST.replace("arm", name) for name in ("base", "hand")}
+    folder.write({**FILES, **named, "old/package.xml": MANIFEST, ".git/HEAD": ""})
+    scratch = Scratch([str(folder.path / "arm")])
+    scratch.close()
+    assert sorted(Path(other).name for other in scratch.others) == ["base", "hand"]
+
+
 def test_only_the_parts_that_are_named_are_migrated(folder: Folder) -> None:
     folder.write(FILES)
     assert folder.run("migrate", "arm", "--to", "jazzy", "--only", "yaml,launch").returncode == 0

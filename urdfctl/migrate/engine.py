@@ -62,7 +62,7 @@ def migrate(scratch: Scratch, wishes: Wishes, settings: Settings, lint: Lint, st
 def _left(scratch: Scratch, source: Linted, attempt: _Attempt) -> Iterator[ReportLine]:
     """Yield a line for each error that lint finds for the target, and did not find for the distro to migrate from."""
     known, errors = _errors(source), _errors(attempt.linted)
-    for finding in (errors[key] for key in errors if key not in known):
+    for finding in (errors[key] for key in errors if key not in known and scratch.has(errors[key].at.file)):
         message = scratch.shown(f"lint finds {finding.code}: {finding.message}")
         yield ReportLine(EntryKind.FOR_YOU, message, "", scratch.real(finding.at.file), finding.at.line)
 

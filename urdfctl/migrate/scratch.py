@@ -12,7 +12,7 @@ from urdfctl.errors import UserError
 from urdfctl.fix.edits import Change
 from urdfctl.source.files import folders_upwards
 from urdfctl.source.gitignore import GitIgnore
-from urdfctl.source.packages import package_around, package_folders
+from urdfctl.source.packages import package_around, package_folders, package_name
 from urdfctl.source.workspace import workspace_of
 
 _PRUNED = frozenset({".git", "build", "install", "log", "devel", "node_modules", "__pycache__"})
@@ -25,7 +25,8 @@ class Scratch:
 
     root: the copy of the workspace.
     folders: the copies of the folders to migrate.
-    others: the folders of the workspace's other packages, which are not copied.
+    others: the folders of the workspace's other packages, which are not copied; without those that have the name of a
+        package to migrate.
     """
 
     def __init__(self, paths: Sequence[str]) -> None:
@@ -39,11 +40,10 @@ class Scratch:
         for folder, copy in zip(real, self.folders, strict=True):
             _copy(folder, copy)
         self._copy_settings(real)
-        self.others = [
-            folder
-            for folder in package_folders(self._workspace)
-            if not any(_is_below(os.path.realpath(folder), mine) for mine in real)
-        ]
+        mine = {_name(folder) for copied in real for folder in package_folders(copied)}
+        others = (os.path.realpath(folder) for folder in package_folders(self._workspace))
+        outside = (folder for folder in others if not any(_is_below(folder, copied) for copied in real))
+        self.others = [folder for folder in outside if _name(folder) not in mine]
         self._originals: dict[str, bytes | None] = {}
         self._kept: dict[str, bytes | None] = {}
 
@@ -148,6 +148,10 @@ def _folders(paths: Sequence[str]) -> list[str]:
     return [
         folder for folder in dict.fromkeys(found) if not any(folder != one and _is_below(folder, one) for one in found)
     ]
+
+
+def _name(folder: str) -> str | None:
+    return package_name(os.path.join(folder, "package.xml"))
 
 
 def _is_below(path: str, folder: str) -> bool:
