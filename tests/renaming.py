@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import os
 import random
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from pathlib import Path
 
 from urdfctl.config.settings import Settings
 from urdfctl.errors import UserError
-from urdfctl.load.loader import LoadedTarget, Loader
+from urdfctl.lint.selection import Selection
+from urdfctl.lint.target import LintedTarget, lint_target
+from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
-from urdfctl.server.names import JOINT, LINK, names_in
+from urdfctl.server.names import names_in
 from urdfctl.server.navigation import NamesAround, renamed
 from urdfctl.server.question import Question
 from urdfctl.source.dom import COMMENT, Element, Text
@@ -35,32 +37,30 @@ def differences(path: Path, number: int, seed: int) -> Iterator[str]:
         for edit in sorted(edits, key=lambda one: -one.start):
             real = os.path.realpath(edit.file)
             texts[real] = texts[real][: edit.start] + edit.text.encode() + texts[real][edit.end :]
-        after = Loader(Settings(), texts).load(Target(str(path)))
-        at = around.at
-        of_robot = at is not None and at.kind in {LINK, JOINT}
-        if _flat(loaded, at.text if of_robot and at else "") != _flat(after, ""):
+        old = around.at.text if around.at is not None else ""
+        after = lint_target(Loader(Settings(), texts), Target(str(path)), Selection())
+        before = lint_target(Loader(Settings()), Target(str(path)), Selection())
+        if _flat(before, old) != _flat(after, old) or _codes(before) != _codes(after):
             yield f"{name.kind} '{name.text}' of {os.path.basename(name.span.file)}:{position.line}"
+
+
+def _codes(linted: LintedTarget) -> list[str]:
+    """What is found: a use that was forgotten would name what does not exist."""
+    return sorted(finding.code for finding in linted.result.outcome.diagnostics)
 
 
 Flat = list[tuple[str, tuple[tuple[str, str], ...], str]]
 
 
-def _flat(loaded: LoadedTarget, old: str) -> tuple[Flat, list[str]]:
-    """All elements with their attributes and texts, in which the new name is written for an old one, and the kinds of
-    problems. An attribute `type` or the robot's name that is equal to the old name is another thing."""
-
-    def named(key: str, value: str, tag: str) -> str:
-        is_other = key in {"type", "filename", "plugin"} or (tag, key) in {("robot", "name"), ("sensor", "name")}
-        return NEW if old and value == old and not is_other else value
-
+def _flat(linted: LintedTarget, old: str) -> Flat:
+    """All elements with their attributes and texts, in which the old name is written for the new one."""
     found: Flat = []
-    pending: list[Element] = [loaded.root] if loaded.root is not None else []
+    pending: list[Element] = [linted.root] if linted.root is not None else []
     while pending:
         element = pending.pop()
         pending += element.elements()
-        attributes: Mapping[str, str] = element.attrs
         nodes = (node for node in element.children() if isinstance(node, Text) and node.nodeType != COMMENT)
         text = "".join(node.data for node in nodes).strip()
-        values = sorted((key, named(key, value, element.tagName)) for key, value in attributes.items())
-        found.append((element.tagName, tuple(values), named("", text, element.tagName)))
-    return sorted(found), [problem.kind.name for problem in loaded.project.problems]
+        values = sorted((key, old if value == NEW else value) for key, value in element.attrs.items())
+        found.append((element.tagName, tuple(values), old if text == NEW else text))
+    return sorted(found)

@@ -19,7 +19,7 @@ from urdfctl.startup.records import NamedTuple
 
 _ATTRIBUTES = r"(?:\s+[\w:.-]+\s*=\s*(?:\"[^\"]*\"|'[^']*'))*"
 _OPEN_ATTRIBUTE = rf"<(?P<tag>[\w:.-]+){_ATTRIBUTES}\s+(?P<name>[\w:.-]+)\s*=\s*[\"'][^\"']*$"
-_OPEN_CALL = rf"<xacro:(?P<macro>\w+){_ATTRIBUTES}\s+\w*$"
+_OPEN_CALL = rf"<xacro:(?P<macro>[\w-]+){_ATTRIBUTES}\s+\w*$"
 _KINDS = {
     ("parent", "link"): LINK, ("child", "link"): LINK, ("mimic", "joint"): JOINT, ("gazebo", "reference"): LINK,
     ("chain", "base_link"): LINK, ("chain", "tip_link"): LINK, ("passive_joint", "name"): JOINT,
@@ -62,7 +62,7 @@ def _in_xml(question: Question) -> Iterator[Item]:
         yield from _named(question, ARGUMENT)
     elif re.search(r"\$\{[^{}]*$", before):
         yield from _named(question, PROPERTY, PARAMETER)
-    elif re.fullmatch(r"<(?:xacro:)?\w*", before):
+    elif re.fullmatch(r"<(?:xacro:)?[\w-]*", before):
         yield from (Item(f"xacro:{item.text}", MACRO) for item in _named(question, MACRO))
     elif opened := re.match(_OPEN_ATTRIBUTE, before):
         yield from _in_attribute(question, opened["tag"], opened["name"])

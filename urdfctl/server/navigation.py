@@ -8,11 +8,12 @@ from collections.abc import Iterable
 
 from urdfctl.diagnostic import Location, Replacement, located
 from urdfctl.errors import UserError
-from urdfctl.server.names import Name, name_at, names_in
+from urdfctl.server.names import LINK, Name, name_at, names_in
 from urdfctl.server.question import Question
 from urdfctl.server.xacro_names import MACRO, PARAMETER, PROPERTY
 
 _IDENTIFIER = r"[A-Za-z_]\w*"
+_SPECIAL = {(LINK, "world")}
 _OF_XACRO = {MACRO, PARAMETER, PROPERTY}
 _SIGNS = set("\"'<>&${}") | set(" \t\n")
 
@@ -68,6 +69,8 @@ def renamed(around: NamesAround, new: str) -> list[Replacement]:
         where = located(computed.span)
         written = f"'{computed.span.text}' at {os.path.basename(where.file)}:{where.line}"
         raise UserError(f"'{computed.text}' is computed from {written}; rename its parts there")
+    if (at.kind, at.text) in _SPECIAL:
+        raise UserError(f"{at.kind} '{at.text}' has a meaning of its own by this name")
     if not any(name.defines for name in places):
         raise UserError(f"{at.kind} '{at.text}' is not defined in these files")
     if (at.kind in _OF_XACRO and not re.fullmatch(_IDENTIFIER, new)) or not new or _SIGNS & set(new):

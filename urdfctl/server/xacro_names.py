@@ -20,6 +20,7 @@ _EXPRESSION = rb"\$\{([^{}]*)\}"
 _IDENTIFIER = rb"(?<![\w.'\"])[A-Za-z_]\w*(?!\w*['\"])"
 _ARGUMENT = rb"\$\(arg\s+([\w.-]+)\s*\)"
 _STRING = rb"'[^']*'|\"[^\"]*\""
+_FORWARDED = rb"(?:^|\s)([A-Za-z_]\w*):?=(\^)"
 _PARAMETER = rb"(?:^|\s)(\*{0,2})([A-Za-z_]\w*)"
 
 
@@ -57,6 +58,7 @@ def _of_element(element: Element, scopes: dict[str, str], macros: Collection[str
         for parameter, span in _parameters(element):
             scopes[parameter] = name
             yield PARAMETER, parameter, span, True, name
+        yield from ((PROPERTY, parameter, span, False, "") for parameter, span in _forwarded(element))
     elif element.tagName in {"xacro:property", "xacro:arg"}:
         kind = PROPERTY if element.tagName == "xacro:property" else ARGUMENT
         yield kind, element.attrs.get("name", ""), element.at["name"].span, True, ""
@@ -106,6 +108,16 @@ def _parameters(macro: Element) -> Iterator[tuple[str, SourceSpan]]:
     for found in re.finditer(_PARAMETER, blank):
         name = found[2].decode()
         yield name, SourceSpan(macro.source, start + found.start(2), start + found.end(2))
+
+
+def _forwarded(macro: Element) -> Iterator[tuple[str, SourceSpan]]:
+    """The parameters of a macro that are what the caller has by that name: `a:=^`; with the place of the sign."""
+    tag = macro.source.start_tag(macro.start)
+    if tag is None or "params" not in tag.attributes:
+        return
+    start, end = tag.attributes["params"]
+    for found in re.finditer(_FORWARDED, macro.source.data[start:end]):
+        yield found[1].decode(), SourceSpan(macro.source, start + found.start(2), start + found.end(2))
 
 
 def _in_text(span: SourceSpan, scopes: dict[str, str], *, is_expression: bool = False) -> Iterator[XacroName]:
