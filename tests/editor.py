@@ -25,9 +25,10 @@ Result = TypeVar("Result")
 class Editor:
     """One window with one folder."""
 
-    def __init__(self, folder: Path, encodings: list[str] | None = None) -> None:
+    def __init__(self, folder: Path, encodings: list[str] | None = None, wishes: object = None) -> None:
         self.folder = folder
         self.encodings = encodings
+        self.wishes = wishes
         self.client = LanguageClient("editor", "1")
         self.findings: dict[Path, list[types.Diagnostic]] = {}
         self.robots: list[Any] = []
@@ -61,6 +62,7 @@ class Editor:
             types.InitializeParams(
                 capabilities=types.ClientCapabilities(general=general),
                 process_id=os.getpid(),
+                initialization_options=self.wishes,
                 workspace_folders=[folder],
             )
         )
@@ -126,11 +128,16 @@ def path_of(uri: str) -> Path:
     return Path(uris.to_fs_path(uri) or "")
 
 
-def in_editor(folder: Path, use: Callable[[Editor], Awaitable[Result]], encodings: list[str] | None = None) -> Result:
+def in_editor(
+    folder: Path,
+    use: Callable[[Editor], Awaitable[Result]],
+    encodings: list[str] | None = None,
+    wishes: object = None,
+) -> Result:
     """Return what `use` returns for an editor that shows a folder."""
 
     async def run() -> Result:
-        editor = Editor(folder.resolve(), encodings)
+        editor = Editor(folder.resolve(), encodings, wishes)
         await editor.start()
         try:
             return await use(editor)

@@ -117,3 +117,33 @@ def test_a_wrong_configuration_is_told_in_one_message(folder: Folder) -> None:
 
     [message, *_] = in_editor(ws(folder, **{"urdfctl.toml": "distro = 7\n"}), use)
     assert "urdfctl.toml: distro" in message
+
+
+def test_the_editor_chooses_the_distro_and_the_variant_that_is_shown(folder: Folder) -> None:
+    text = ROBOT.replace('name="left"', 'name="$(arg side)"').replace(
+        "  <xacro:i", '  <xacro:arg name="side"/>\n  <xacro:i'
+    )
+
+    async def use(editor: Editor) -> list[object]:
+        await editor.open("urdf/robot.xacro", text)
+        found = await editor.checked()
+        return [found, editor.robots[0].distro, editor.robots[0].arguments.side]
+
+    path = ws(folder)
+    (path / "urdf/robot.xacro").write_text(text, encoding="utf-8")
+    _, distro, side = in_editor(path, use, wishes={"distro": "humble", "arguments": {"side": "left"}, "other": [1]})
+    assert (distro, side) == ("humble", "left")
+
+
+def test_a_mended_configuration_is_read_again(folder: Folder) -> None:
+    async def use(editor: Editor) -> Found:
+        await editor.open("urdf/robot.xacro", "<robot")
+        while not editor.messages:
+            await asyncio.sleep(0.05)
+        (editor.folder / "urdfctl.toml").write_text("", encoding="utf-8")
+        await editor.told(types.FileChangeType.Changed, "urdfctl.toml")
+        while not editor.robots and not editor.findings:
+            await asyncio.sleep(0.05)
+        return {str(path.name): [(str(one.code), 0, 0) for one in found] for path, found in editor.findings.items()}
+
+    assert "robot.xacro" in in_editor(ws(folder, **{"urdfctl.toml": "distro = 7\n"}), use)

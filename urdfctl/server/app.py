@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import os
 from functools import partial
 
 from lsprotocol import types
 
+from urdfctl.config.file import NAMES
 from urdfctl.server.answers import answer_questions
 from urdfctl.server.positions import path_of
 from urdfctl.server.window import Window
@@ -17,20 +19,36 @@ WATCHED = "**/*.{urdf,xacro,yaml,yml,launch,xml,py,srdf,toml,txt}"
 def make_server() -> Window:
     """Return a server that answers an editor."""
     server = Window()
+    _begin(server)
     _follow_texts(server)
     answer_questions(server)
     return server
 
 
-def _follow_texts(server: Window) -> None:
-    """Register what takes the editor's texts."""
+def _begin(server: Window) -> None:
+    """Register what says which folder is linted, and how."""
+    wishes: list[Wishes] = []
+
+    @server.feature(types.INITIALIZE)
+    def asked(_: Window, params: types.InitializeParams) -> None:
+        wishes.append(Wishes.from_json(params.initialization_options))
 
     @server.feature(types.INITIALIZED)
     def initialized(ls: Window, _: types.InitializedParams) -> None:
         folders = [path_of(folder.uri) for folder in ls.workspace.folders.values()]
         root = next((folder for folder in folders if folder), None) or ls.workspace.root_path
-        if root:
-            ls.begin(root, Wishes())
+        ls.begin(root, wishes[-1])
+        _watch(ls)
+
+    @server.feature(types.WORKSPACE_DID_CHANGE_CONFIGURATION)
+    def configured(ls: Window, params: types.DidChangeConfigurationParams) -> None:
+        given = params.settings.get("urdfctl") if isinstance(params.settings, dict) else None
+        if given is not None:
+            ls.again(Wishes.from_json(given))
+
+
+def _follow_texts(server: Window) -> None:
+    """Register what takes the editor's texts."""
 
     @server.feature(types.TEXT_DOCUMENT_DID_OPEN)
     def opened(ls: Window, params: types.DidOpenTextDocumentParams) -> None:
@@ -48,7 +66,9 @@ def _follow_texts(server: Window) -> None:
     def watched(ls: Window, params: types.DidChangeWatchedFilesParams) -> None:
         for event in params.changes:
             path = path_of(event.uri)
-            if ls.checking is not None and path is not None:
+            if path is not None and os.path.basename(path) in NAMES:
+                ls.again()
+            elif ls.checking is not None and path is not None:
                 is_known = event.type is types.FileChangeType.Changed
                 ls.checking.change(partial(Workspace.saved, path=path) if is_known else Workspace.forget)
 
@@ -56,3 +76,14 @@ def _follow_texts(server: Window) -> None:
     def ended(ls: Window, *_: object) -> None:
         if ls.checking is not None:
             ls.checking.end()
+
+
+def _watch(server: Window) -> None:
+    """Ask the editor to tell what other programs write, if it can."""
+    workspace = server.client_capabilities.workspace
+    watching = workspace.did_change_watched_files if workspace else None
+    if watching is None or not watching.dynamic_registration:
+        return
+    options = types.DidChangeWatchedFilesRegistrationOptions([types.FileSystemWatcher(WATCHED)])
+    asked = types.Registration("files", types.WORKSPACE_DID_CHANGE_WATCHED_FILES, options)
+    server.client_register_capability(types.RegistrationParams([asked]))

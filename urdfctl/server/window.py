@@ -30,26 +30,43 @@ class Window(LanguageServer):
         self.findings: dict[str, tuple[Diagnostic, ...]] = {}
         self.last: Checked | None = None
         self._loop: asyncio.AbstractEventLoop | None = None
+        self._folder: str | None = None
+        self._wishes = Wishes()
 
     # -- the workspace -------------------------------------------------------------------------------------------------
 
-    def begin(self, folder: str, wishes: Wishes) -> None:
-        """Lint a folder from now on. A wrong configuration is told, and nothing is linted."""
+    def begin(self, folder: str | None, wishes: Wishes) -> None:
+        """Lint a folder from now on, with the texts that are open; the folder of the first open file if None.
+
+        A wrong configuration is told once, and nothing is linted until it changes.
+        """
+        if self.checking is not None:
+            self.checking.end()
         self._loop = asyncio.get_running_loop()
+        self._folder, self._wishes, self.checking = folder, wishes, None
+        if folder is None:
+            return
         try:
             self.checking = Checking(lambda is_outdated: Workspace(folder, wishes, is_outdated), self._take)
         except UserError as error:
             self.window_show_message(types.ShowMessageParams(types.MessageType.Error, f"urdfctl: {error}"))
             return
         self.checking.start()
+        for uri, document in dict(self.workspace.text_documents).items():
+            self.text_changed(uri, document.source)
+
+    def again(self, wishes: Wishes | None = None) -> None:
+        """Begin again: the configuration file changed, or the editor's settings did."""
+        self.begin(self._folder, self._wishes if wishes is None else wishes)
 
     def text_changed(self, uri: str, text: str | None) -> None:
         """Lint with an open file's text; None if it was closed."""
         path = path_of(uri)
         if path is None:
             return
-        if self.checking is None:
-            self.begin(os.path.dirname(path), Wishes())
+        if self._folder is None:
+            self.begin(os.path.dirname(path), self._wishes)
+            return
         data = None if text is None else text.encode("utf-8", "surrogatepass")
         if self.checking is not None:
             self.checking.change(lambda workspace: workspace.changed(path, data), near=path)

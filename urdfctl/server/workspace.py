@@ -29,6 +29,26 @@ class Wishes(NamedTuple):
     simulator: str | None = None
     select: tuple[str, ...] = ()
     ignore: tuple[str, ...] = ()
+    arguments: tuple[tuple[str, str], ...] = ()
+    """The variant that is shown: arguments for the descriptions that are found in folders."""
+
+    @classmethod
+    def from_json(cls, data: object) -> Wishes:
+        """Return what an editor sends: an object with any of these names; others, and values of other kinds, are
+        passed over."""
+        given = data if isinstance(data, dict) else {}
+        texts = {name: given[name] for name in ("distro", "simulator") if isinstance(given.get(name), str)}
+        lists = {name: given[name] for name in ("select", "ignore") if isinstance(given.get(name), list)}
+        codes = {name: tuple(str(code).upper() for code in found) for name, found in lists.items()}
+        arguments = given.get("arguments")
+        pairs = arguments.items() if isinstance(arguments, dict) else ()
+        return cls(
+            distro=texts.get("distro") or None,
+            simulator=texts.get("simulator") or None,
+            select=codes.get("select", ()),
+            ignore=codes.get("ignore", ()),
+            arguments=tuple((str(name), str(value)) for name, value in pairs),
+        )
 
 
 class Checked(NamedTuple):
@@ -63,6 +83,7 @@ class Workspace:
         self.config = with_environ(config_for((self.folder,)), os.environ)
         self.settings = _settings(self.config, wishes)
         self._selection = _selection(self.config, wishes)
+        self._wishes = wishes
         self._is_outdated = is_outdated
         self._run: LintRun | None = None
         self._loaded: tuple[object, list[LoadedTarget]] | None = None
@@ -130,7 +151,8 @@ class Workspace:
         if path is not None:
             folder = package_around(os.path.dirname(os.path.realpath(path))) or folder
         with self.reading():
-            run = lint_files(discovered([folder], self.config), (), self._linter, self.config.robots)
+            files = discovered([folder], self.config)
+            run = lint_files(files, self._wishes.arguments, self._linter, self.config.robots)
         if path is None or self._run is None:
             self._run = run
         merged = merge([result.outcome for result in run.results], self._selection)
@@ -138,8 +160,8 @@ class Workspace:
         for finding in merged:
             if not self.config.ignores(finding.at.file, finding.code):
                 findings.setdefault(os.path.abspath(finding.at.file), []).append(finding)
-        files = frozenset(os.path.abspath(file) for result in run.results for file in result.files)
-        return Checked(run, {file: tuple(found) for file, found in findings.items()}, files)
+        read = frozenset(os.path.abspath(file) for result in run.results for file in result.files)
+        return Checked(run, {file: tuple(found) for file, found in findings.items()}, read)
 
     @contextmanager
     def reading(self) -> Iterator[None]:
