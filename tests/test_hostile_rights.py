@@ -30,6 +30,14 @@ ROBOT = """\
   <gazebo reference="bas"><mu1>0.9</mu1></gazebo>
 </robot>
 """
+BARE = """\
+<robot name="arm">
+  <link name="base"/><link name="fore"/>
+  <joint name="elbow" type="revolute">
+    <parent link="base"/><child link="fore"/><axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="1" velocity="1"/>
+  </joint>
+</robot>
+"""
 DROP_FROM_BOUNDS, OVERRIDE, READ_SEARCH = 24, 1, 2  # linux/prctl.h, linux/capability.h
 
 
@@ -74,7 +82,14 @@ def bound(folder: Folder) -> Iterator[Callable[[str], tuple[int, str, str]]]:
         except (subprocess.SubprocessError, AttributeError):
             pytest.skip("the super-user cannot be bound by permissions here")
     folder.write(
-        {"a.urdf": ROBOT, "joints.txt": "elbow\n", "secret.urdf": ROBOT, "secret.log": "", "shut/a.urdf": ROBOT}
+        {
+            "a.urdf": ROBOT,
+            "bare.urdf": BARE,
+            "joints.txt": "elbow\n",
+            "secret.urdf": ROBOT,
+            "secret.log": "",
+            "shut/a.urdf": ROBOT,
+        }
     )
     changed = {"secret.urdf": 0, "secret.log": 0, "shut": 0, ".": 0o555}
     for name, mode in changed.items():
@@ -105,8 +120,8 @@ def test_a_read_only_folder_is_linted_as_any_other(folder: Folder, bound: Bound)
         ("expand a.urdf -o x.urdf", "'x.urdf' cannot be written: Permission denied"),
         (f"gen-controllers joints.txt {GEN} -o c.yaml", "'c.yaml' cannot be written: Permission denied"),
         (f"gen-all joints.txt {GEN} -o made", "'made/config' cannot be created: Permission denied"),
-        (f"gen-transmissions a.urdf {GEN} --into secret.urdf", "'secret.urdf' cannot be read: Permission denied"),
-        (f"gen-transmissions a.urdf {GEN} --into a.urdf", "'a.urdf' cannot be written: Permission denied"),
+        (f"gen-transmissions bare.urdf {GEN} --into secret.urdf", "'secret.urdf' cannot be read: Permission denied"),
+        (f"gen-transmissions bare.urdf {GEN} --into bare.urdf", "'bare.urdf' cannot be written: Permission denied"),
         ("gen-check shut", "'shut' cannot be read: Permission denied"),
         ("explain secret.log", "'secret.log' cannot be read: Permission denied"),
         ("smoke a.urdf --engine none --report r.html", "'r.html' cannot be written: Permission denied"),
@@ -119,6 +134,7 @@ def test_what_may_not_be_read_or_written_is_said_in_one_line(
     status, _, said = bound(words)
     assert (status, said) == (2, f"urdfctl: {told}\n")
     assert (folder.path / "a.urdf").read_text() == ROBOT
+    assert (folder.path / "bare.urdf").read_text() == BARE
     assert sorted(os.listdir(folder.path)) == there
 
 
@@ -147,14 +163,14 @@ def test_what_cannot_be_fixed_in_a_read_only_folder_is_left_as_it_is(folder: Fol
         ("lint a.urdf --format json=o.json", "o.json"),
         ("expand a.urdf -o x.urdf --force", "x.urdf"),
         (f"gen-controllers joints.txt {GEN} -o c.yaml --force", "c.yaml"),
-        (f"gen-transmissions a.urdf {GEN} --into a.urdf", "a.urdf"),
+        (f"gen-transmissions bare.urdf {GEN} --into bare.urdf", "bare.urdf"),
         ("smoke a.urdf --engine none --report r.html", "r.html"),
     ],
 )
 def test_without_room_a_file_stays_as_it_was_and_nothing_is_left_beside_it(
     folder: Folder, words: str, file: str
 ) -> None:
-    before = {"a.urdf": ROBOT, "joints.txt": "elbow\n", file: ROBOT}
+    before = {file: ROBOT, "a.urdf": ROBOT, "bare.urdf": BARE, "joints.txt": "elbow\n"}
     folder.write(before)
     status, _, said = run(folder, words, _leave_no_room)
     assert said.splitlines()[0] == f"urdfctl: '{file}' cannot be written: File too large"
