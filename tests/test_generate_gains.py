@@ -8,6 +8,7 @@ from generating import command
 
 from urdfctl.cli.generate_measuring import measure_work
 from urdfctl.config.settings import Settings
+from urdfctl.generate.coupling import Inverse, inverted
 from urdfctl.generate.drive_limits import drive_limit
 from urdfctl.generate.facts import JointFacts, Load
 from urdfctl.generate.gains import Loop, starting_gains
@@ -20,6 +21,10 @@ def link(name: str, mass: float, at: str = "0 0 0") -> str:
         f'<link name="{name}"><inertial><origin xyz="{at}"/><mass value="{mass}"/>'
         '<inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>'
     )
+
+
+def thin(name: str, mass: float, at: str = "0 0 0") -> str:
+    return link(name, mass, at).replace('"0.01"', '"0.004"')
 
 
 def joint(name: str, parent: str, child: str, axis: str, at: str, effort: float = 90) -> str:
@@ -42,9 +47,28 @@ ARM = (
     + "</robot>"
 )
 
+REDUNDANT = (  # upright, the axes of turn, roll, swivel and flange are one line, and each moves little alone
+    '<robot name="arm"><link name="base"/>'
+    + joint("turn", "base", "column", "0 0 1", "0 0 0.1")
+    + thin("column", 2.8)
+    + joint("shoulder", "column", "upper", "0 1 0", "0 0 0.2")
+    + thin("upper", 2.5, "0 0 0.15")
+    + joint("roll", "upper", "sleeve", "0 0 1", "0 0 0.3")
+    + thin("sleeve", 2.5, "0.03 0 0.03")
+    + joint("elbow", "sleeve", "fore", "0 1 0", "0.08 0 0.05")
+    + thin("fore", 2.5, "-0.05 0 0.1")
+    + joint("swivel", "fore", "cuff", "0 0 1", "-0.08 0 0.35", 12)
+    + thin("cuff", 1.5, "0 0.03 -0.1")
+    + joint("wrist", "cuff", "palm", "0 1 0", "0 0 0", 12)
+    + thin("palm", 1, "0.05 0 0")
+    + joint("flange", "palm", "hand", "0 0 1", "0.09 0 0.1", 12)
+    + thin("hand", 0.4, "0.01 0 0.05")
+    + "</robot>"
+)
 
-def loads(folder: Folder) -> dict[str, Load]:
-    folder.write({"r.urdf": ARM})
+
+def loads(folder: Folder, robot: str = ARM) -> dict[str, Load]:
+    folder.write({"r.urdf": robot})
     job = job_for(measure_work, Target(str(folder.path / "r.urdf")), Settings(workspace=str(folder.path)))
     return {one["name"]: Load(*one["load"]) for one in perform_alone(job)["facts"]["joints"]}
 
@@ -105,6 +129,27 @@ def test_generated_gains_pass_the_smoke_test(kind: str, distro: str, folder: Fol
     assert command("gen-all", "r.urdf", *words, "-o", "made").returncode == 0
     ran = command("smoke", "made", "--engine", "pybullet", "--distro", distro, "--format", "text")
     assert ran.returncode == 0, ran.stdout
+
+
+@pytest.mark.parametrize("kind", ["trajectory", "pid"])
+def test_a_redundant_arm_is_not_damped_as_if_all_of_its_joints_moved_one_mass(kind: str, folder: Folder) -> None:
+    found = loads(folder, REDUNDANT)
+    assert found["roll"].lightest < found["roll"].heaviest / 10
+    assert 1 < found["roll"].coupling < 4
+    words = ("--type", kind, "--interface", "effort", "--distro", "rolling")
+    assert command("gen-all", "r.urdf", *words, "-o", "made").returncode == 0
+    ran = command("smoke", "made", "--engine", "pybullet", "--distro", "rolling", "--format", "text")
+    assert ran.returncode == 0, ran.stdout
+
+
+def test_the_coupling_of_joints_is_the_greatest_eigenvalue_of_their_inverse_mass_matrix() -> None:
+    rows = inverted([[2.0, 1.0], [1.0, 2.0]])
+    assert rows is not None
+    inverse = Inverse({"a": 0, "b": 1}, rows)
+    assert inverse.alone("a") == pytest.approx(1.5)
+    assert inverse.greatest({"a": 1.5, "b": 1.5}) == pytest.approx(1.5)  # 1.5 times the eigenvalues 1 and 1/3
+    assert inverse.greatest({"a": 1.5, "b": 0.0}) == pytest.approx(1.0)
+    assert inverted([[1.0, 1.0], [1.0, 1.0]]) is None
 
 
 def test_mecanum_wheels_turn_a_robot_slower_than_two_rows_of_wheels() -> None:

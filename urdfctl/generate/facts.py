@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 
 from urdfctl.model.geometry import Vector
@@ -13,12 +14,15 @@ class Load(NamedTuple):
     """What a joint moves in its worst pose.
 
     `gravity` is the greatest effort that holds the weight, in N m or N. `heaviest` is the greatest inertia while all
-    other joints are locked, `lightest` the least one while they are free, in kg m2 or kg.
+    other joints are locked, `lightest` the least one while they are free, in kg m2 or kg. `coupling` is how many times
+    faster than this joint alone all joints slow each other down together, if the damping of each is in proportion to
+    its lightest load: 1 if they do not affect each other, at most their number; infinite if it is unknown.
     """
 
     gravity: float
     heaviest: float
     lightest: float
+    coupling: float = math.inf
 
 
 class JointFacts(NamedTuple):

@@ -80,7 +80,7 @@ def starting_gains(joint: JointFacts, asked: str, commanded: str, loop: Loop | N
 
 
 def _most_damping(load: Load, loop: Loop) -> float:
-    return _PER_UPDATE * load.lightest / (loop.joints * loop.period)
+    return _PER_UPDATE * load.lightest / (min(loop.joints, load.coupling) * loop.period)
 
 
 def _of_position(joint: JointFacts, load: Load, loop: Loop, mass: str) -> Gains:

@@ -9,6 +9,7 @@ import math
 import random
 from collections.abc import Iterator, Mapping, Sequence
 
+from urdfctl.generate.coupling import Inverse, inverted
 from urdfctl.generate.facts import JointFacts, Load
 from urdfctl.generate.frames import NOTHING, Bulk, axis_of, bulk_of, origin_of, outwards, root_of
 from urdfctl.model.geometry import (
@@ -99,18 +100,25 @@ def loads_of(robot: Robot, joints: Sequence[JointFacts]) -> dict[str, Load]:
     links = {link.name: link for link in robot.links if link.name}
     bulks = {hinge.child: bulk_of(links.get(hinge.child), Pose()) for hinge in hinges}
     found: dict[str, Load] = {}
+    inverses: list[Inverse | None] = []
     for pose in _poses(hinges):
         placed = _placed(hinges, bulks, pose, root_of(robot) or "")
-        masses = _masses(placed)
-        for index, one in enumerate(placed):
-            load = Load(abs(one.weight()), masses[0][index], masses[1][index])
-            before = found.get(one.hinge.name, load)
-            found[one.hinge.name] = Load(
+        locked = [one.along(*one.momentum()) for one in placed]
+        inverse = _inverse_of(placed, locked)
+        inverses.append(inverse)
+        for one, inertia in zip(placed, locked, strict=True):
+            name = one.hinge.name
+            alone = inverse.alone(name) if inverse else None
+            load = Load(abs(one.weight()), inertia, max(alone, inertia * _LEAST) if alone else inertia)
+            before = found.get(name, load)
+            found[name] = Load(
                 max(before.gravity, load.gravity),
                 max(before.heaviest, load.heaviest),
                 min(before.lightest, load.lightest),
             )
-    return {name: load for name, load in found.items() if load.heaviest > 0}
+    lightest = {name: load.lightest for name, load in found.items()}
+    coupling = max(inverse.greatest(lightest) if inverse else math.inf for inverse in inverses)
+    return {name: load._replace(coupling=coupling) for name, load in found.items() if load.heaviest > 0}
 
 
 def _poses(hinges: Sequence[_Hinge]) -> Iterator[dict[str, float]]:
@@ -173,45 +181,25 @@ def _moved(bulk: Bulk, frame: Pose) -> Bulk:
     return Bulk(mass, plus(moment, scaled(frame.place, mass)), (rows[0], rows[1], rows[2]))
 
 
-def _masses(placed: Sequence[_Placed]) -> tuple[list[float], list[float]]:
-    """The inertia of each joint while all others are locked, and while all others are free."""
-    momenta = [one.momentum() for one in placed]
-    locked = [one.along(*momentum) for one, momentum in zip(placed, momenta, strict=True)]
-    free = [n for n, one in enumerate(placed) if one.hinge.facts and not one.hinge.facts.mimics and locked[n] > 0]
-    if not 1 < len(free) <= _COUPLED:
-        return locked, locked
-    parents = {one.hinge.name: one.hinge.facts.above for one in placed if one.hinge.facts}
-    index = {one.hinge.name: n for n, one in enumerate(placed)}
-    matrix: Square = [[0.0] * len(free) for _ in free]
-    for row, n in enumerate(free):
-        upper: str | None = placed[n].hinge.name
-        while upper in index:
-            m = index[upper or ""]
-            if m in free:
-                matrix[row][free.index(m)] = matrix[free.index(m)][row] = placed[m].along(*momenta[n])
-            upper = parents.get(upper or "")
-    decoupled = _decoupled(matrix)
-    lightest = list(locked)
-    for row, n in enumerate(free):
-        lightest[n] = max(decoupled[row], locked[n] * _LEAST)
-    return locked, lightest
-
-
 _LEAST = 1e-3
 """The least part of its inertia that a joint is assumed to move."""
 
 
-def _decoupled(matrix: Square) -> list[float]:
-    """The inverses of the diagonal of the inverse of a symmetric matrix; its diagonal if it is singular."""
-    size = len(matrix)
-    work = [[*row, *(float(n == m) for m in range(size))] for n, row in enumerate(matrix)]
-    for n in range(size):
-        pivot = work[n][n]
-        if pivot <= 1e-12 * matrix[n][n]:
-            return [matrix[m][m] for m in range(size)]
-        work[n] = [value / pivot for value in work[n]]
-        for m in range(size):
-            if m != n and work[m][n]:
-                factor = work[m][n]
-                work[m] = [value - factor * other for value, other in zip(work[m], work[n], strict=True)]
-    return [1 / work[n][size + n] if work[n][size + n] > 0 else matrix[n][n] for n in range(size)]
+def _inverse_of(placed: Sequence[_Placed], locked: Sequence[float]) -> Inverse | None:
+    """The inverse of the mass matrix of the joints that move freely; None if it is singular, or they are too many."""
+    free = [n for n, one in enumerate(placed) if one.hinge.facts and not one.hinge.facts.mimics and locked[n] > 0]
+    if not 0 < len(free) <= _COUPLED:
+        return None
+    parents = {one.hinge.name: one.hinge.facts.above for one in placed if one.hinge.facts}
+    row_of = {placed[n].hinge.name: row for row, n in enumerate(free)}
+    matrix: Square = [[0.0] * len(free) for _ in free]
+    for row, n in enumerate(free):
+        momentum = placed[n].momentum()
+        upper: str | None = placed[n].hinge.name
+        while upper in parents:
+            if upper in row_of:
+                column = row_of[upper]
+                matrix[row][column] = matrix[column][row] = placed[free[column]].along(*momentum)
+            upper = parents[upper]
+    rows = inverted(matrix)
+    return Inverse(row_of, rows) if rows else None
