@@ -137,7 +137,7 @@ def test_the_editor_chooses_the_distro_and_the_variant_that_is_shown(folder: Fol
 
 def test_a_mended_configuration_is_read_again(folder: Folder) -> None:
     async def use(editor: Editor) -> Found:
-        await editor.open("urdf/robot.xacro", "<robot")
+        await editor.open("urdf/robot.xacro", "<robot name='r'><link")
         while not editor.messages:
             await asyncio.sleep(0.05)
         (editor.folder / "urdfctl.toml").write_text("", encoding="utf-8")
