@@ -6,13 +6,14 @@ from urdfctl.migrate.classic.bridge import BRIDGE
 from urdfctl.migrate.classic.launch_python import CLASSIC_LAUNCH
 from urdfctl.migrate.classic.manifest import CLASSIC_MANIFEST
 from urdfctl.migrate.classic.materials import CLASSIC_MATERIALS
-from urdfctl.migrate.classic.plugins import CLASSIC_HARDWARE, CLASSIC_PLUGINS, CONTROL_PLUGIN
+from urdfctl.migrate.classic.plugins import CLASSIC_HARDWARE, CLASSIC_INTERFACES, CLASSIC_PLUGINS, CONTROL_PLUGIN
 from urdfctl.migrate.classic.sensors import CLASSIC_SENSORS
 from urdfctl.migrate.step import Step
 
 ROBOT_STEPS: tuple[Step, ...] = (
     CONTROL_PLUGIN,
     CLASSIC_HARDWARE,
+    CLASSIC_INTERFACES,
     CLASSIC_PLUGINS,
     CLASSIC_SENSORS,
     CLASSIC_MATERIALS,

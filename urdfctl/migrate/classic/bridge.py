@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from urdfctl.generate.bringup import gz_names
-from urdfctl.migrate.classic.plugins import leaves_classic
-from urdfctl.migrate.markup import attribute, child, content, elements, root_of
+from urdfctl.migrate.classic.plugins import goes_to_gz, leaves_classic
+from urdfctl.migrate.markup import content, elements, root_of
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.wishes import Part
-from urdfctl.source.dom import Element
+from urdfctl.source.opaque import is_known
 from urdfctl.source.packages import package_around, package_name
 from urdfctl.startup.records import NamedTuple
 
@@ -54,7 +54,7 @@ _OF_SENSORS: dict[str, tuple[tuple[str, str, str], ...]] = {
 
 
 def _bridge(packages: Packages) -> Iterator[Proposal]:
-    if packages.simulator != "gz" or not leaves_classic(packages):
+    if not goes_to_gz(packages) or not leaves_classic(packages):
         return
     for folder in sorted(
         {folder for path in packages.files(*_OF_XML) if (folder := package_around(os.path.dirname(path)))}
@@ -83,40 +83,47 @@ def bridge_file_of(packages: Packages, launch: str) -> str | None:
 
 
 def _topics(packages: Packages, folder: str) -> Iterator[Topic]:
+    """The topics of the files of a package: as they are written, and as its robots have them."""
     for path in packages.files(*_OF_XML):
         source = packages.read(path)
         root = root_of(source) if path.startswith(folder + os.sep) and b"<gazebo" in source.data else None
         for element in elements(root) if root is not None else ():
-            if element.tagName == "plugin":
-                yield from _of_plugin(element)
-            elif element.tagName == "sensor":
-                yield from _of_sensor(element)
+            if element.tagName in {"plugin", "sensor"}:
+                texts = {each.tagName: content(each) for each in element.elements()}
+                yield from _of_element(element.tagName, element.attrs, texts)
+    for loaded in packages.loaded():
+        gazebos = loaded.project.robot.gazebos if loaded.project.robot else ()
+        for tag in (tag for gazebo in gazebos for tag in gazebo.tag.children):
+            if tag.name in {"plugin", "sensor"} and tag.at.source.path.startswith(folder + os.sep):
+                yield from _of_element(tag.name, tag.attributes, {each.name: each.text for each in tag.children})
 
 
-def _of_plugin(element: Element) -> Iterator[Topic]:
-    filename = attribute(element, "filename")
+def _of_element(name: str, attributes: Mapping[str, str], texts: Mapping[str, str]) -> Iterator[Topic]:
+    """The topics of a plugin or sensor.
+
+    texts: the texts of its children by name.
+    """
+    if name == "plugin":
+        yield from _of_plugin(attributes.get("filename", ""), texts)
+        return
+    topic = texts.get("topic", "")
+    for ending, ros, gz in _OF_SENSORS.get(attributes.get("type", ""), ()) if _is_plain(topic) else ():
+        above = topic.rpartition("/")[0]
+        beside = f"{above}/{ending[3:]}".lstrip("/")
+        yield Topic(beside if ending.startswith("../") else f"{topic}{ending}", ros, gz)
+
+
+def _of_plugin(filename: str, texts: Mapping[str, str]) -> Iterator[Topic]:
     for setting, (ros, gz, from_ros) in _OF_SYSTEMS.items():
-        found = child(element, setting)
-        if filename in _DRIVES and found is not None and _is_plain(content(found)):
-            yield Topic(content(found), ros, gz, from_ros)
-    states = child(element, "topic")
-    if filename == _STATES and states is not None and _is_plain(content(states)):
-        yield Topic(content(states), "sensor_msgs/msg/JointState", "Model")
-
-
-def _of_sensor(element: Element) -> Iterator[Topic]:
-    topic = child(element, "topic")
-    name = content(topic) if topic is not None else ""
-    for ending, ros, gz in _OF_SENSORS.get(attribute(element, "type"), ()) if _is_plain(name) else ():
-        is_beside = ending.startswith("../")
-        above = name.rpartition("/")[0]
-        full = f"{above}/{ending[3:]}".lstrip("/") if is_beside else f"{name}{ending}"
-        yield Topic(full, ros, gz)
+        if filename in _DRIVES and _is_plain(texts.get(setting, "")):
+            yield Topic(texts[setting], ros, gz, from_ros)
+    if filename == _STATES and _is_plain(texts.get("topic", "")):
+        yield Topic(texts["topic"], "sensor_msgs/msg/JointState", "Model")
 
 
 def _is_plain(name: str) -> bool:
     """Whether a topic is known without the arguments of xacro."""
-    return bool(name) and "$" not in name
+    return bool(name) and "$" not in name and is_known(name)
 
 
 def _text(packages: Packages, topics: list[Topic]) -> str:

@@ -11,7 +11,7 @@ from urdfctl.catalog.distros import since
 from urdfctl.diagnostic import Edit
 from urdfctl.generate.bringup import gz_names
 from urdfctl.migrate.classic.bridge import BRIDGE_FILE, bridge_file_of
-from urdfctl.migrate.classic.plugins import leaves_classic
+from urdfctl.migrate.classic.plugins import goes_to_gz, leaves_classic
 from urdfctl.migrate.hardware import simulated_by
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.python_edits import PythonFile, keyword, text_of
@@ -35,7 +35,7 @@ def _launch_python(packages: Packages) -> Iterator[Proposal]:
         source = packages.read(path)
         if b"gazebo_ros" in source.data and packages.may_change(path):
             file = _File(packages, PythonFile(source))
-            yield from file.to_gz() if packages.simulator == "gz" else file.to_hardware()
+            yield from file.to_gz() if goes_to_gz(packages) else file.to_hardware()
 
 
 class _File:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
 from urdfctl.generate.bringup import gz_names
-from urdfctl.migrate.classic.plugins import leaves_classic
+from urdfctl.migrate.classic.plugins import goes_to_gz, leaves_classic
 from urdfctl.migrate.hardware import host_plugin, simulated_by, system
 from urdfctl.migrate.markup import content, indent_of, lines_of, root_of
 from urdfctl.migrate.packages import Packages
@@ -52,7 +52,7 @@ def _successors(packages: Packages, name: str) -> tuple[str, ...] | None:
     if name not in _GAZEBO:
         return None
     gz = gz_names(packages.wishes.target)
-    is_started = name != "gazebo_plugins" and (simulated_by(packages) == "gz" or packages.simulator == "gz")
+    is_started = name != "gazebo_plugins" and (simulated_by(packages) == "gz" or goes_to_gz(packages))
     return (gz["package"], gz["bridge"]) if is_started else ()
 
 

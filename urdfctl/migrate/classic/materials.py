@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from urdfctl.migrate.classic.choice import is_chosen, replaced
+from urdfctl.migrate.classic.plugins import goes_to_gz
 from urdfctl.migrate.markup import content, elements, parent_of, root_of, step_of
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
@@ -41,7 +42,7 @@ COLOURS: Mapping[str, str] = {
 
 
 def _materials(packages: Packages) -> Iterator[Proposal]:
-    if packages.simulator != "gz":
+    if not goes_to_gz(packages):
         return
     for path in packages.files(*_OF_XML):
         source = packages.read(path)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
+from urdfctl.diagnostic import Edit
 from urdfctl.migrate.classic.choice import is_chosen, replaced
 from urdfctl.migrate.classic.systems import NO_SUCCESSOR, SYSTEMS, library_of, system_text
 from urdfctl.migrate.hardware import HARDWARE_OPTION, host_plugin, simulated_by, system_plugin
@@ -25,10 +27,12 @@ from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import for_you
 from urdfctl.migrate.wishes import Part
 from urdfctl.source.dom import Element
+from urdfctl.source.span import Place, SourceSpan
 
 CONTROL = "gazebo_ros2_control"
 _HARDWARE = "gazebo_ros2_control/GazeboSystem"
 _OLD_HARDWARE = (_HARDWARE, "gazebo_ros2_control/GazeboSystemInterface")
+_WITH_LOOP = rb"(?<![\w.])((?:position|velocity)_pid)(?=[\"'\s\],])"
 _KEPT = ("parameters", "ros", "hold_joints", "controller_manager_name")
 _AUTHORITY = "gazebosim.org, Migrating Gazebo Classic ROS 2 packages"
 _CONTROL = "gz_ros2_control doc/index.rst; rosdistro#41224: gazebo_ros2_control ends with iron"
@@ -38,6 +42,11 @@ _OF_XML = (".xacro", ".urdf", ".gazebo", ".xml", ".inc")
 def leaves_classic(packages: Packages) -> bool:
     """Return whether the packages leave Gazebo Classic."""
     return packages.simulator != "gazebo-classic" and (packages.simulator is not None or packages.crosses("jazzy"))
+
+
+def goes_to_gz(packages: Packages) -> bool:
+    """Return whether what is for Gazebo Classic becomes what gz reads."""
+    return packages.simulator == "gz" or (packages.simulator is None and packages.crosses("jazzy"))
 
 
 def _control(packages: Packages) -> Iterator[Proposal]:
@@ -94,8 +103,30 @@ def _hardware(packages: Packages) -> Iterator[Proposal]:
             yield Proposal(tuple(replaced(packages, element, f"<plugin>{new}</plugin>\n")), entries=tuple(entries))
 
 
+def _interfaces(packages: Packages) -> Iterator[Proposal]:
+    """Replace the interfaces with a PID loop in the simulator, which only Gazebo Classic's hardware has."""
+    if not goes_to_gz(packages):
+        return
+    for path in packages.files(*_OF_XML, ".yaml"):
+        source = packages.read(path)
+        found = list(re.finditer(_WITH_LOOP, source.data))
+        if found and not packages.wishes.keep_classic:
+            edits = [
+                Edit(SourceSpan(source, *match.span(1)), match[1].decode().removesuffix("_pid")) for match in found
+            ]
+            at = edits[0].span
+            message = (
+                f"'{at.text}' became '{edits[0].text}': gz has no PID loop of the joint; its controllers command it"
+            )
+            yield Proposal(tuple(edits), entries=(Entry(EntryKind.DECIDED, message, _place(at), authority=_CONTROL),))
+
+
+def _place(span: SourceSpan) -> Place:
+    return Place(span.source, span.start, end=span.end)
+
+
 def _systems(packages: Packages) -> Iterator[Proposal]:
-    if packages.simulator != "gz":
+    if not goes_to_gz(packages):
         return
     for element in plugin_elements(packages):
         library = library_of(attribute(element, "filename"))
@@ -125,6 +156,13 @@ CLASSIC_HARDWARE = Step(
     summary="Simulated hardware of Gazebo Classic",
     propose=_hardware,
     rows=(Row(_HARDWARE, "gz_ros2_control/GazeboSimSystem", "jazzy", _CONTROL),),
+)
+CLASSIC_INTERFACES = Step(
+    name="classic-interfaces",
+    part=Part.URDF,
+    summary="Interfaces with a loop in Gazebo Classic",
+    propose=_interfaces,
+    rows=(Row('interfaces "position_pid", "velocity_pid"', '"position", "velocity"', "jazzy", _CONTROL),),
 )
 CLASSIC_PLUGINS = Step(
     name="classic-plugins",

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.classic.choice import is_chosen, replaced
+from urdfctl.migrate.classic.plugins import goes_to_gz
 from urdfctl.migrate.classic.systems import library_of, topic_of
 from urdfctl.migrate.markup import (
     attribute,
@@ -75,7 +75,7 @@ SENSORS: Mapping[str, Sensor] = {
 
 
 def _sensors(packages: Packages) -> Iterator[Proposal]:
-    if packages.simulator != "gz":
+    if not goes_to_gz(packages):
         return
     for path in packages.files(*_OF_XML):
         source = packages.read(path)
@@ -106,6 +106,8 @@ def _migrated(packages: Packages, element: Element, plugin: Element | None) -> P
         edits.append(Edit(SourceSpan(source, start, start + 3), "lidar"))
         edits.append(Edit(SourceSpan(source, ray.close + 2, ray.close + 5), "lidar"))
     if plugin is not None:
+        topic = child(element, "topic")
+        edits += [removal(topic)] if topic is not None and content(topic).startswith("__") else []
         edits.append(removal(plugin))
         edits.append(_settings(element, plugin, sensor, new))
     text = merged([edit for edit in edits if edit.text or edit.span.start != edit.span.end])
@@ -130,7 +132,8 @@ def _settings(element: Element, plugin: Element, sensor: Sensor, kind: str) -> E
     """The edit that adds topic, frame and update rate in place of the plugin's settings."""
     indent, step = indent_of(plugin), step_of(element.source)
     lines = []
-    if child(element, "topic") is None:
+    topic = child(element, "topic")
+    if topic is None or content(topic).startswith("__"):
         lines.append(f"<topic>{_topic(plugin, sensor, kind)}</topic>")
     frame = next((content(one) for name in _FRAMES if (one := child(plugin, name)) is not None and content(one)), "")
     if frame and child(element, "gz_frame_id") is None:
@@ -148,15 +151,20 @@ def _topic(plugin: Element, sensor: Sensor, kind: str) -> str:
     """The topic on which the plugin published; for a camera with depth, what its topics begin with."""
     own = child(plugin, sensor.topic)
     camera = child(plugin, "cameraName") or child(plugin, "camera_name")
-    name = content(own) if own is not None and content(own) else topic_of(plugin, sensor.output, sensor.output)
-    if own is None and name == sensor.output:
-        name = sensor.default if camera is None else name
-    if camera is not None and content(camera):
-        name = content(camera) if kind == "rgbd_camera" else f"{content(camera)}/{name}"
-    space = child(child(plugin, "ros") or plugin, "namespace")
+    written = content(own) if own is not None else ""
+    if not written or written.startswith("__"):  # the default that the plugin's own files name
+        written = topic_of(plugin, sensor.output, sensor.output)
+    if written == sensor.output and camera is None:
+        written = sensor.default
+    if camera is not None and content(camera) and not written.startswith("/"):
+        written = f"{content(camera)}/{written}"
+    if kind == "rgbd_camera":
+        written = written.rpartition("/")[0] or written
+    ros = child(plugin, "ros")
+    space = child(ros, "namespace") if ros is not None else None
     prefix = content(space).strip("/") if space is not None else ""
-    name = name.lstrip("/") if not re.match(r"\$", name) else name
-    return f"{prefix}/{name}" if prefix and child(plugin, "ros") is not None else name
+    name = written.lstrip("/")
+    return f"{prefix}/{name}" if prefix else name
 
 
 CLASSIC_SENSORS = Step(

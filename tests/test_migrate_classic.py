@@ -1,0 +1,224 @@
+"""What a migration from Gazebo Classic to gz makes of plugins, sensors, materials, launch files and dependencies."""
+
+from __future__ import annotations
+
+import yaml
+from folder import Folder
+
+MANIFEST = """\
+<?xml version="1.0"?>
+<package format="3">
+  <name>base</name>
+  <version>0.1.0</version>
+  <description>A base</description>
+  <maintainer email="a@example.com">A</maintainer>
+  <license>MIT</license>
+
+  <buildtool_depend>ament_cmake</buildtool_depend>
+
+  <exec_depend>gazebo_ros</exec_depend>
+  <exec_depend>gazebo_plugins</exec_depend>
+  <exec_depend>gazebo_ros2_control</exec_depend>
+
+  <export>
+    <build_type>ament_cmake</build_type>
+  </export>
+</package>
+"""
+
+
+def base(gazebo: str) -> str:
+    """A base with two wheels."""
+    wheels = "".join(
+        f"""\
+  <link name="{side}_wheel"/>
+  <joint name="{side}" type="continuous">
+    <parent link="body"/>
+    <child link="{side}_wheel"/>
+  </joint>
+"""
+        for side in ("left", "right")
+    )
+    return f"""\
+<robot name="base" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <link name="body"/>
+{wheels}{gazebo}</robot>
+"""
+
+
+DRIVE = """\
+  <gazebo>
+    <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
+      <ros>
+        <remapping>odom:=wheels/odom</remapping>
+      </ros>
+      <left_joint>left</left_joint>
+      <right_joint>right</right_joint>
+      <wheel_separation>0.4</wheel_separation>
+      <wheel_diameter>0.2</wheel_diameter>
+      <robot_base_frame>body</robot_base_frame>
+    </plugin>
+  </gazebo>
+"""
+LIDAR = """\
+  <gazebo reference="body">
+    <sensor name="lidar" type="ray">
+      <ray>
+        <range><min>0.1</min><max>10</max></range>
+      </ray>
+      <plugin name="scan" filename="libgazebo_ros_ray_sensor.so">
+        <ros>
+          <namespace>/front</namespace>
+          <remapping>~/out:=scan</remapping>
+        </ros>
+        <frame_name>body</frame_name>
+      </plugin>
+    </sensor>
+    <material>Gazebo/Orange</material>
+  </gazebo>
+"""
+CONTROL = """\
+  <ros2_control name="wheels" type="system">
+    <hardware>
+      <plugin>gazebo_ros2_control/GazeboSystem</plugin>
+    </hardware>
+    <joint name="left"><command_interface name="velocity"/><state_interface name="position"/></joint>
+  </ros2_control>
+  <gazebo>
+    <plugin filename="libgazebo_ros2_control.so" name="gazebo_ros2_control">
+      <robot_sim_type>gazebo_ros2_control/GazeboSystem</robot_sim_type>
+      <parameters>$(find base)/config/controllers.yaml</parameters>
+    </plugin>
+  </gazebo>
+"""
+CONTROLLERS = "controller_manager:\n  ros__parameters:\n    update_rate: 100\n"
+LAUNCH = """\
+from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription
+from launch.launch_description_sources import PythonLaunchDescriptionSource
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+
+def generate_launch_description():
+    # the simulator
+    gazebo = IncludeLaunchDescription(
+        PythonLaunchDescriptionSource([FindPackageShare("gazebo_ros"), "/launch/gazebo.launch.py"]),
+        launch_arguments={"world": "my.world", "verbose": "true"}.items(),
+    )
+    topic = ["-topic", "robot_description"]
+    spawn = Node(package="gazebo_ros", executable="spawn_entity.py", arguments=[*topic, "-entity", "base"])
+    return LaunchDescription([gazebo, spawn])
+"""
+
+
+def migrated(folder: Folder, files: dict[str, str], *words: str) -> dict[str, str]:
+    """All files of a package after its migration from humble to jazzy."""
+    folder.write({"base/package.xml": MANIFEST, **{f"base/{name}": text for name, text in files.items()}})
+    ran = folder.run("migrate", "base", "--from", "humble", "--to", "jazzy", *words, "-o", "new", "--force")
+    assert ran.returncode == 0, ran.stderr
+    found = (path for path in (folder.path / "new").rglob("*") if path.is_file())
+    return {path.relative_to(folder.path / "new").as_posix(): path.read_text() for path in found}
+
+
+def test_a_drive_becomes_a_system_with_radius_and_topics(folder: Folder) -> None:
+    after = migrated(folder, {"urdf/base.xacro": base(DRIVE)})["urdf/base.xacro"]
+    assert (
+        """\
+    <plugin filename="gz-sim-diff-drive-system" name="gz::sim::systems::DiffDrive">
+      <left_joint>left</left_joint>
+      <right_joint>right</right_joint>
+      <wheel_separation>0.4</wheel_separation>
+      <wheel_radius>0.1</wheel_radius>
+      <child_frame_id>body</child_frame_id>
+      <topic>cmd_vel</topic>
+      <odom_topic>wheels/odom</odom_topic>
+    </plugin>
+"""
+        in after
+    )
+
+
+def test_a_lidar_gets_its_type_topic_and_frame_and_loses_its_plugin(folder: Folder) -> None:
+    after = migrated(folder, {"urdf/base.xacro": base(LIDAR)})["urdf/base.xacro"]
+    for part in (
+        '<sensor name="lidar" type="gpu_lidar">',
+        "<lidar>\n        <range><min>0.1</min><max>10</max></range>\n      </lidar>",
+        "<topic>front/scan</topic>",
+        "<gz_frame_id>body</gz_frame_id>",
+        "<diffuse>1 0.5088 0.0468 1</diffuse>",
+    ):
+        assert part in after
+    assert "libgazebo" not in after
+    assert "Gazebo/Orange" not in after
+
+
+def test_what_systems_and_sensors_publish_is_bridged(folder: Folder) -> None:
+    after = migrated(folder, {"urdf/base.xacro": base(DRIVE + LIDAR), "launch/sim.launch.py": LAUNCH})
+    entries = yaml.safe_load(after["config/bridge.yaml"])
+    directions = {entry["ros_topic_name"]: (entry["gz_type_name"], entry["direction"]) for entry in entries}
+    assert directions == {
+        "/clock": ("gz.msgs.Clock", "GZ_TO_ROS"),
+        "cmd_vel": ("gz.msgs.Twist", "ROS_TO_GZ"),
+        "wheels/odom": ("gz.msgs.Odometry", "GZ_TO_ROS"),
+        "front/scan": ("gz.msgs.LaserScan", "GZ_TO_ROS"),
+    }
+    assert (
+        '"config_file": PathJoinSubstitution([FindPackageShare("base"), "config/bridge.yaml"])'
+        in after["launch/sim.launch.py"]
+    )
+
+
+def test_the_plugin_that_runs_controllers_and_its_hardware_become_those_of_gz(folder: Folder) -> None:
+    files = {"urdf/base.xacro": base(CONTROL), "config/controllers.yaml": CONTROLLERS}
+    after = migrated(folder, files)["urdf/base.xacro"]
+    assert "<plugin>gz_ros2_control/GazeboSimSystem</plugin>" in after
+    assert (
+        """\
+    <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
+      <parameters>$(find base)/config/controllers.yaml</parameters>
+    </plugin>
+"""
+        in after
+    )
+
+
+def test_both_simulators_stay_behind_an_argument_if_asked(folder: Folder) -> None:
+    files = {"urdf/base.xacro": base(CONTROL), "config/controllers.yaml": CONTROLLERS}
+    after = migrated(folder, files, "--keep-classic")
+    for given, plugin in (("false", "gz_ros2_control-system"), ("true", "libgazebo_ros2_control.so")):
+        ran = folder.run("expand", "new/urdf/base.xacro", f"use_gazebo_classic:={given}")
+        assert f'filename="{plugin}"' in ran.stdout
+    assert after["urdf/base.xacro"].count('<xacro:arg name="use_gazebo_classic" default="false"/>') == 1
+    again = folder.run("migrate", "new", "--from", "humble", "--to", "jazzy", "--keep-classic")
+    assert (again.returncode, again.stdout) == (0, "")
+
+
+def test_a_launch_file_starts_gz_and_keeps_its_other_lines(folder: Folder) -> None:
+    text = migrated(folder, {"urdf/base.xacro": base(""), "launch/sim.launch.py": LAUNCH})["launch/sim.launch.py"]
+    compile(text, "sim.launch.py", "exec")
+    for part in (
+        "    # the simulator\n    gazebo = IncludeLaunchDescription(",
+        '[FindPackageShare("ros_gz_sim"), "/launch/gz_sim.launch.py"]',
+        'launch_arguments={"gz_args": ["-r ", "my.world"]}.items()',
+        'package="ros_gz_sim", executable="create"',
+        '"-name", "base"',
+        '"/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock"',
+    ):
+        assert part in text
+    assert "gazebo_ros" not in text
+
+
+def test_dependencies_are_those_of_gz(folder: Folder) -> None:
+    files = {"urdf/base.xacro": base(CONTROL), "config/controllers.yaml": CONTROLLERS}
+    manifest = migrated(folder, files)["package.xml"]
+    for name in ("ros_gz_sim", "ros_gz_bridge", "gz_ros2_control"):
+        assert manifest.count(f"<exec_depend>{name}</exec_depend>") == 1
+    assert "gazebo_ros" not in manifest
+    assert "gazebo_plugins" not in manifest
+
+
+def test_a_robot_in_gazebo_classic_stays_there_up_to_iron(folder: Folder) -> None:
+    folder.write({"base/package.xml": MANIFEST, "base/urdf/base.xacro": base(DRIVE + LIDAR)})
+    ran = folder.run("migrate", "base", "--from", "foxy", "--to", "humble", "--only", "urdf,manifest")
+    assert (ran.returncode, ran.stdout) == (0, "")
