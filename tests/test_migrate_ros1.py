@@ -233,6 +233,26 @@ ctl:
     assert "i_clamp" not in after
 
 
+def test_a_base_gets_the_measures_of_its_wheels(folder: Folder) -> None:
+    wheels = "".join(
+        f"""\
+  <link name="{side}_wheel"><collision><geometry><cylinder radius="0.1" length="0.02"/></geometry></collision></link>
+  <joint name="{side}" type="continuous">
+    <parent link="base"/><child link="{side}_wheel"/>
+    <origin xyz="0 {y} 0" rpy="-1.5708 0 0"/><axis xyz="0 0 1"/>
+  </joint>
+"""
+        for side, y in (("left", "0.2"), ("right", "-0.2"))
+    )
+    driven = "".join(transmission("VelocityJointInterface").replace("shoulder", side) for side in ("left", "right"))
+    drive = "base:\n  type: diff_drive_controller/DiffDriveController\n  left_wheel: left\n  right_wheel: [right]\n"
+    files = {"config/base.yaml": drive, "urdf/arm.xacro": arm(driven, wheels)}
+    after = migrated(folder, files, "--only", "yaml,urdf")["config/base.yaml"]
+    assert "    left_wheel_names: [left]\n    right_wheel_names: [right]\n" in after
+    assert "    wheel_separation: 0.4  # measured between the joints\n" in after
+    assert "    wheel_radius: 0.1  # measured from the wheels\n" in after
+
+
 LAUNCH = """\
 <launch>
   <!-- what to start -->
@@ -302,6 +322,20 @@ def test_a_package_with_compiled_code_is_left_to_a_person(folder: Folder) -> Non
     assert after["CMakeLists.txt"] == cmake
     assert after["package.xml"] == MANIFEST
     assert "this package compiles code or messages" in after["MIGRATION.md"]
+
+
+@pytest.mark.parametrize("sample", ["mybot", "my_robot"])
+def test_a_migrated_sample_moves_the_same_joints(folder: Folder, sample: str) -> None:
+    shutil.copytree(CHECKOUT / "samples" / sample, folder.path / "old" / sample)
+    folder.run("migrate", f"old/{sample}", "--to", "jazzy", "--simulator", "gz", "-o", "new")
+    stages = []
+    for name in (f"old/{sample}", "new"):
+        ran = folder.run("smoke", name)
+        assert ran.returncode == 0, ran.stdout
+        lines = (line.split() for line in ran.stdout.splitlines() if " passed " in line)
+        stages.append({words[0]: "move" in words for words in lines})
+    assert stages[0] == stages[1]
+    assert any(stages[0].values())
 
 
 TARGETS = (("humble", "gazebo-classic"), ("jazzy", "gz"), ("rolling", "none"))

@@ -95,6 +95,17 @@ def _parts(text: str) -> Iterator[PartOfText]:
     yield PartOfText("text", text[position:])
 
 
+def joined(*texts: Text) -> Text:
+    """Return several texts as one, with neighbouring literal parts as one part."""
+    parts: list[PartOfText] = []
+    for part in (part for text in texts for part in text):
+        if part.kind == "text" and parts and parts[-1].kind == "text":
+            parts[-1] = PartOfText("text", parts[-1].text + part.text)
+        else:
+            parts.append(part)
+    return tuple(parts)
+
+
 def words_of(text: Text) -> tuple[Text, ...]:
     """Return the words of a command line; a substitution never contains a blank."""
     words: list[list[PartOfText]] = [[]]

@@ -10,6 +10,7 @@ from urdfctl.catalog.map_parameters import matching
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.ros1.controller_map import Item
 from urdfctl.migrate.ros1.parameters import Change, changed, changes_of, pid_settings
+from urdfctl.migrate.ros1.wheel_measures import measured
 from urdfctl.migrate.step import Entry, EntryKind
 from urdfctl.migrate.yaml_edits import MapEdits, Path, leaves
 from urdfctl.source.kinds import Kind
@@ -72,6 +73,7 @@ class _Writer:
         names = dict(leaves(self.map))
         added = [f"{name}: {_yaml(value)}" for name, value in extra.items() if name not in names]
         added += self._loops(names)
+        added += self._wheels(names, packages)
         for name, path in names.items():
             self._change(edits, name, path, added, packages)
         return ControllerSection(self.kind.type, self._text(edits, added), self.rate, tuple(self.entries))
@@ -97,6 +99,17 @@ class _Writer:
                 at = self.item.entry.key.at
                 self.entries.append(Entry(EntryKind.DECIDED, what, at, authority=_CLAMP))
         return kept
+
+    def _wheels(self, names: Mapping[str, Path], packages: Packages) -> list[str]:
+        """The measures of the wheels, which ROS 1 reads from the robot."""
+        sides = [_texts(names[name][-1][1].value) if name in names else [] for name in ("left_wheel", "right_wheel")]
+        if not all(sides):
+            return []
+        lines = list(measured(packages, sides[0], sides[1], tuple(names)))
+        if lines:
+            what = "the controller no longer measures the wheels in the robot: their measures are written"
+            self.entries.append(Entry(EntryKind.DONE, what, self.item.entry.key.at, authority=_RENAMED))
+        return lines
 
     def _scalar(self, path: Path) -> str:
         node = path[-1][1].value

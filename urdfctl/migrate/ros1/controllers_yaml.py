@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.hardware import simulated_by
 from urdfctl.migrate.manager import RATE, manager_text
-from urdfctl.migrate.markup import child, content
+from urdfctl.migrate.markup import attribute, child, content, elements, end_of, root_of
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.ros1.controller_map import GAINS_OF_GAZEBO, Item, items_of
 from urdfctl.migrate.ros1.controller_section import ControllerSection, section_of
@@ -16,11 +16,13 @@ from urdfctl.migrate.ros1.simulator_plugin import plugin_elements
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import todo_line
 from urdfctl.migrate.wishes import Part
-from urdfctl.source.span import SourceSpan, SourceText
+from urdfctl.source.span import Place, SourceSpan, SourceText
 from urdfctl.source.yaml import Mapping, Node, read_yaml
 
 _FORM = "rcl_yaml_param_parser: parameters are below ros__parameters of their node"
 _PID_GAINS = "gz_ros2_control src/gz_system.cpp: position_proportional_gain, one for all joints"
+_ANY = "/**"
+"""Stands for any namespace in a parameter file (rclcpp parameter_map.cpp)."""
 _OF_ROS2 = (b"ros__parameters", b"moveit_simple_controller_manager", b"moveit_ros_control_interface")
 
 
@@ -110,6 +112,7 @@ class _File:
         if section is not None:
             body = "".join(f"    {text}\n" if text else "\n" for text in section.lines.splitlines())
             name = f"{self._namespace(item)}/{item.name}" if self._namespace(item) else item.name
+            name = f'"{name}"' if "*" in name else name
             return f"{above}{name}:\n  ros__parameters:\n{body}" if body.strip() else ""
         return above + self._other(item, data[line : _end_of_lines(data, item)].decode("utf-8", "surrogateescape"))
 
@@ -150,16 +153,27 @@ def _end_of_lines(data: bytes, item: Item) -> int:
 
 
 def _namespace_of(packages: Packages, path: str) -> str:
-    """The namespace that launch files load a file into; empty if they differ or do not say."""
+    """The namespace that launch files load a file into; any, if it is an argument; empty if they do not say."""
     real = os.path.realpath(path)
-    spaces = {
-        load.namespace or ""
-        for loaded in packages.loaded()
-        for load in (loaded.project.launch.loads if loaded.project.launch and loaded.project.launch.ros == 1 else ())
+    launches = (loaded.project.launch for loaded in packages.loaded())
+    loads = [
+        load
+        for launch in launches
+        if launch is not None and launch.ros == 1
+        for load in launch.loads
         if load.file.path and os.path.realpath(load.file.path) == real and not load.in_node
-    }
-    named = spaces - {""}  # a launch file that others include in a namespace is also read by itself
+    ]
+    if any(_is_argument(load.at) for load in loads):
+        return _ANY
+    named = {load.namespace or "" for load in loads} - {""}  # one that others include is also read by itself
     return named.pop() if len(named) == 1 else ""
+
+
+def _is_argument(at: Place) -> bool:
+    """Whether the namespace of a <rosparam> is an argument, by its attribute or by those of groups around it."""
+    root = root_of(at.source)
+    around = [one for one in elements(root) if one.start <= at.start < end_of(one)] if root is not None else []
+    return any("$(" in attribute(element, "ns") for element in around)
 
 
 CONTROLLERS = Step(

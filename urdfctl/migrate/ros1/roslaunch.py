@@ -12,6 +12,7 @@ from urdfctl.migrate.launch.actions import (
     Text,
     all_actions,
     is_literal,
+    joined,
     literal,
     parsed,
     plain,
@@ -223,7 +224,7 @@ def description_command(element: Element) -> Text:
             continue
         shown.append(PartOfText("text", " "))
         shown += _quoted(word)
-    return tuple(_joined(shown))
+    return joined(tuple(shown))
 
 
 def _without_quotes(word: Text) -> Text:
@@ -240,18 +241,3 @@ def _quoted(word: Text) -> Iterator[PartOfText]:
         yield PartOfText("text", "'")
     else:
         yield from word
-
-
-def _joined(parts: Sequence[PartOfText]) -> Iterator[PartOfText]:
-    """The parts with neighbouring literal texts as one."""
-    text = ""
-    for part in parts:
-        if part.kind == "text":
-            text += part.text
-            continue
-        if text:
-            yield PartOfText("text", text)
-        text = ""
-        yield part
-    if text:
-        yield PartOfText("text", text)

@@ -4,7 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
-from urdfctl.migrate.launch.actions import Action, PartOfText, Text, is_literal, literal, parsed, plain, words_of
+from urdfctl.migrate.launch.actions import (
+    Action,
+    PartOfText,
+    Text,
+    is_literal,
+    joined,
+    literal,
+    parsed,
+    plain,
+    words_of,
+)
 from urdfctl.source.dom import Element
 from urdfctl.startup.records import NamedTuple
 
@@ -159,7 +169,7 @@ def _spawner(reading: Notes, element: Element, words: Sequence[Text], files: Seq
         else:
             names.append(word)
     manager = (
-        [literal("-c"), (*space, *literal("/controller_manager"))]
+        [literal("-c"), joined(space, literal("/controller_manager"))]
         if plain(space).strip("/") or not is_literal(space)
         else []
     )
@@ -232,8 +242,8 @@ def simulator_actions(reading: Notes, given: Mapping[str, Text]) -> Iterator[Act
         return
     paused = plain(given.get("paused", ())).lower() == "true"
     is_empty = not world or plain(world) in EMPTY_WORLDS
-    flags = (*literal("" if paused else "-r "), *_server_only(given.get("gui", ())))
-    arguments = (*flags, *(literal("empty.sdf") if is_empty and is_literal(world) else world))
+    flags = joined(literal("" if paused else "-r "), _server_only(given.get("gui", ())))
+    arguments = joined(flags, literal("empty.sdf") if is_empty and is_literal(world) else world)
     gz = target.gz
     yield Action(
         "include",

@@ -1,0 +1,35 @@
+"""The wheels of a drive, which ROS 1's controller measured in the robot and ROS 2's wants written."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from urdfctl.generate.facts import JointFacts
+from urdfctl.generate.scalars import yaml_float
+from urdfctl.generate.survey import facts_of
+from urdfctl.generate.wheels import Measure, across, radius
+from urdfctl.migrate.packages import Packages
+
+
+def measured(packages: Packages, left: Sequence[str], right: Sequence[str], given: Sequence[str]) -> Iterator[str]:
+    """Yield the lines of a diff_drive_controller with the measures that are not given, from a robot with the wheels."""
+    for loaded in packages.loaded():
+        robot = loaded.project.robot
+        if robot is None or not {*left, *right} <= {*robot.joint_names} or not loaded.project.complete:
+            continue
+        joints = {joint.name: joint for joint in facts_of(robot).joints}
+        sides = [_of(joints, names) for names in (left, right)]
+        if all(sides):
+            yield from _lines(sides, given)
+        return
+
+
+def _of(joints: dict[str, JointFacts], names: Sequence[str]) -> list[JointFacts]:
+    return [joints[name] for name in names if name in joints]
+
+
+def _lines(sides: Sequence[Sequence[JointFacts]], given: Sequence[str]) -> Iterator[str]:
+    measures: dict[str, Measure] = {"wheel_separation": across(*sides), "wheel_radius": radius([*sides[0], *sides[1]])}
+    for name, measure in measures.items():
+        if name not in given and measure.value is not None:
+            yield f"{name}: {yaml_float(measure.value)}  # {measure.how}"
