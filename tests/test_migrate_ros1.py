@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 from folder import CHECKOUT, Folder
+from smoking_engines import needs_pybullet
 
 MANIFEST = """\
 <?xml version="1.0"?>
@@ -324,6 +325,7 @@ def test_a_package_with_compiled_code_is_left_to_a_person(folder: Folder) -> Non
     assert "this package compiles code or messages" in after["MIGRATION.md"]
 
 
+@needs_pybullet
 @pytest.mark.parametrize("sample", ["mybot", "my_robot"])
 def test_a_migrated_sample_moves_the_same_joints(folder: Folder, sample: str) -> None:
     shutil.copytree(CHECKOUT / "samples" / sample, folder.path / "old" / sample)
