@@ -45,7 +45,11 @@ def generate_launch_description():
                 ("~/robot_description", "/robot_description"),
             ],
         ),
-        Node(package="controller_manager", executable="spawner", arguments=["ctl", "--stopped"]),
+        Node(
+            package="controller_manager",
+            executable="spawner",
+            arguments=["ctl", "--stopped"],
+        ),
         Node(package="controller_manager", executable="spawner", arguments=["other"]),
     ])
 """

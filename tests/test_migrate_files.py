@@ -69,6 +69,17 @@ def test_launch_files_in_xml_get_the_topic_and_the_file_of_the_spawner(folder: F
     assert after == wanted.replace("ctl --stopped", f"ctl --inactive --param-file {file}")
 
 
+def test_a_spawner_whose_line_would_be_too_long_gets_a_line_for_each_argument(folder: Folder) -> None:
+    head = "from launch_ros.actions import Node\n\n"
+    node = "Node(\n    package='controller_manager', executable='spawner',\n    arguments=['ctl', '-c', '/cm'],\n)\n"
+    launch = f"{head}{node}"
+    files = {"launch/a.launch.py": launch, "config/c.yaml": controllers(DIFF, "odom_frame_id: odom\n")}
+    after = migrated(folder, files, "--to", "jazzy", "--only", "launch")["launch/a.launch.py"]
+    file = 'PathJoinSubstitution([FindPackageShare("arm"), "config", "c.yaml"])'
+    items = "".join(f"\n        {item}," for item in ("'ctl'", "'-c'", "'/cm'", "'--param-file'", file))
+    assert f"    arguments=[{items}\n    ],\n" in after
+
+
 def test_topics_of_controllers_are_remapped_where_they_are_spawned_from_lyrical_on(folder: Folder) -> None:
     launch = """\
 from launch import LaunchDescription
@@ -80,7 +91,11 @@ LaunchDescription([
         executable="ros2_control_node",
         remappings=[("/ctl/cmd_vel", "/cmd_vel"), ("/gone/x", "/x")],
     ),
-    Node(package="controller_manager", executable="spawner", arguments=["ctl"]),
+    Node(
+        package="controller_manager",
+        executable="spawner",
+        arguments=["ctl"],
+    ),
 ])
 """
     name = "launch/a.launch.py"

@@ -8,6 +8,9 @@ from collections.abc import Iterator
 from urdfctl.diagnostic import Edit
 from urdfctl.source.span import Place, SourceSpan, SourceText
 
+_MOST_COLUMNS = 99
+"""The longest line that is written, as in ROS 2's own Python code."""
+
 
 class PythonFile:
     """A Python file with its syntax tree.
@@ -83,7 +86,7 @@ class PythonFile:
         return Edit(SourceSpan(self.source, start, end), "")
 
     def appended(self, items: ast.List, texts: list[str]) -> Edit:
-        """Return the edit that adds items at the end of a list, on lines of their own if its items are."""
+        """Return the edit that adds items at the end of a list, on lines of their own if its items are, or must be."""
         data = self.source.data
         closing = self.span(items).end - 1
         if not items.elts:
@@ -95,10 +98,26 @@ class PythonFile:
         line_start = data.rfind(b"\n", 0, self.span(items.elts[-1]).start) + 1
         indent = data[line_start : self.span(items.elts[-1]).start]
         if b"\n" not in data[at:closing] or indent.strip():
-            return Edit(SourceSpan(self.source, at, at), f"{' ' if has_comma else ', '}{', '.join(texts)}")
+            inline = f"{' ' if has_comma else ', '}{', '.join(texts)}"
+            if self._fits(items, inline):
+                return Edit(SourceSpan(self.source, at, at), inline)
+            return Edit(self.span(items), self._on_lines([*map(self.text, items.elts), *texts], line_start))
         margin = f"\n{indent.decode()}"
         text = margin + f",{margin}".join(texts) + "," * has_comma
         return Edit(SourceSpan(self.source, at, at), text if has_comma else f",{text}")
+
+    def _fits(self, items: ast.List, inline: str) -> bool:
+        """Whether a line is not too long with a text; a list on several lines is left as it is."""
+        start, end = self.span(items).start, self.span(items).end
+        line_start, line_end = self.source.data.rfind(b"\n", 0, start) + 1, self.source.data.find(b"\n", end)
+        is_on_one_line = b"\n" not in self.source.data[start:end]
+        return not is_on_one_line or line_end - line_start + len(inline) <= _MOST_COLUMNS
+
+    def _on_lines(self, texts: list[str], line_start: int) -> str:
+        """A list with each item on a line of its own, indented from the line that it begins on."""
+        line = self.source.data[line_start : self.source.data.find(b"\n", line_start)].decode("utf-8", "replace")
+        indent = line[: len(line) - len(line.lstrip())]
+        return "[" + "".join(f"\n{indent}    {text}," for text in texts) + f"\n{indent}]"
 
     def imports(self, module: str, name: str) -> Edit | None:
         """Return the edit that imports a name from a module; None if the file has the name."""
