@@ -42,6 +42,15 @@ EFFORT = Task("arm", Family.FORWARD, ("j",), "effort")
 LOOP = Task("arm", Family.VELOCITY_PID, ("j",), "effort", (Gains(p=1.0),))
 
 
+@pytest.mark.parametrize(("task", "has_gains"), [(TRAJECTORY, False), (PUSHED_BY, True)])
+def test_advice_on_gains_is_for_controllers_that_have_gains(task: Task, has_gains: bool) -> None:
+    goal = Goal(HINGE, 0.0, 0.2, 0.0)
+    for track in (moved_to(0.2, swing=0.05, speed=0.2), moved_to(0.0)):
+        (trouble,) = joint_troubles(task, [goal], [track], 2.0)
+        assert trouble.notes
+        assert any("gain" in note for note in trouble.notes) == has_gains
+
+
 @pytest.mark.parametrize(("step", "error", "expected"), [(0.2, 0.048, []), (0.2, 0.052, ["UC932"])])
 def test_a_joint_may_miss_its_target_by_a_quarter_of_its_step(step: float, error: float, expected: list[str]) -> None:
     assert codes(TRAJECTORY, moved_to(step - error), step) == expected

@@ -50,6 +50,13 @@ def codes(troubles: object) -> list[str]:
 # -- efforts ---------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.parametrize("moment", [0.0, -3.4e-23])
+def test_no_effort_is_too_little_for_a_link_without_inertia(moment: float) -> None:
+    hinge = lever(0.0).hinges[0]._replace(effort=34.0)
+    weightless = Mechanism("base", {"base": Body("base"), "arm": Body("arm", 0.0, inertia=ball(moment))}, (hinge,))
+    assert codes(effort_troubles(weightless, [POSITION])) == []
+
+
 @pytest.mark.parametrize(
     ("limit", "expected"),
     [(98.0, ["UC915"]), (99.0, ["UC950"]), (103.0, ["UC950"]), (104.0, []), (200.0, [])],

@@ -108,13 +108,17 @@ def _arrived(task: Task, goal: Goal, track: Track, p: float) -> Iterator[Trouble
     swing, speed = max(last) - min(last), _root_mean_square(track.velocities[-len(last) :])
     step = abs(goal.by)
     if swing > SWING_OF_STEP * step and speed > SPEED_OF_STEP * step:
-        yield _trouble(joint_oscillates, task, goal, "raise the d gain, or lower the p gain", swing=swing)
+        advice = "raise the d gain, or lower the p gain"
+        if task.interface == "position":
+            advice = "the hardware holds the position: check the masses and inertias that the joint moves"
+        yield _trouble(joint_oscillates, task, goal, advice, swing=swing)
         return
     droop = DROOP * abs(goal.weight) / p if task.interface == "effort" and p > 0 else 0.0
     error = abs(track.positions[-1] - goal.end)
     if error > max(ERROR_OF_STEP * step, min(LEAST_ERROR, HALF * step), droop):
         moved = track.positions[-1] - goal.start
-        notes = ["it hardly moves: check its effort limit and its p gain"] if abs(moved) < ERROR_OF_STEP * step else []
+        gain = "" if task.interface == "position" else " and its p gain"
+        notes = [f"it hardly moves: check its effort limit{gain}"] if abs(moved) < ERROR_OF_STEP * step else []
         yield _trouble(joint_does_not_follow, task, goal, *notes, expected=goal.by, actual=moved)
 
 

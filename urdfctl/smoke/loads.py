@@ -157,7 +157,7 @@ def _motor(hinge: Hinge, task: Task, weight: float, inertia: float) -> Iterator[
     if left <= 0 and hinge.effort:
         yield resisted(hinge, task, speed, weight)
         return
-    moved = math.inf if not inertia else 0.5 * left / inertia * TIME**2
+    moved = 0.5 * left / inertia * TIME**2 if inertia > 0 else math.inf
     if moved < abs(goal.by):
         needed = abs(goal.by) * 2 * inertia / TIME**2 + hinge.friction + weight
         yield trouble_of(effort_too_weak_to_move, subject, task.controller, (), **fields, needed=needed)
