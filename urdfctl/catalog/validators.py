@@ -20,7 +20,7 @@ def problem(value: object, validators: Mapping[str, object]) -> str | None:
         return None
     for name, limit in validators.items():
         if _broken(name, value, limit):
-            return _message(name, limit)
+            return requirement(name, limit)
     return None
 
 
@@ -48,7 +48,8 @@ def _has_twice(parts: tuple[object, ...]) -> bool:
     return any(part in parts[:index] for index, part in enumerate(parts))
 
 
-def _message(name: str, limit: Any) -> str:
+def requirement(name: str, limit: Any) -> str:
+    """Return what a validator asks for, e.g. `must be > 0.0`."""
     if name in ("one_of", "subset_of"):
         *most, last = [f"'{choice}'" if isinstance(choice, str) else str(choice) for choice in limit]
         choices = f"{', '.join(most)} or {last}" if most else last
