@@ -20,6 +20,7 @@ from urdfctl.cli.help import GroupedCommand
 from urdfctl.cli.init_options import InitOptions
 from urdfctl.cli.migrate_options import MigrateOptions
 from urdfctl.cli.options import ExpandOptions, ExplainOptions, LintOptions, RulesOptions, ShowOptions, SmokeOptions
+from urdfctl.cli.schema_options import SchemaOptions
 from urdfctl.cli.see_options import DiffOptions, GraphOptions, ViewOptions, WhyOptions
 from urdfctl.cli.server_options import ServerOptions
 from urdfctl.cli.slips import command_hint
@@ -105,6 +106,12 @@ def _server(options: ServerOptions) -> int:
     return run_server(options)
 
 
+def _schema(options: SchemaOptions) -> int:
+    from urdfctl.cli.schema_command import run_schema
+
+    return run_schema(options)
+
+
 def _generate(options: GenerateOptions) -> int:
     from urdfctl.cli.generate_command import run_generate
 
@@ -132,6 +139,7 @@ _RUN: dict[type, Callable[[Any], int]] = {
     InitOptions: _init,
     MigrateOptions: _migrate,
     ServerOptions: _server,
+    SchemaOptions: _schema,
     **dict.fromkeys(GENERATORS.values(), _generate),
 }
 
@@ -194,6 +202,7 @@ _command("rules")(RulesOptions)
 _command("explain", short_help="Explain a rule, an error message, or a whole log.")(ExplainOptions)
 _command("init", short_help="Write a configuration with the robots of a project.")(InitOptions)
 _command("migrate", short_help="Migrate packages to another ROS distro.")(MigrateOptions)
+_command("schema", short_help="Print a schema for your editor, or check files with it.")(SchemaOptions)
 _command("server", short_help="Serve an editor: findings while you type.")(ServerOptions)
 for name, generator in GENERATORS.items():
     app.command(name, cls=OneDashCommand, short_help=short_help(generator))(generator)
