@@ -153,6 +153,40 @@ def test_a_lidar_gets_its_type_topic_and_frame_and_loses_its_plugin(folder: Fold
     assert "Gazebo/Orange" not in after
 
 
+def test_a_plugin_that_is_a_sensor_itself_becomes_one_on_its_link(folder: Folder) -> None:
+    imu = """\
+  <gazebo>
+    <plugin name="imu" filename="libhector_gazebo_ros_imu.so">
+      <updateRate>100</updateRate>
+      <bodyName>body</bodyName>
+      <topicName>imu/data</topicName>
+    </plugin>
+  </gazebo>
+"""
+    after = migrated(folder, {"urdf/base.xacro": base(imu)})["urdf/base.xacro"]
+    assert (
+        """\
+  <gazebo reference="body">
+    <sensor name="imu" type="imu">
+      <topic>imu/data</topic>
+      <update_rate>100</update_rate>
+      <gz_frame_id>body</gz_frame_id>
+      <always_on>true</always_on>
+    </sensor>
+  </gazebo>
+"""
+        in after
+    )
+
+
+def test_a_robot_loads_the_systems_of_its_sensors_unless_a_world_does(folder: Folder) -> None:
+    system = '<plugin filename="gz-sim-sensors-system" name="gz::sim::systems::Sensors"/>'
+    alone = migrated(folder, {"urdf/base.xacro": base(LIDAR)})["urdf/base.xacro"]
+    assert alone.endswith(f"  <gazebo>\n    {system}\n  </gazebo>\n</robot>\n")
+    world = f'<sdf version="1.8"><world name="w">{system}</world></sdf>'
+    assert system not in migrated(folder, {"urdf/base.xacro": base(LIDAR), "worlds/w.sdf": world})["urdf/base.xacro"]
+
+
 def test_what_systems_and_sensors_publish_is_bridged(folder: Folder) -> None:
     after = migrated(folder, {"urdf/base.xacro": base(DRIVE + LIDAR), "launch/sim.launch.py": LAUNCH})
     entries = yaml.safe_load(after["config/bridge.yaml"])

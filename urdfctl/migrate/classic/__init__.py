@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from urdfctl.migrate.classic.bridge import BRIDGE
 from urdfctl.migrate.classic.launch_python import CLASSIC_LAUNCH
+from urdfctl.migrate.classic.loose_sensors import LOOSE_SENSORS
 from urdfctl.migrate.classic.manifest import CLASSIC_MANIFEST
 from urdfctl.migrate.classic.materials import CLASSIC_MATERIALS
 from urdfctl.migrate.classic.plugins import CLASSIC_HARDWARE, CLASSIC_INTERFACES, CLASSIC_PLUGINS, CONTROL_PLUGIN
+from urdfctl.migrate.classic.sensor_systems import SENSOR_SYSTEMS
 from urdfctl.migrate.classic.sensors import CLASSIC_SENSORS
 from urdfctl.migrate.step import Step
 
@@ -16,6 +18,8 @@ ROBOT_STEPS: tuple[Step, ...] = (
     CLASSIC_INTERFACES,
     CLASSIC_PLUGINS,
     CLASSIC_SENSORS,
+    LOOSE_SENSORS,
+    SENSOR_SYSTEMS,
     CLASSIC_MATERIALS,
     BRIDGE,
 )

@@ -1,0 +1,73 @@
+"""The systems that make the sensors of a robot work in gz: a world without plugins of its own does not load them."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping
+
+from urdfctl.diagnostic import Edit
+from urdfctl.migrate.classic.choice import CHOICE
+from urdfctl.migrate.classic.plugins import goes_to_gz
+from urdfctl.migrate.markup import root_of, step_of
+from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.wishes import Part
+from urdfctl.model.robot import Robot
+from urdfctl.source.span import SourceSpan
+
+_AUTHORITY = "gz-sim server.config: sensors, IMU, contact and force-torque systems are not loaded by default"
+_SENSORS = ("gz-sim-sensors-system", "gz::sim::systems::Sensors")
+SYSTEMS: Mapping[str, tuple[str, str]] = {
+    "imu": ("gz-sim-imu-system", "gz::sim::systems::Imu"),
+    "gpu_lidar": _SENSORS,
+    "camera": _SENSORS,
+    "depth_camera": _SENSORS,
+    "rgbd_camera": _SENSORS,
+    "contact": ("gz-sim-contact-system", "gz::sim::systems::Contact"),
+    "force_torque": ("gz-sim-forcetorque-system", "gz::sim::systems::ForceTorque"),
+    "navsat": ("gz-sim-navsat-system", "gz::sim::systems::NavSat"),
+}
+"""By type of sensor: the library and the class of its system."""
+
+
+def _systems(packages: Packages) -> Iterator[Proposal]:
+    if not goes_to_gz(packages):
+        return
+    worlds = b"".join(packages.read(path).data for path in packages.files(".sdf", ".world"))
+    done: set[str] = set()
+    for loaded in packages.loaded():
+        robot, path = loaded.project.robot, os.path.realpath(loaded.project.path)
+        if robot is None or not loaded.project.complete or path in done or not packages.may_change(path):
+            continue
+        absent = (system for system in _needed(robot) if system[0].encode() not in worlds)
+        missing = [system for system in absent if not _has(robot, system[0])]
+        root = root_of(packages.read(path))
+        if not missing or root is None or root.close is None or CHOICE.encode() in root.source.data:
+            continue
+        done.add(path)
+        step = step_of(root.source)
+        lines = "".join(f'{step * 2}<plugin filename="{file}" name="{name}"/>\n' for file, name in missing)
+        start = root.source.data.rfind(b"\n", 0, root.close) + 1
+        edit = Edit(SourceSpan(root.source, start, start), f"{step}<gazebo>\n{lines}{step}</gazebo>\n")
+        names = ", ".join(file for file, _ in missing)
+        message = f"the robot loads {names} for its sensors: no world of the packages does"
+        entry = Entry(EntryKind.DECIDED, message, root.at, authority=_AUTHORITY, option="load them in the world")
+        yield Proposal((edit,), entries=(entry,))
+
+
+def _needed(robot: Robot) -> list[tuple[str, str]]:
+    types = (s.attributes.get("type", "") for gazebo in robot.gazebos for s in gazebo.tag.named("sensor"))
+    return list(dict.fromkeys(SYSTEMS[kind] for kind in types if kind in SYSTEMS))
+
+
+def _has(robot: Robot, filename: str) -> bool:
+    return any(filename.removeprefix("gz-sim-") in (plugin.filename or "") for plugin in robot.plugins)
+
+
+SENSOR_SYSTEMS = Step(
+    name="sensor-systems",
+    part=Part.URDF,
+    summary="Systems for sensors in gz",
+    propose=_systems,
+    rows=tuple(Row(f'<sensor type="{kind}">', f"{one[0]} too", "jazzy", _AUTHORITY) for kind, one in SYSTEMS.items()),
+)
