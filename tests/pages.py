@@ -49,11 +49,17 @@ class Elements(HTMLParser):
         return [value for _, a in self.found for name, value in a.items() if name in {"src", "href"} and value]
 
 
-def in_node(script: str, *files: str) -> Any:
-    """Return what a script prints as JSON after the page's own scripts were run."""
+def in_node(script: str, *files: str, before: str = "") -> Any:
+    """Return what a script prints as JSON after the page's own scripts were run; `before` is run first."""
     own = "\n".join((PAGES / file).read_text(encoding="utf-8") for file in files)
+    whole = f"{before}\n{own}\n{script}"
     done = subprocess.run(
-        [str(NODE), "-"], input=f"{own}\n{script}", capture_output=True, encoding="utf-8", timeout=60, check=False
+        [str(NODE), "-"],
+        input=whole,
+        capture_output=True,
+        encoding="utf-8",
+        timeout=60,
+        check=False,
     )
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout)

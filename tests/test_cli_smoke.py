@@ -260,4 +260,4 @@ def test_a_page_of_html_is_written(tmp_path: Path) -> None:
     text = path.read_text(encoding="utf-8")
     assert text.startswith("<!DOCTYPE html>")
     assert "velocity_controller" in text
-    assert "the robot at spawn" in text
+    assert "<h3>The robot" in text

@@ -27,7 +27,7 @@ def moved_to(place: float, peak: float = 0.0, swing: float = 0.0, speed: float =
     speeds = [speed if n % 2 else -speed for n in range(last)]
     start = [place * n / (STILL - last) for n in range(STILL - last)]
     velocities = [peak] + [0.0] * (STILL - last - 1)
-    return Track(start + swings[::-1] if last % 2 == 0 else start + swings, velocities + speeds, [])
+    return Track(start + swings[::-1] if last % 2 == 0 else start + swings, velocities + speeds, [], [])
 
 
 def codes(task: Task, track: Track, by: float = 0.2, weight: float = 0.0, hinge: Hinge = HINGE) -> list[str]:

@@ -29,6 +29,9 @@ class Obedient:
     def velocity(self, joint: str) -> float:
         return self.speeds.get(joint, 0.0)
 
+    def effort(self, joint: str) -> float:
+        return 0.0
+
     def to_position(self, joint: str, position: float, effort: float, velocity: float) -> None:
         assert effort >= 0 <= velocity
         self.places[joint] = position

@@ -110,7 +110,8 @@ class RobotView {
     if (joint && joint.name === this.chosen) return colourOf(style, "--chosen");
     if (joint?.error) return colourOf(style, "--error");
     if (this.own?.checked || !joint) return piece.colour;
-    return colourOf(style, `--by-${joint.control}`).map((value, n) => .75 * value + .25 * piece.colour[n]);
+    const [red, green, blue] = piece.colour, brightness = .3 * red + .6 * green + .1 * blue;
+    return colourOf(style, `--by-${joint.control}`).map(value => .8 * value + .2 * brightness);
   }
 
   draw(ids = false) {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from urdfctl.cli.lint_request import Fixing, LintRequest
+from urdfctl.cli.lint_request import Fixing, LintRequest, Page
 from urdfctl.cli.lint_run import lint_files
 from urdfctl.cli.targets import discovered
 from urdfctl.cli.words import (
@@ -48,12 +48,22 @@ def run_lint(options: LintOptions) -> int:
 
         settings = settings._replace(nodes=node_definitions(options.node))
     request = _request(words, config, options)
+    if options.report is not None:
+        request = request._replace(page=_page(options.report, settings))
     if options.show_settings:
         from urdfctl.cli.shown_settings import settings_text
 
         print_text(settings_text(request, settings, vars(options)))
         return 0
     return lint(request, settings)
+
+
+def _page(path: str, settings: Settings) -> Page:
+    import time
+
+    if not path:
+        raise UserError("--report requires the name of a file")
+    return Page(path, settings, time.monotonic())
 
 
 def findings_in(options: LintOptions) -> list[Diagnostic]:
@@ -176,6 +186,12 @@ def _report(run: LintRun, request: LintRequest) -> Report:
     for name, file in request.outputs:
         if file is not None or not (request.fixing and request.fixing.as_diff):
             _write(report, name, file)
+    if request.page is not None:
+        from urdfctl.cli.run_page import write_lint_page
+
+        robots = {id(result) for result in run.robots}
+        pairs = [pair for pair in run.targets if id(pair[1]) in robots]
+        write_lint_page(request.page.path, report, pairs, request.page.settings, request.page.began)
     return report
 
 

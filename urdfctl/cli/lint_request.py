@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from urdfctl.config.file import Config
+from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.lint.merging import merge
 from urdfctl.lint.results import TargetResult
@@ -30,6 +31,19 @@ class Fixing(NamedTuple):
     as_diff: bool = False
 
 
+class Page(NamedTuple):
+    """The HTML page of a run.
+
+    path: its file.
+    settings: of the run.
+    began: when the run started, as time.monotonic() tells it.
+    """
+
+    path: str
+    settings: Settings
+    began: float
+
+
 class LintRequest(NamedTuple):
     """The files, rules and outputs of a lint command.
 
@@ -37,6 +51,7 @@ class LintRequest(NamedTuple):
     outputs: formats, each with its file; None for standard output.
     jobs: how many robots at the same time; 0 for one for each processor.
     quiet: show only the findings.
+    page: also write this page.
     cached: results of an earlier run may be used, and those of this one stored.
     """
 
@@ -53,6 +68,7 @@ class LintRequest(NamedTuple):
     shard: Shard | None = None
     cached: bool = False
     quiet: bool = False
+    page: Page | None = None
 
     def import_reports(self) -> None:
         """Import what will write the reports, while the workers are busy."""

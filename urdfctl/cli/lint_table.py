@@ -41,6 +41,7 @@ VALUES = {
     "--write-baseline": ("write_baseline", "str"),
     "-o": ("output_file", "str"),
     "--output-file": ("output_file", "str"),
+    "--report": ("report", "str"),
 }
 DEFAULTS: dict[str, object] = {
     "workspace": None,
@@ -66,6 +67,7 @@ DEFAULTS: dict[str, object] = {
     "output_file": None,
     "quiet": False,
     "statistics": False,
+    "report": None,
     "exit_zero": False,
     "no_cache": False,
     "show_settings": False,

@@ -11,6 +11,7 @@ import typer
 
 from urdfctl.catalog.distros import ALL
 
+REPORT_HELP = "Write an HTML page with the robots, what is wired to what, and the findings to this file."
 JOBS_HELP = "How many robots to check at the same time. 0: one for each processor."
 
 
@@ -104,6 +105,7 @@ class LintOptions(CheckOptions):
     ] = None
     quiet: Annotated[bool, typer.Option("-q", "--quiet", help="Show only the findings, without a summary.")] = False
     statistics: Annotated[bool, typer.Option("--statistics", help="Count the findings of each rule.")] = False
+    report: Annotated[str | None, typer.Option(help=REPORT_HELP)] = None
     exit_zero: Annotated[bool, typer.Option("--exit-zero", help="Exit with status 0 whatever is found.")] = False
     no_cache: Annotated[
         bool, typer.Option("--no-cache", help="Neither use results of an earlier run nor store those of this one.")
@@ -167,7 +169,7 @@ class SmokeOptions(CheckOptions):
     ] = None
     quiet: Annotated[bool, typer.Option("-q", "--quiet", help="Show only the findings.")] = False
     statistics: Annotated[bool, typer.Option("--statistics", help="Count the findings of each rule.")] = False
-    report: Annotated[str | None, typer.Option(help="Write an HTML page to this file.")] = None
+    report: Annotated[str | None, typer.Option(help=REPORT_HELP)] = None
     select: Annotated[list[str] | None, _list("Select findings by code or prefix, e.g. UC91,UC931.")] = None
     ignore: Annotated[list[str] | None, _list("Ignore findings by code or prefix.")] = None
     fail_on: Annotated[

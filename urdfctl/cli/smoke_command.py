@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+import time
 from collections.abc import Iterator, Sequence
 
 from urdfctl.cli.progress import with_progress
@@ -48,6 +49,7 @@ ENGINES = ("auto", *NAMES, "both", "none")
 
 def run_smoke(options: SmokeOptions) -> int:
     """Test the robots that the options name, report the results, and return the exit status."""
+    began = time.monotonic()
     _validate(options)
     words = options.paths or []
     config = configured(words, options)
@@ -62,7 +64,6 @@ def run_smoke(options: SmokeOptions) -> int:
         instead=installed()[1:] if options.engine == "auto" else (),
         duration=options.duration,
         gui=options.gui,
-        picture=options.report is not None,
         tasks=read_tasks(options.tasks) if options.tasks is not None else None,
         live=sys.stderr.isatty() and os.environ.get("TERM") != "dumb",
     )
@@ -70,7 +71,9 @@ def run_smoke(options: SmokeOptions) -> int:
     if not plan and options.shard is None:
         where = ", ".join(split_arguments(words)[0]) or "this folder"
         raise UserError(f"nothing to test in {where}: name a robot or a launch file")
-    smoked = list(with_progress(_results(plan, settings, wanted, options.jobs), len(plan), "testing"))
+    kept: list[int] = []
+    results = _results(plan, settings, wanted, options.jobs, kept)
+    smoked = list(with_progress(results, len(plan), "testing"))
     _check_only(wanted.only, smoked)
     outcomes = [robot.linted.outcome for robot in smoked]
     everything = merge(outcomes, Selection())
@@ -91,9 +94,10 @@ def run_smoke(options: SmokeOptions) -> int:
     for name, file in outputs:
         _write(report, name, file)
     if options.report:
-        from urdfctl.smoke.page import page
+        from urdfctl.cli.run_page import write_smoke_page
 
-        write_file(options.report, page(report), force=True)
+        targets = [plan[index].target for index in kept]
+        write_smoke_page(options.report, report, list(zip(targets, smoked, strict=True)), settings, began)
     if any(outcome.crashed for outcome in outcomes):
         return 3
     if report.is_interrupted:
@@ -142,11 +146,15 @@ def _plan(words: Sequence[str], config: Config, options: SmokeOptions) -> list[P
     return [entry._replace(target=_with_controllers(entry.target, options.controllers or ())) for entry in plan]
 
 
-def _results(plan: Sequence[PlannedTarget], settings: Settings, wanted: Wanted, jobs: int) -> Iterator[Smoked]:
-    def chosen(judged: list[Smoked]) -> Iterator[int]:
-        return _reported(
-            [robot if entry.is_reported(robot.linted) else None for robot, entry in zip(judged, plan, strict=True)]
-        )
+def _results(
+    plan: Sequence[PlannedTarget], settings: Settings, wanted: Wanted, jobs: int, kept: list[int]
+) -> Iterator[Smoked]:
+    """Yield the results to report; `kept` then holds their indices in the plan."""
+
+    def chosen(judged: list[Smoked]) -> list[int]:
+        pairs = zip(judged, plan, strict=True)
+        kept[:] = _reported([robot if entry.is_reported(robot.linted) else None for robot, entry in pairs])
+        return kept
 
     return smoke_all([entry.target for entry in plan], settings, wanted, jobs or None, chosen)
 

@@ -60,11 +60,15 @@ known, so that only the direction counts), and for steered wheels (they slip a l
 
 
 class Track(NamedTuple):
-    """The motion of a joint, one value for each update: in rad or m, and rad/s or m/s for `velocities`."""
+    """The motion of a joint, one value for each update: in rad or m, and rad/s or m/s for `velocities`.
+
+    `efforts` are what its motor gave, in N m or N.
+    """
 
     positions: list[float]
     velocities: list[float]
     wanted: list[float]
+    efforts: list[float]
 
 
 def joint_troubles(task: Task, goals: Sequence[Goal], tracks: Sequence[Track], seconds: float) -> Iterator[Trouble]:
@@ -72,12 +76,19 @@ def joint_troubles(task: Task, goals: Sequence[Goal], tracks: Sequence[Track], s
     for index, (goal, track) in enumerate(zip(goals, tracks, strict=True)):
         if not (task.family is Family.FORWARD and task.interface == "effort"):
             yield from limit_troubles(task, goal, track)
-        if task.family is Family.VELOCITY_PID or (task.family is Family.FORWARD and task.interface == "velocity"):
-            yield from _turned(task, goal, track, seconds)
+        if judged_by_end(task):
+            yield from _arrived(task, goal, track, task.gains[index].p if task.gains else 0.0)
         elif task.family is Family.FORWARD and task.interface == "effort":
             yield from _pushed(task, goal, track)
         else:
-            yield from _arrived(task, goal, track, task.gains[index].p if task.gains else 0.0)
+            yield from _turned(task, goal, track, seconds)
+
+
+def judged_by_end(task: Task) -> bool:
+    """Return whether the joints of a task must reach a position, not a velocity, and are not only pushed."""
+    return task.family is not Family.VELOCITY_PID and (
+        task.family is not Family.FORWARD or task.interface not in ("velocity", "effort")
+    )
 
 
 def _trouble(rule: Rule, task: Task, goal: Goal, *notes: str, **fields: object) -> Trouble:
@@ -103,6 +114,13 @@ def limit_troubles(task: Task, goal: Goal, track: Track) -> Iterator[Trouble]:
         yield _trouble(joint_too_fast, task, goal, fastest=fastest, limit=limit)
 
 
+def tolerance_of(task: Task, goal: Goal, p: float) -> float:
+    """Return how far from its target a joint may end, in rad or m; p: the p gain of its loop."""
+    step = abs(goal.by)
+    droop = DROOP * abs(goal.weight) / p if task.interface == "effort" and p > 0 else 0.0
+    return max(ERROR_OF_STEP * step, min(LEAST_ERROR, HALF * step), droop)
+
+
 def _arrived(task: Task, goal: Goal, track: Track, p: float) -> Iterator[Trouble]:
     last = track.positions[-max(1, len(track.positions) // 4) :]
     swing, speed = max(last) - min(last), _root_mean_square(track.velocities[-len(last) :])
@@ -113,9 +131,8 @@ def _arrived(task: Task, goal: Goal, track: Track, p: float) -> Iterator[Trouble
             advice = "the hardware holds the position: check the masses and inertias that the joint moves"
         yield _trouble(joint_oscillates, task, goal, advice, swing=swing)
         return
-    droop = DROOP * abs(goal.weight) / p if task.interface == "effort" and p > 0 else 0.0
     error = abs(track.positions[-1] - goal.end)
-    if error > max(ERROR_OF_STEP * step, min(LEAST_ERROR, HALF * step), droop):
+    if error > tolerance_of(task, goal, p):
         moved = track.positions[-1] - goal.start
         gain = "" if task.interface == "position" else " and its p gain"
         notes = [f"it hardly moves: check its effort limit{gain}"] if abs(moved) < ERROR_OF_STEP * step else []

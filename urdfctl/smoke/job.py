@@ -25,7 +25,6 @@ from urdfctl.smoke.anchors import diagnostics_of
 from urdfctl.smoke.assignments import TaskFile
 from urdfctl.smoke.fitting import Misfit, misfits
 from urdfctl.smoke.judgement import changed, judged
-from urdfctl.smoke.picture import picture_of
 from urdfctl.smoke.plan import MOTION, Plan, Tried
 from urdfctl.smoke.planning import plan_of
 from urdfctl.smoke.results import ROBOT, ControllerResult, Smoked, Trouble, Verdict, trouble_of
@@ -39,7 +38,7 @@ class Wanted(NamedTuple):
 
     `only` holds the names of the controllers to test, none for all. Each of the `engines` simulates the robots; without
     any, nothing moves. The engines of `instead` are tried if an engine crashes or rejects a robot. `duration` is the
-    time for which each controller moves, in s. `gui` shows a window. `picture` asks for a picture of the robot. `live`
+    time for which each controller moves, in s. `gui` shows a window. `live`
     prints a line for each controller as soon as it was tested. `tasks` holds the user's own tasks as plain data (see
     `TaskFile`), or None.
     """
@@ -49,7 +48,6 @@ class Wanted(NamedTuple):
     instead: tuple[str, ...] = ()
     duration: float = MOTION
     gui: bool = False
-    picture: bool = False
     live: bool = False
     tasks: Any = None
 
@@ -72,9 +70,9 @@ class PreparedRobot(NamedTuple):
     def from_json(cls, data: dict[str, Any]) -> PreparedRobot:
         """Return the robot that plain data holds."""
         results = tuple(ControllerResult.from_json(result) for result in data["controllers"])
-        picture, linted = tuple(map(tuple, data["picture"])), result_from_json(data["linted"])
+        linted = result_from_json(data["linted"])
         return cls(
-            smoked=Smoked(linted, results, data["distro"], picture=picture, part_of=data["part_of"]),
+            smoked=Smoked(linted, results, data["distro"], part_of=data["part_of"]),
             plan=Plan.from_json(data["plan"]) if data["plan"] else None,
             anchors={subject: diagnostic_from_json(anchor) for subject, anchor in data["anchors"].items()},
             troubles=tuple(Trouble.from_json(fields) for fields in data["troubles"]),
@@ -88,7 +86,6 @@ class PreparedRobot(NamedTuple):
             "linted": result_to_json(self.smoked.linted),
             "controllers": [result.to_json() for result in self.smoked.controllers],
             "distro": self.smoked.distro,
-            "picture": self.smoked.picture,
             "part_of": self.smoked.part_of,
             "plan": self.plan.to_json() if self.plan else None,
             "anchors": {subject: diagnostic_to_json(anchor) for subject, anchor in self.anchors.items()},
@@ -180,9 +177,7 @@ def prepared_robot(loader: Loader, target: Target, wanted: Wanted) -> PreparedRo
         plan, troubles = plan_of(judgement, packages, wanted.duration, gui=wanted.gui)
         judgement = judgement._replace(troubles=(*judgement.troubles, *troubles))
     smoked = judgement.smoked
-    robot, mechanism = judgement.seen.project.robot, judgement.mechanism
-    if wanted.picture and robot and mechanism:
-        smoked = smoked._replace(picture=picture_of(robot, mechanism))
+    mechanism = judgement.mechanism
     names = [way.name for way in judgement.cycle.ways]
     wrong = tuple(misfits(given, mechanism, judgement.tasks, names)) if given and mechanism else ()
     if plan is None:

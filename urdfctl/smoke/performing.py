@@ -129,7 +129,18 @@ def _moved(simulation: Simulation, task: Task, assignment: Assignment) -> Perfor
                 _of_velocity(assignment, goal, track, held) if of_velocity else _of_path(assignment, goal, track)
             )
         quantity, measured_values = ("velocity", track.velocities) if of_velocity else ("position", track.positions)
-        curves.append(simulation.curve(task.controller, name, quantity, track.wanted, measured_values))
+        end, slack = track.wanted[-1], _tolerance(assignment)
+        curves.append(
+            simulation.curve(
+                task.controller,
+                name,
+                quantity,
+                track.wanted,
+                measured_values,
+                efforts=track.efforts,
+                band=(end - slack, end + slack) if name in named else None,
+            )
+        )
         hold(engine, goal.hinge, engine.position(name))
     simulation.run_for(0.1)
     return Performed(tuple(troubles), tuple(curves))

@@ -86,7 +86,7 @@ class Tried(NamedTuple):
     def from_json(cls, data: dict[str, Any]) -> Tried:
         """Return the result that plain data holds."""
         troubles = [Trouble.from_json(fields) for fields in data["troubles"]]
-        curves = [Curve(*fields[:3], *map(tuple, fields[3:])) for fields in data["curves"]]
+        curves = [Curve.from_json(fields) for fields in data["curves"]]
         tested = {name: tuple(acts) for name, acts in data["tested"].items()}
         lists = {name: tuple(data[name]) for name in ("moved", "left_to_others")}
         return cls(**{**data, **lists, "troubles": tuple(troubles), "curves": tuple(curves), "tested": tested})

@@ -82,7 +82,12 @@ def trouble_of(
 
 
 class Curve(NamedTuple):
-    """The commanded and the measured motion of one joint, in rad or m (velocities: rad/s or m/s), over seconds."""
+    """The commanded and the measured motion of one joint, in rad or m (velocities: rad/s or m/s), over seconds.
+
+    `efforts` are those of its motor, in per cent of its limit; empty if it has none. `band` holds between which values
+    it must end, and `limits` its own limits in the quantity; each is None if there is none. `unit` is that of the
+    values.
+    """
 
     controller: str
     joint: str
@@ -90,15 +95,25 @@ class Curve(NamedTuple):
     seconds: tuple[float, ...]
     commanded: tuple[float, ...]
     measured: tuple[float, ...]
+    efforts: tuple[float, ...] = ()
+    band: tuple[float, float] | None = None
+    limits: tuple[float, float] | None = None
+    unit: str = "rad"
+
+    @classmethod
+    def from_json(cls, data: list[Any]) -> Curve:
+        """Return the curve that a list of plain data holds."""
+        fields: list[Any] = [tuple(field) if isinstance(field, list) else field for field in data]
+        return cls(*fields)
 
 
 class Smoked(NamedTuple):
     """The smoke test of one robot.
 
     `linted` holds the findings of the smoke test instead of those of lint. `distro` is the one whose controller manager
-    was modelled. `engine` is None if nothing was simulated, and `seconds` is how long the simulation took. `picture`
-    holds the robot at spawn as line segments (x1, y1, z1, x2, y2, z2), in m. `part_of` is the link of another file on
-    which a description hangs that is not a robot. `interrupted`: Ctrl-C ended the run before all was tested.
+    was modelled. `engine` is None if nothing was simulated, and `seconds` is how long the simulation took. `part_of` is
+    the link of another file on which a description hangs that is not a robot. `interrupted`: Ctrl-C ended the run
+    before all was tested.
     """
 
     linted: TargetResult
@@ -107,7 +122,6 @@ class Smoked(NamedTuple):
     engine: str | None = None
     seconds: float = 0.0
     curves: tuple[Curve, ...] = ()
-    picture: tuple[tuple[float, ...], ...] = ()
     part_of: str = ""
     interrupted: bool = False
 

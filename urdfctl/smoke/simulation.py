@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
-from urdfctl.smoke.checks import Track
+from urdfctl.smoke.checks import Track, judged_by_end, tolerance_of
 from urdfctl.smoke.engines import STEP, Engine, Standing
 from urdfctl.smoke.ground import TIPPED
 from urdfctl.smoke.mechanism import Hinge
 from urdfctl.smoke.motions import FREELY, Goal, Motion
 from urdfctl.smoke.plan import Plan
 from urdfctl.smoke.results import Curve
+from urdfctl.smoke.tasks import Family, Task
 
 _EXPLODED = 1e4
 """From this position on, in rad or m, the simulation has exploded."""
@@ -89,7 +90,7 @@ class Simulation:
 
     def tracked(self, motions: Sequence[tuple[Motion, Sequence[Goal]]], seconds: float) -> list[list[Track]]:
         """Return what the joints of some goals do while motions command them, all at once, for some seconds."""
-        tracks = [[Track([], [], []) for _ in goals] for _, goals in motions]
+        tracks = [[Track([], [], [], []) for _ in goals] for _, goals in motions]
         for update in range(max(4, round(seconds / self.period))):
             for motion, _ in motions:
                 motion.update(update * self.period, self.period)
@@ -99,15 +100,75 @@ class Simulation:
                     track.positions.append(self.engine.position(goal.hinge.name))
                     track.velocities.append(self.engine.velocity(goal.hinge.name))
                     track.wanted.append(motion.wanted(index))
+                    track.efforts.append(self.engine.effort(goal.hinge.name))
         return tracks
 
+    def curves(self, task: Task, goals: Sequence[Goal], tracks: Sequence[Track]) -> Iterator[Curve]:
+        """Yield the curves of a controller's joints. A joint that is pushed has no commanded position."""
+        is_forwarded = task.family is Family.FORWARD
+        of_velocity = task.family is Family.VELOCITY_PID or (is_forwarded and task.interface == "velocity")
+        is_pushed = is_forwarded and task.interface == "effort"
+        for index, (goal, track) in enumerate(zip(goals, tracks, strict=True)):
+            band = None
+            if judged_by_end(task):
+                slack = tolerance_of(task, goal, task.gains[index].p if task.gains else 0.0)
+                band = goal.end - slack, goal.end + slack
+            yield self.curve(
+                task.controller,
+                goal.hinge.name,
+                "velocity" if of_velocity else "position",
+                [] if is_pushed else track.wanted,
+                track.velocities if of_velocity else track.positions,
+                efforts=track.efforts,
+                band=band,
+            )
+
     def curve(
-        self, controller: str, joint: str, quantity: str, wanted: Sequence[float], measured: Sequence[float]
+        self,
+        controller: str,
+        joint: str,
+        quantity: str,
+        wanted: Sequence[float],
+        measured: Sequence[float],
+        *,
+        efforts: Sequence[float] = (),
+        band: tuple[float, float] | None = None,
     ) -> Curve:
-        """Return a joint's motion as a curve with few samples."""
+        """Return a joint's motion as a curve with few samples.
+
+        efforts: of its motor, in N m or N. band: between which values it must end.
+        """
         every = max(1, len(measured) // _SAMPLES)
         seconds = tuple(round((n + 1) * self.period, 4) for n in range(0, len(measured), every))
         commanded, did = (tuple(round(value, 5) for value in values[::every]) for values in (wanted, measured))
+        hinge = self.hinges.get(joint)
+        most = hinge.effort if hinge and hinge.effort else math.inf
+        shares = [100 * effort / most for effort in efforts[::every]] if most < math.inf else []
         return Curve(
-            controller=controller, joint=joint, quantity=quantity, seconds=seconds, commanded=commanded, measured=did
+            controller=controller,
+            joint=joint,
+            quantity=quantity,
+            seconds=seconds,
+            commanded=commanded,
+            measured=did,
+            efforts=tuple(float(f"{share:.3g}") for share in shares),
+            band=band,
+            limits=_limits(hinge, quantity) if hinge else None,
+            unit=_unit(hinge, quantity),
         )
+
+
+def _limits(hinge: Hinge, quantity: str) -> tuple[float, float] | None:
+    """The limits of a joint in a quantity, if it has any."""
+    if quantity == "velocity":
+        return (-hinge.velocity, hinge.velocity) if hinge.velocity else None
+    if hinge.type == "continuous" or hinge.lower is None or hinge.upper is None:
+        return None
+    return hinge.span
+
+
+def _unit(hinge: Hinge | None, quantity: str) -> str:
+    """The unit of a quantity of a joint, or of a base without one."""
+    if hinge is None:
+        return "rad" if quantity == "yaw" else "m"
+    return f"{hinge.unit}/s" if quantity == "velocity" else hinge.unit

@@ -11,7 +11,7 @@ from urdfctl.rules.smoke.robot_tips_over import robot_tips_over
 from urdfctl.rules.smoke.simulation_explodes import simulation_explodes
 from urdfctl.rules.smoke.wheel_off_the_ground import wheel_off_the_ground
 from urdfctl.smoke.assignments import Assignment
-from urdfctl.smoke.checks import MIMIC, Track, joint_troubles, together_troubles, within_span
+from urdfctl.smoke.checks import MIMIC, joint_troubles, together_troubles, within_span
 from urdfctl.smoke.driving import driven, rolled, wheels_of_drives
 from urdfctl.smoke.engines import STEP, Engine, Refused, Setup, open_engine
 from urdfctl.smoke.ground import TIPPED
@@ -317,7 +317,7 @@ class Trial:
             motion = motion_of(self._engine, task, [goal], PUSHING)
             tracks = self._simulation.tracked([(motion, [goal])], PUSHING)[0]
             self.troubles += joint_troubles(task, [goal], tracks, PUSHING)
-            self.curves.append(self._simulation.curve(task.controller, name, "position", [], tracks[0].positions))
+            self.curves += self._simulation.curves(task, [goal], tracks)
             hold(self._engine, goal.hinge, self._engine.position(name))
         self._simulation.run_for(0.1)
 
@@ -350,20 +350,11 @@ class Trial:
                 again.append(task)
             else:
                 self.troubles += troubles
-                self._draw(task, own, tracked)
+                self.curves += self._simulation.curves(task, own, tracked)
         self._simulation.run_for(0.1)
         for task in again:  # it moves alone: another one of the group may have disturbed it
             self._move([task])
         return True
-
-    def _draw(self, task: Task, goals: Sequence[Goal], tracks: Sequence[Track]) -> None:
-        of_velocity = task.family is Family.VELOCITY_PID or (
-            task.family is Family.FORWARD and task.interface == "velocity"
-        )
-        quantity = "velocity" if of_velocity else "position"
-        for goal, track in zip(goals, tracks, strict=True):
-            measured, name = track.velocities if of_velocity else track.positions, goal.hinge.name
-            self.curves.append(self._simulation.curve(task.controller, name, quantity, track.wanted, measured))
 
     def _together(self) -> None:
         """Run all loops together: joints that are still when they are moved alone may disturb each other."""

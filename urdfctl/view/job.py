@@ -12,9 +12,11 @@ from urdfctl.lint.job import Work, Workers, run_on_targets
 from urdfctl.lint.target import lint_target
 from urdfctl.load.meshes import mesh_path
 from urdfctl.load.target import Target
+from urdfctl.smoke.mechanism import mechanism_of
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 from urdfctl.view.meshes import installed
+from urdfctl.view.outline import Segment, outline_of
 from urdfctl.view.scene import MOST_TRIANGLES, MeshShelf, scene_of
 
 _SHARE = 0.6
@@ -26,12 +28,14 @@ class Portrait(NamedTuple):
 
     graph: what is wired to what; None if it could not be made.
     scene: the robot in 3-D, as plain data; None if it has no links, or meshes were not asked for.
+    outline: if there is no scene, the robot at spawn as line segments (x1, y1, z1, x2, y2, z2), in m.
     failure: why there is neither; empty if there is.
     crashed: whether that is a fault of urdfctl.
     """
 
     graph: Graph | None = None
     scene: dict[str, Any] | None = None
+    outline: Sequence[Sequence[float]] = ()
     failure: str = ""
     crashed: bool = False
 
@@ -52,7 +56,7 @@ def portraits(
     for result in results:
         if isinstance(result, dict):
             graph = Graph.from_json(result["graph"]) if result["graph"] is not None else None
-            yield Portrait(graph, result["scene"])
+            yield Portrait(graph, result["scene"], result["outline"])
         else:
             yield Portrait(failure=result.reason, crashed=result.our_fault)
 
@@ -65,11 +69,15 @@ def portrait_work(work: Work) -> dict[str, Any]:
     project = linted.project
     graph = graph_of(project, findings) if project.distros or project.distro else None
     scene = None
-    if work.details["in_3d"] and project.robot is not None and project.robot.links:
+    outline: tuple[Segment, ...] = ()
+    mechanism = mechanism_of(project.robot) if project.robot is not None else None
+    if project.robot is not None and mechanism is not None and not work.details["in_3d"]:
+        outline = outline_of(project.robot, mechanism)
+    elif work.details["in_3d"] and project.robot is not None and project.robot.links:
         files, packages = work.loader.reading(linted.result.path)
         path = linted.result.path
         shelf = MeshShelf(
             files, lambda address: mesh_path(address, packages, path), began + float(work.details["seconds"])
         )
         scene = scene_of(project.robot, graph, findings, shelf, int(work.details["most"]))
-    return {"graph": graph.to_json() if graph else None, "scene": scene}
+    return {"graph": graph.to_json() if graph else None, "scene": scene, "outline": outline}

@@ -100,6 +100,10 @@ class Engine(Protocol):
         """Return the velocity of a joint, in rad/s or m/s."""
         raise NotImplementedError
 
+    def effort(self, joint: str) -> float:
+        """Return the effort with which its motor drove a joint in the last step, in N m or N."""
+        raise NotImplementedError
+
     def to_position(self, joint: str, position: float, effort: float, velocity: float) -> None:
         """Drive a joint to a position, with a maximum effort and velocity."""
         raise NotImplementedError

@@ -100,6 +100,13 @@ class Bullet:
         state = self._physics.getJointState(self._robot, self._joints[joint], physicsClientId=self._client)
         return float(state[1])
 
+    def effort(self, joint: str) -> float:
+        """Return the effort with which its motor drove a joint in the last step, in N m or N."""
+        index = self._joints[joint]
+        if index in self._pushed:
+            return self._pushed[index]
+        return float(self._physics.getJointState(self._robot, index, physicsClientId=self._client)[3])
+
     def to_position(self, joint: str, position: float, effort: float, velocity: float) -> None:
         """Drive a joint to a position, with a maximum effort and velocity."""
         index = self._joints[joint]

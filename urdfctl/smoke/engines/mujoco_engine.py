@@ -42,6 +42,7 @@ class Mujoco:
         self._diagonal = ends
         self._damping = {name: float(model.dof_damping[way]) for name, way in self._ways.items()}
         self._commands: dict[str, tuple[str, float, float, float]] = {}
+        self._efforts: dict[str, float] = {}
         self._motors: dict[str, Motor] = {}
 
     def prepare(self, setup: Setup) -> None:
@@ -75,6 +76,10 @@ class Mujoco:
         """Return the velocity of a joint, in rad/s or m/s."""
         return float(self._data.qvel[self._ways[joint]])
 
+    def effort(self, joint: str) -> float:
+        """Return the effort with which its motor drove a joint in the last step, in N m or N."""
+        return self._efforts.get(joint, 0.0)
+
     def to_position(self, joint: str, position: float, effort: float, velocity: float) -> None:
         """Drive a joint to a position, with a maximum effort and velocity."""
         self._commands[joint] = "position", position, effort, velocity
@@ -100,6 +105,8 @@ class Mujoco:
                 push, damping = self._servo(joint, wanted, effort)
             model.dof_damping[way] = damping
             data.qfrc_applied[way] = push
+            # what a servo damps is its motor's work too; a pushed joint's damping is its own
+            self._efforts[joint] = push - (damping * float(data.qvel[way]) if kind != "effort" else 0.0)
         self._library.mj_step(model, data)
 
     def _servo(self, joint: str, wanted: float, effort: float) -> tuple[float, float]:

@@ -16,7 +16,7 @@ MOST_SEGMENTS = 4000
 _CORNERS = 16
 
 
-def picture_of(robot: Robot, mechanism: Mechanism) -> tuple[Segment, ...]:
+def outline_of(robot: Robot, mechanism: Mechanism) -> tuple[Segment, ...]:
     """Return the segments, each as (x1, y1, z1, x2, y2, z2) in m in the root's frame."""
     poses = mechanism.poses(mechanism.start())
     segments: list[Segment] = []

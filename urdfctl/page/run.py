@@ -1,0 +1,146 @@
+"""The page of a run, from the results of lint or of smoke."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from urdfctl.diagnostic import Diagnostic, Severity
+from urdfctl.graph.svg import STYLE, svg
+from urdfctl.graph.view import collapsed
+from urdfctl.lint.results import TargetResult
+from urdfctl.page.chart import chart
+from urdfctl.page.drawing import drawing
+from urdfctl.report.common import Report, relative, shown, visible
+from urdfctl.report.pages import page
+from urdfctl.smoke.reports import SmokeReport, account, heading, how, steps, summary
+from urdfctl.smoke.results import ControllerResult, Smoked, Verdict
+from urdfctl.startup.hints import Any
+from urdfctl.startup.records import NamedTuple
+from urdfctl.view.html import part_values
+from urdfctl.view.job import Portrait
+
+_ORDER = (Verdict.FAILED, Verdict.WARNED, Verdict.SKIPPED, Verdict.PASSED)
+_MOST_JOINTS = 30
+"""With more joints, the graph shows those with the same wiring as one."""
+
+
+class RunFacts(NamedTuple):
+    """What the page says of the run itself.
+
+    command: the command line. date: in ISO 8601. seconds: how long it took.
+    """
+
+    command: str
+    date: str
+    seconds: float
+
+
+def lint_page(report: Report, portraits: Sequence[tuple[TargetResult, Portrait]], facts: RunFacts) -> str:
+    """Return the page of a lint run."""
+    counts = [(severity, report.count(severity)) for severity in Severity]
+    words = [f"{count} {_plural(severity, count)}" for severity, count in counts if count]
+    robots = [_robot(_title(result), _how(result), portrait) for result, portrait in portraits]
+    return _page("Lint", ", ".join(words) or "no findings", robots, report.findings, facts)
+
+
+def smoke_page(report: SmokeReport, portraits: Sequence[tuple[Smoked, Portrait]], facts: RunFacts) -> str:
+    """Return the page of a smoke run: robots with failures first, and of each robot the failed controllers first."""
+    ordered = sorted(portraits, key=lambda pair: min(map(_rank, pair[0].controllers), default=9))
+    robots = [
+        {**_robot(heading(smoked), how(smoked), portrait), **_tested(smoked, portrait)} for smoked, portrait in ordered
+    ]
+    return _page("Smoke test", summary(report), robots, report.found.findings, facts)
+
+
+def _page(
+    kind: str, outcome: str, robots: list[dict[str, Any]], findings: Sequence[Diagnostic], facts: RunFacts
+) -> str:
+    ordered = sorted(findings, key=lambda finding: (-finding.severity.weight, finding.order))
+    return page(
+        "run",
+        title=f"{kind}: {visible(outcome)}",
+        kind=kind,
+        outcome=visible(outcome),
+        facts=facts,
+        robots=robots,
+        findings=[_finding(relative(finding)) for finding in ordered],
+        graph_style=STYLE,
+        in_3d=any(robot["scene"] for robot in robots),
+        **part_values(),
+    )
+
+
+def _plural(severity: Severity, count: int) -> str:
+    return severity.value if count == 1 or severity is Severity.INFO else f"{severity.value}s"
+
+
+def _title(result: TargetResult) -> str:
+    return heading(Smoked(result))
+
+
+def _how(result: TargetResult) -> str:
+    parts = [result.distro or " or ".join(result.distros[-2:]), *map(shown, result.controllers)]
+    return ", ".join(part for part in parts if part)
+
+
+def _robot(title: str, facts: str, portrait: Portrait) -> dict[str, Any]:
+    graph = portrait.graph
+    if graph is not None and sum(node.kind == "joint" for node in graph.nodes) > _MOST_JOINTS:
+        graph = collapsed(graph)
+    return {
+        "title": visible(title),
+        "how": visible(facts),
+        "graph": svg(graph, style=False) if graph is not None and graph.nodes else "",
+        "scene": portrait.scene,
+        "drawing": "" if portrait.scene else drawing(portrait.outline, title),
+        "failure": portrait.failure,
+        "controllers": [],
+        "counts": [],
+        "charts": [],
+    }
+
+
+def _finding(finding: Diagnostic) -> dict[str, Any]:
+    at, line = finding.at, finding.excerpt
+    start = at.column - finding.excerpt_column
+    end = at.end_column - finding.excerpt_column if at.end_line == at.line else len(line)
+    return {
+        "code": finding.code,
+        "name": finding.name,
+        "severity": finding.severity.value,
+        "message": visible(finding.message),
+        "at": f"{at.file}:{at.line}:{at.column}",
+        "before": visible(line[:start].lstrip()),
+        "marked": visible(line[start:end]),
+        "after": visible(line[end:].rstrip()),
+        "notes": [visible(note.message) for note in finding.notes],
+        "fix": visible(finding.fix.title) if finding.fix else "",
+        "also": len(finding.also),
+    }
+
+
+def _rank(result: ControllerResult) -> int:
+    return _ORDER.index(result.verdict)
+
+
+def _tested(robot: Smoked, portrait: Portrait) -> dict[str, Any]:
+    failed = {result.name for result in robot.controllers if result.verdict is Verdict.FAILED}
+    moving = {joint["name"] for joint in portrait.scene["joints"]} if portrait.scene else set()
+    charts = [chart(curve) for curve in sorted(robot.curves, key=lambda curve: curve.controller not in failed)]
+    for one in charts:
+        if one["replay"] is not None and one["replay"]["joint"] not in moving:
+            one["replay"] = None
+    return {
+        "counts": [(verdict.value, robot.count(verdict)) for verdict in _ORDER if robot.count(verdict)],
+        "controllers": [
+            {
+                "name": visible(result.name),
+                "type": visible(result.type or ""),
+                "verdict": result.verdict.value,
+                "stages": steps(result, robot.linted.ros),
+                "reason": visible(result.reason or account(result)),
+            }
+            for result in sorted(robot.controllers, key=_rank)
+        ],
+        "charts": charts,
+    }
