@@ -234,6 +234,19 @@ ctl:
     assert "i_clamp" not in after
 
 
+def test_a_file_that_is_loaded_into_several_namespaces_is_for_any(folder: Folder) -> None:
+    load = '<launch><rosparam file="$(find arm)/config/c.yaml"/></launch>\n'
+    files = {
+        "config/c.yaml": "ctl:\n  type: effort_controllers/JointEffortController\n  joint: shoulder\n",
+        "urdf/arm.xacro": arm(transmission("EffortJointInterface")),
+        "launch/one.launch": load,
+        "launch/two.launch": load.replace('"/>', '" ns="two"/>'),
+    }
+    after = migrated(folder, files, "--only", "urdf,yaml")["config/c.yaml"]
+    assert after.startswith('"/**/controller_manager":\n')
+    assert '\n"/**/ctl":\n  ros__parameters:\n    joints: [shoulder]\n' in after
+
+
 def test_a_base_gets_the_measures_of_its_wheels(folder: Folder) -> None:
     wheels = "".join(
         f"""\

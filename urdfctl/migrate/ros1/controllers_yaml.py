@@ -153,7 +153,10 @@ def _end_of_lines(data: bytes, item: Item) -> int:
 
 
 def _namespace_of(packages: Packages, path: str) -> str:
-    """The namespace that launch files load a file into; any, if it is an argument; empty if they do not say."""
+    """The namespace that launch files load a file into; empty if none does.
+
+    It is any namespace if an argument names it, or if there are several.
+    """
     real = os.path.realpath(path)
     launches = (loaded.project.launch for loaded in packages.loaded())
     loads = [
@@ -165,8 +168,8 @@ def _namespace_of(packages: Packages, path: str) -> str:
     ]
     if any(_is_argument(load.at) for load in loads):
         return _ANY
-    named = {load.namespace or "" for load in loads} - {""}  # one that others include is also read by itself
-    return named.pop() if len(named) == 1 else ""
+    spaces = {load.namespace or "" for load in loads}
+    return _ANY if len(spaces) > 1 else next(iter(spaces), "")
 
 
 def _is_argument(at: Place) -> bool:
