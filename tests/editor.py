@@ -35,6 +35,7 @@ class Editor:
         self.messages: list[str] = []
         self._versions: dict[Path, int] = {}
         self._sent = 0
+        self._near = asyncio.Event()
         self._whole = asyncio.Event()
         self.client.feature(types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)(partial(self._take))
         self.client.feature(types.WINDOW_SHOW_MESSAGE)(lambda params: self.messages.append(params.message))
@@ -44,18 +45,21 @@ class Editor:
         self.findings[path_of(params.uri)] = list(params.diagnostics)
 
     def _checked(self, params: Any) -> None:
+        if params.changes == self._sent:
+            self._near.set()
         if params.whole and params.changes == self._sent:
             self.robots = list(params.robots)
             self._whole.set()
 
     def _sends(self) -> None:
         self._sent += 1
+        self._near.clear()
         self._whole.clear()
 
     async def start(self) -> types.InitializeResult:
         """Start the server of this checkout and show it the folder."""
         code = "import sys; from urdfctl.__main__ import main; sys.argv = ['urdfctl', 'server']; sys.exit(main())"
-        await self.client.start_io(sys.executable, "-c", code, env={**os.environ, "PYTHONPATH": str(CHECKOUT)})
+        await self.client.start_io(sys.executable, "-c", code, env=self.environment())
         general = types.GeneralClientCapabilities(position_encodings=self.encodings)  # type: ignore[arg-type]
         folder = types.WorkspaceFolder(self.folder.as_uri(), "folder")
         result = await self.client.initialize_async(
@@ -115,6 +119,22 @@ class Editor:
             for path, findings in sorted(self.findings.items())
             if findings
         }
+
+    async def checked_near(self) -> None:
+        """Wait until the package of the last changed file is linted."""
+        await asyncio.wait_for(self._near.wait(), SECONDS)
+
+    @property
+    def pid(self) -> int:
+        """The number of the server's process."""
+        server = self.client._server
+        assert server is not None
+        return server.pid
+
+    @staticmethod
+    def environment() -> dict[str, str]:
+        """The environment in which the server and other commands are those of this checkout."""
+        return {**os.environ, "PYTHONPATH": str(CHECKOUT)}
 
     def document(self, name: str) -> types.TextDocumentIdentifier:
         """Return a file as requests name it."""

@@ -34,6 +34,16 @@ def _raiser(error: Exception) -> Callable[[Json], Json]:
     return function
 
 
+def _without_arguments(reason: str) -> type[OverBudget]:
+    """OverBudget with a reason, as a class: another thread can only be given a class."""
+
+    class TimeIsUp(OverBudget):
+        def __init__(self) -> None:
+            super().__init__(reason)
+
+    return TimeIsUp
+
+
 class Clock:
     """Raises OverBudget in the thread that entered it, after `limits.seconds` or when `stop` is called.
 
@@ -42,6 +52,7 @@ class Clock:
 
     def __init__(self, limits: Limits) -> None:
         self._limits = limits
+        self._error = _without_arguments(limits.too_slow)
         self._lock = threading.Lock()
         self._thread: int | None = None
         self._timer: threading.Timer | None = None
@@ -65,5 +76,5 @@ class Clock:
         """Interrupt the thread that is between entering and leaving."""
         with self._lock:
             if self._thread is not None:
-                ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self._thread), ctypes.py_object(OverBudget))
+                ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self._thread), ctypes.py_object(self._error))
                 self._thread = None

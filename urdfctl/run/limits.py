@@ -17,6 +17,8 @@ from urdfctl.startup.signals import signal
 Json = dict[str, Any]
 GRACE = 2.0
 """Seconds between the deadline inside a worker and the moment when its parent ends it."""
+HAS_PROCESSES = sys.platform not in {"emscripten", "wasi"}
+"""Whether there are other processes: a browser has none."""
 CAN_FORK = hasattr(os, "fork") and sys.platform != "win32"
 
 

@@ -1,6 +1,6 @@
 """Run jobs in worker processes with little time, little memory and little of the environment.
 
-Where the system can fork, a worker is a fork; elsewhere it is a fresh Python.
+Where the system can fork, a worker is a fork; elsewhere it is a fresh Python. In a browser, this process does the jobs.
 """
 
 from __future__ import annotations
@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 
 from urdfctl.run.fork import ForkPool
-from urdfctl.run.limits import CAN_FORK, Json, Limits, Result
+from urdfctl.run.limits import CAN_FORK, HAS_PROCESSES, Json, Limits, Result
 from urdfctl.startup.records import NamedTuple
 
 MAX_PARALLEL = 128
@@ -46,6 +46,12 @@ def run_jobs(
     meanwhile: called once, after the first workers were started.
     """
     parallel = min(max(parallel, 1), MAX_PARALLEL)
+    if not HAS_PROCESSES:
+        from urdfctl.run.here import run_all_here
+
+        meanwhile()
+        yield from run_all_here(jobs, function, limits)
+        return
     if not CAN_FORK:
         from urdfctl.run.fresh import run_all_fresh
 
