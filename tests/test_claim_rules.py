@@ -45,6 +45,29 @@ def test_an_interface_that_one_joint_lacks_is_told_at_that_joint(bench: Bench) -
     assert found.excerpt[found.at.column - 1 :].startswith("elbow")
 
 
+@pytest.mark.parametrize(
+    ("distro", "kind", "expected"),
+    [
+        ("jazzy", "bool", ["UC475"]),
+        ("jazzy", "int32", ["UC475"]),
+        ("jazzy", "double", []),
+        ("kilted", "bool", []),
+        ("kilted", "int32", ["UC475"]),
+    ],
+)
+def test_a_trajectory_controller_reads_doubles_and_since_kilted_bools(
+    tmp_path: Path, distro: str, kind: str, expected: list[str]
+) -> None:
+    part = component(joint("elbow", POSITION + f'<state_interface name="position" data_type="{kind}"/>'))
+    jtc = controllers("arm", kind="joint_trajectory_controller/JointTrajectoryController") + (
+        "arm:\n  ros__parameters:\n    joints: [elbow]\n    command_interfaces: [position]\n"
+        "    state_interfaces: [position]\n"
+    )
+    found = Bench(tmp_path, "UC475").lint(part, jtc, distro=distro)
+    assert [finding.code for finding in found] == expected
+    assert all(finding.message.endswith(f"its data type is '{kind}'") for finding in found)
+
+
 def test_a_joint_that_stands_in_no_component_is_told_once(bench: Bench) -> None:
     jtc = controllers("arm", kind="joint_trajectory_controller/JointTrajectoryController") + (
         "arm:\n  ros__parameters:\n    joints: [shoulder]\n    command_interfaces: [position]\n"

@@ -25,6 +25,7 @@ from urdfctl.rules.claims.mapped_interface_not_exported import mapped_interface_
 from urdfctl.rules.claims.nothing_to_claim import nothing_to_claim
 from urdfctl.rules.claims.sensor_frame_not_a_link import sensor_frame_not_a_link
 from urdfctl.rules.claims.state_interface_not_exported import state_interface_not_exported
+from urdfctl.rules.claims.state_of_other_data_type import state_of_other_data_type
 from urdfctl.rules.claims.wheel_speed_beyond_limit import wheel_speed_beyond_limit
 
 RULES: tuple[Rule, ...] = (
@@ -51,4 +52,5 @@ RULES: tuple[Rule, ...] = (
     nothing_to_claim,
     sensor_frame_not_a_link,
     wheel_speed_beyond_limit,
+    state_of_other_data_type,
 )
