@@ -128,7 +128,7 @@ class _Writer:
             return
         change, element = found or (Change(name), "")
         targets = [each.replace("<>", element) for each in change.name.split()]
-        if not targets or matching(targets[0], self.kind.parameters) is None:
+        if not targets or not self._was_ever_read(targets[0]):
             self._drop(edits, path)
             why = change.why or f"'{self.kind.type}' does not read it in {packages.wishes.target}"
             message = f"parameter '{name}' of '{self.item.name}' is dropped: {why}"
@@ -139,6 +139,10 @@ class _Writer:
             self.entries.append(Entry(EntryKind.DONE, message, key.at, authority=_RENAMED))
         self._rename(edits, name, path, targets, added)
         self._retype(edits, value, targets[0], as_list=change.as_list)
+
+    def _was_ever_read(self, name: str) -> bool:
+        """Whether a distro of ROS 2 reads a parameter: later steps bring it into the form of the target."""
+        return bool(matching(name, self.kind.parameters) or matching(name, self.kind.former))
 
     def _drop(self, edits: MapEdits, path: Path) -> None:
         """Drop a parameter; those of a map in braces when their lines are written."""

@@ -124,11 +124,7 @@ class _File:
             )
             self.entries.append(Entry(EntryKind.DECIDED, message, item.entry.key.at, authority=_PID_GAINS))
             return ""
-        kind = (
-            f"type '{item.type}' has no counterpart in {self.packages.wishes.target}"
-            if item.type
-            else "no controller reads it"
-        )
+        kind = f"type '{item.type}' has no counterpart in ROS 2" if item.type else "no controller reads it"
         what = f"'{item.name}' is kept as a comment: {kind}"
         if not item.type:
             self.entries.append(Entry(EntryKind.DECIDED, what, item.entry.key.at, authority=_FORM))
