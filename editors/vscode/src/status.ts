@@ -1,0 +1,44 @@
+/** The status item: the robot of the open file, its distro, and the evidence for it. Knows nothing of the editor. */
+
+/** A robot of the workspace, as the notification `urdfctl/checked` describes it. */
+export interface Robot {
+  file: string;
+  robot: string;
+  arguments: Record<string, string>;
+  launch: string | null;
+  distro: string | null;
+  distro_from: string | null;
+  simulator: string | null;
+  files: string[];
+}
+
+export interface Status {
+  text: string;
+  tooltip: string;
+}
+
+/** Return what the status item shows for a file; undefined if no robot reads the file. */
+export function statusOf(file: string | undefined, robots: readonly Robot[]): Status | undefined {
+  const here = robots.filter((robot) => file !== undefined && (robot.file === file || robot.files.includes(file)));
+  if (here.length === 0) {
+    return undefined;
+  }
+  const [first] = here;
+  const others = here.length > 1 ? ` +${here.length - 1}` : "";
+  const distros = [...new Set(here.map((robot) => robot.distro ?? "unknown distro"))];
+  return {
+    text: `$(circuit-board) ${first.robot}${others} · ${distros.join(", ")}`,
+    tooltip: here.map(described).join("\n\n"),
+  };
+}
+
+function described(robot: Robot): string {
+  const given = Object.entries(robot.arguments).map(([name, value]) => `${name}:=${value}`);
+  const lines = [
+    [robot.robot, ...given].join(" "),
+    robot.launch ? `started by ${robot.launch}` : undefined,
+    robot.distro ? `distro: ${robot.distro}${robot.distro_from ? ` (from ${robot.distro_from})` : ""}` : "distro: unknown",
+    robot.simulator ? `simulator: ${robot.simulator}` : undefined,
+  ];
+  return lines.filter((line) => line !== undefined).join("\n");
+}
