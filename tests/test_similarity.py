@@ -38,3 +38,29 @@ def test_the_nearest_name_is_found_without_difflib() -> None:
     )
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
     assert done.stdout == "False\n"
+
+
+@pytest.mark.parametrize(
+    ("unknown", "meant"),
+    [
+        ("mobile_px100/ar_tag_link", None),
+        ("mobile_px100/shoulder_lnk", "mobile_px100/shoulder_link"),
+        ("mobile_px100/ee_arm_lnik", "mobile_px100/ee_arm_link"),
+        ("mobile_px10/ee_arm_link", "mobile_px100/ee_arm_link"),
+    ],
+)
+def test_a_namespace_before_most_names_makes_none_of_them_similar(unknown: str, meant: str | None) -> None:
+    links = [f"mobile_px100/{link}" for link in ("base_link", "shoulder_link", "upper_arm_link", "ee_arm_link")]
+    assert nearest(unknown, [*links, "world"]) == meant
+
+
+@pytest.mark.parametrize(
+    ("unknown", "known", "meant"),
+    [
+        ("wheel_lf", ["wheel_fl", "wheel_rl", "wheel_rr"], "wheel_fl"),
+        ("joint_wirst", ["joint_wrist", "joint_elbow", "joint_base"], "joint_wrist"),
+        ("left_shoulder_link", ["left_elbow_link", "left_hand_link", "left_shouldr_link"], "left_shouldr_link"),
+    ],
+)
+def test_a_slip_after_a_shared_prefix_is_still_found(unknown: str, known: list[str], meant: str) -> None:
+    assert nearest(unknown, known) == meant

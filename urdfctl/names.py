@@ -3,16 +3,22 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 _LEAST_SIMILARITY = 0.8
 """The least ratio, from 0 to 1, at which one name counts as a misspelling of the other."""
+_SEPARATORS = "/_-:."
+_FEW = 3
+"""A prefix that fewer names than this share says nothing."""
 _LONG = 200
 """From this length on, `difflib` ignores letters that are frequent."""
 
 
 def nearest(name: str, known: Iterable[str]) -> str | None:
-    """Return the known name most similar to `name`, or None if none is similar."""
+    """Return the known name most similar to `name`, or None if none is similar.
+
+    A namespace or a robot's name before most names makes none of them more similar.
+    """
     candidates = sorted({candidate for candidate in known if candidate})
     by_folded = {candidate.casefold().replace("-", "_"): candidate for candidate in candidates}
     same = by_folded.get(name.casefold().replace("-", "_"))
@@ -23,8 +29,26 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
     ]
     if not similar:
         return None
-    ratio, closest = max((similarity(candidate, name), candidate) for candidate in similar)
+    prefix = _prefix_of_most(name, candidates)
+    ratio, closest = max((_similarity_past(prefix, name, candidate), candidate) for candidate in similar)
     return closest if ratio >= _LEAST_SIMILARITY else None
+
+
+def _prefix_of_most(name: str, known: Sequence[str]) -> str:
+    """The longest prefix of a name, up to a separator, that most known names have; empty if few names are known."""
+    ends = [end for end, letter in enumerate(name, 1) if letter in _SEPARATORS and end < len(name)]
+    least = max(_FEW, len(known) / 2)
+    for end in reversed(ends):
+        if sum(candidate.startswith(name[:end]) for candidate in known) >= least:
+            return name[:end]
+    return ""
+
+
+def _similarity_past(prefix: str, name: str, other: str) -> float:
+    """The similarity of what two names have after a prefix; of all of them if one is a slip, or without the prefix."""
+    if not prefix or not other.startswith(prefix) or is_slip(name, other):
+        return similarity(other, name)
+    return similarity(other[len(prefix) :], name[len(prefix) :])
 
 
 def is_alike(name: str, other: str, ratio: float) -> bool:
