@@ -132,18 +132,10 @@ def _values(question: Question) -> Iterator[str]:
     """The values of the attribute at a place, one for each macro call and robot that gives another one."""
     found: dict[str, None] = {}
     written = ""
-    for loaded in question.robots:
-        pending = [loaded.root] if loaded.root is not None else []
-        while pending:
-            element = pending.pop()
-            pending += reversed(element.elements())
-            if element.source.path != question.file or not element.start <= question.offset:
-                continue
-            for attribute, value in element.attrs.items():
-                span = element.at[attribute].span
-                if question.is_in(span) and "$" in span.text and span.start != element.start:
-                    written = span.text
-                    found[f"`{value.replace(UNKNOWN, '?')}`{_called(element)}"] = None
+    for evaluated in question.evaluated():
+        if question.is_in(evaluated.span):
+            written = evaluated.span.text
+            found[f"`{evaluated.value.replace(UNKNOWN, '?')}`{_called(evaluated.element)}"] = None
     if written:
         values = list(found)
         more = [f"- and {len(values) - _MOST_VALUES} more"] if len(values) > _MOST_VALUES else []

@@ -2,11 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from urdfctl.load.loader import LoadedTarget
+from urdfctl.source.dom import Element
 from urdfctl.source.span import SourceSpan, SourceText
 from urdfctl.startup.records import NamedTuple
+
+
+class Evaluated(NamedTuple):
+    """An attribute with an expression, in one call: the element that it was written in, its text, and its value."""
+
+    element: Element
+    span: SourceSpan
+    value: str
 
 
 class Question(NamedTuple):
@@ -42,3 +51,17 @@ class Question(NamedTuple):
     def is_in(self, span: SourceSpan) -> bool:
         """Return whether the place is in a span of the file, or at its end."""
         return span.file == self.file and span.start <= self.offset <= span.end
+
+    def evaluated(self) -> Iterator[Evaluated]:
+        """Yield the attributes of the file that have expressions, for each robot and each call of a macro."""
+        for robot in self.robots:
+            pending = [robot.root] if robot.root is not None else []
+            while pending:
+                element = pending.pop()
+                pending += reversed(element.elements())
+                if element.source.path != self.file:
+                    continue
+                for attribute, value in element.attrs.items():
+                    span = element.at[attribute].span
+                    if "$" in span.text and span.start != element.start:
+                        yield Evaluated(element, span, value)

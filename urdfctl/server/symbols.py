@@ -52,15 +52,7 @@ def hints_in(question: Question) -> list[Hint]:
 
 
 def _values(question: Question) -> Iterator[tuple[int, int, str]]:
-    for robot in question.robots:
-        pending = [robot.root] if robot.root is not None else []
-        while pending:
-            element = pending.pop()
-            pending += element.elements()
-            if element.source.path != question.file:
-                continue
-            for attribute, value in element.attrs.items():
-                span = element.at[attribute].span
-                if "$" in span.text and span.start != element.start and len(value) <= _MOST_TEXT:
-                    position = element.source.position(span.end)
-                    yield position.line, position.column, value
+    for evaluated in question.evaluated():
+        if len(evaluated.value) <= _MOST_TEXT:
+            position = question.source.position(evaluated.span.end)
+            yield position.line, position.column, evaluated.value
