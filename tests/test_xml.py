@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from typing import Any
-from xml.dom import NotFoundErr, minidom
+from xml.dom import minidom
 
 import pytest
 import xacro  # noqa: F401 (puts its own writexml into minidom)
@@ -18,6 +18,7 @@ from urdfctl.source.dom import Cloning, Element, Text
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import SourceText
 from urdfctl.source.xml import parse
+from urdfctl.startup.xacro_imports import NotFoundErr
 
 
 def tree(text: str | bytes) -> Element:

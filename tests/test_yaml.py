@@ -25,7 +25,7 @@ from urdfctl.source.yaml_types import typed_by_pyyaml, typed_by_rcl
 def parser(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
     """Both of PyYAML's parsers."""
     loader = pyyaml.SafeLoader if request.param == "Python" else pyyaml.CSafeLoader
-    monkeypatch.setattr(reader, "_LOADER", loader)
+    monkeypatch.setattr(reader, "SAFE_LOADER", loader)
 
 
 def read(text: str | bytes) -> YamlFile:
@@ -141,7 +141,7 @@ def test_what_is_no_yaml_is_one_problem_at_its_place(
 
 
 def test_a_tab_that_libyaml_allows_is_no_problem(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(reader, "_LOADER", pyyaml.CSafeLoader)
+    monkeypatch.setattr(reader, "SAFE_LOADER", pyyaml.CSafeLoader)
     assert read("a:\t1\t# one\nb: [1,\n\t2]\n").readable
 
 
