@@ -144,3 +144,12 @@ def test_a_closed_pipe_ends_it_quietly(folder: Folder) -> None:
     words = f'"{sys.executable}" -m urdfctl explain gazebo.log | head -1'
     ran = subprocess.run(["sh", "-c", words], capture_output=True, text=True, check=False, env=dict(os.environ))
     assert (ran.stdout.count("\n"), ran.stderr) == (1, "")
+
+
+@pytest.mark.parametrize("words", ["UC201", "UC201 --format json", "gazebo.log"])
+def test_an_explanation_is_written_to_a_file(words: str, folder: Folder) -> None:
+    folder.write({"gazebo.log": "No p gain specified for pid.\n"})
+    shown = folder.run("explain", *words.split())
+    written = folder.run("explain", *words.split(), "-o", "made.txt")
+    assert (written.returncode, written.stdout) == (0, "")
+    assert (folder.path / "made.txt").read_text(encoding="utf-8") == shown.stdout != ""

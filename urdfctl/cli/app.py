@@ -85,7 +85,8 @@ def _rules(options: RulesOptions) -> int:
 def _explain(options: ExplainOptions) -> int:
     from urdfctl.cli.explain_command import CheckIn, run_explain
 
-    return run_explain(options.what or [], options.output_format, CheckIn(options.folder, options.distro))
+    files = CheckIn(options.folder, options.distro)
+    return run_explain(options.what or [], options.output_format, files, options.output_file)
 
 
 def _init(options: InitOptions) -> int:

@@ -9,7 +9,7 @@ import sys
 from collections.abc import Sequence
 from typing import BinaryIO
 
-from urdfctl.cli.writing import print_text
+from urdfctl.cli.writing import print_text, write_file
 from urdfctl.errors import UserError
 from urdfctl.names import did_you_mean
 from urdfctl.rule import Rule
@@ -30,12 +30,22 @@ class CheckIn(NamedTuple):
     distro: str | None = None
 
 
-def run_explain(words: Sequence[str], output_format: str, files: CheckIn) -> int:
+def run_explain(words: Sequence[str], output_format: str, files: CheckIn, output_file: str | None = None) -> int:
     """Explain the rule, message or log that the words name. Without words, or for `-`, read standard input.
 
     files: check which causes the robots in its folder have.
+    output_file: where to write the explanation; None for standard output.
     Raises UserError if there is nothing to explain, or for a single word that is neither a rule nor a file.
     """
+    explanation = _explained(words, output_format, files)
+    if output_file is None:
+        print_text(explanation)
+    else:
+        write_file(output_file, explanation, force=True)
+    return 0
+
+
+def _explained(words: Sequence[str], output_format: str, files: CheckIn) -> str:
     if output_format not in _FORMATS:
         raise UserError(f"unknown format '{output_format}'; known are {', '.join(_FORMATS)}")
     text = " ".join(words).strip()
@@ -77,7 +87,7 @@ def _unknown(word: str) -> str:
     return f"unknown rule '{word}'{did_you_mean(word, known) or '.'} To list all rules, run urdfctl rules"
 
 
-def _explain_rule(rule: Rule, output_format: str, files: CheckIn) -> int:
+def _explain_rule(rule: Rule, output_format: str, files: CheckIn) -> str:
     if files.folder is not None:
         raise UserError(
             f"--in is for messages and logs; to check files, run urdfctl lint {files.folder} --select {rule.code}"
@@ -85,12 +95,10 @@ def _explain_rule(rule: Rule, output_format: str, files: CheckIn) -> int:
     if output_format == "json":
         from urdfctl.cli.rules_command import plain_rule
 
-        print_text(json.dumps(plain_rule(rule), indent=1) + "\n")
-        return 0
+        return json.dumps(plain_rule(rule), indent=1) + "\n"
     from urdfctl.report.rule_explanation import rule_explanation
 
-    print_text(rule_explanation(rule))
-    return 0
+    return rule_explanation(rule)
 
 
 def _standard_input() -> BinaryIO:
@@ -99,7 +107,7 @@ def _standard_input() -> BinaryIO:
     return sys.stdin.buffer
 
 
-def _explain_file(path: str, output_format: str, files: CheckIn) -> int:
+def _explain_file(path: str, output_format: str, files: CheckIn) -> str:
     try:
         with open(path, "rb") as file:
             return _explain_log(file, output_format, files)
@@ -107,7 +115,7 @@ def _explain_file(path: str, output_format: str, files: CheckIn) -> int:
         raise UserError(f"'{path}' cannot be read: {error.strerror}") from None
 
 
-def _explain_log(stream: BinaryIO, output_format: str, files: CheckIn, *, pasted: bool = False) -> int:
+def _explain_log(stream: BinaryIO, output_format: str, files: CheckIn, *, pasted: bool = False) -> str:
     from urdfctl.logs.digest import digest
     from urdfctl.logs.reading import Lines
 
@@ -122,9 +130,7 @@ def _explain_log(stream: BinaryIO, output_format: str, files: CheckIn, *, pasted
     if output_format == "json":
         from urdfctl.report.log_json import render_log_json
 
-        print_text(render_log_json(messages, complete=lines.complete, files=folder))
-        return 0
+        return render_log_json(messages, complete=lines.complete, files=folder)
     from urdfctl.report.log_text import render_log
 
-    print_text(render_log(messages, pasted=pasted, complete=lines.complete, files=folder))
-    return 0
+    return render_log(messages, pasted=pasted, complete=lines.complete, files=folder)

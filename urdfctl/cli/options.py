@@ -239,3 +239,7 @@ class ExplainOptions:
         typer.Option(help="ROS distro for --in. Default: the one that the log shows, or else detected from the files."),
     ] = None
     output_format: Annotated[str, typer.Option("--format", help="Output format: text or json.")] = "text"
+    output_file: Annotated[
+        str | None,
+        typer.Option("-o", "--output-file", help="Write the explanation to this file, not to standard output."),
+    ] = None
