@@ -6,6 +6,7 @@ import json
 import math
 import random
 import struct
+import zlib
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,7 @@ from smoking_engines import needs_pybullet
 from urdfctl.config.settings import Settings
 from urdfctl.load.target import Target
 from urdfctl.view.html import html
+from urdfctl.view.image import poses_of
 from urdfctl.view.job import portraits
 from urdfctl.view.meshes import NotAMesh, installed, merged, packed, read_mesh
 
@@ -296,3 +298,38 @@ def test_a_robot_without_links_is_one_line(folder: Folder) -> None:
     run = folder.run("view", "robot.urdf")
     assert run.returncode == 2
     assert len(run.stderr.splitlines()) == 1
+
+
+@needs_node
+def test_the_picture_has_the_links_where_the_page_has_them(tmp_path: Path) -> None:
+    scene = scene_in(tmp_path, {"robot.urdf": ARM})
+    shown = in_node(f"console.log(JSON.stringify(posesOf({json.dumps(scene)}, {{}})))", "kinematics.js")
+    for link, pose in poses_of(scene["joints"]).items():
+        assert [*(part for row in pose.turn for part in row), *pose.place] == pytest.approx(shown[link], abs=1e-9)
+
+
+def pixels_of(data: bytes) -> tuple[int, int, bytes]:
+    width, height = struct.unpack(">II", data[16:24])
+    start = data.index(b"IDAT") + 4
+    size = int.from_bytes(data[start - 8 : start - 4], "big")
+    return width, height, zlib.decompress(data[start : start + size])
+
+
+def test_a_picture_is_written_instead_of_the_page(folder: Folder) -> None:
+    folder.write({"robot.urdf": ARM})
+    run = folder.run("view", "robot.urdf", "--image", "robot.png")
+    assert run.returncode == 0, run.stderr
+    assert not (folder.path / "robot.html").exists()
+    width, height, rows = pixels_of((folder.path / "robot.png").read_bytes())
+    assert len(rows) == height * (1 + 4 * width)
+    row = rows[(height // 2) * (1 + 4 * width) + 1 :][: 4 * width]
+    red, green, blue, cover = row[4 * (width // 2) :][:4]
+    assert cover == 255, "the box is in the middle"
+    assert red > green > blue, "and orange"
+    assert row[3] == 0, "the ground is transparent"
+
+
+def test_a_picture_of_another_kind_is_one_line(folder: Folder) -> None:
+    folder.write({"robot.urdf": ARM})
+    run = folder.run("view", "robot.urdf", "--image", "robot.gif")
+    assert (run.returncode, run.stderr) == (2, "urdfctl: 'robot.gif' is not a PNG: only .png can be written\n")

@@ -98,7 +98,10 @@ class ViewOptions(TargetOptions):
     """
 
     paths: Paths = None
-    output: Annotated[str, typer.Option("-o", "--output", help="Write the page to this file.")] = "robot.html"
+    output: Annotated[
+        str | None, typer.Option("-o", "--output", help="Write the page to this file. Default: robot.html.")
+    ] = None
+    image: Annotated[str | None, typer.Option(help="Write a picture (PNG) to this file, without a page.")] = None
     start: Annotated[
         str | None, typer.Option(help="Controllers that are started together, in this order: NAME,NAME, or all.")
     ] = None

@@ -20,6 +20,8 @@ def run_view(options: ViewOptions) -> int:
     """Write the page of a robot, and return the exit status 0."""
     if not installed():
         raise UserError("the libraries that read meshes are not installed: pip install 'urdfctl[view]'")
+    if options.image is not None and not options.image.lower().endswith(".png"):
+        raise UserError(f"'{options.image}' is not a PNG: only .png can be written")
     words = options.paths or []
     config = configured(words, options)
     settings = settings_to_check(config, options, [word for word in words if ":=" not in word])
@@ -38,6 +40,12 @@ def run_view(options: ViewOptions) -> int:
         raise UserError(f"'{shown(result.path)}' cannot be shown: {portrait.failure or 'it has no links'}")
     for note in portrait.scene["notes"]:
         print_message(note)
+    if options.image is not None:
+        from urdfctl.view.image import png
+
+        write_file(options.image, png(portrait.scene), force=True)
+        if options.output is None:
+            return 0
     distro = portrait.graph.distro if portrait.graph and result.controllers else ""
-    write_file(options.output, html(portrait.scene, result.path, distro), force=True)
+    write_file(options.output or "robot.html", html(portrait.scene, result.path, distro), force=True)
     return 0

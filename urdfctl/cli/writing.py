@@ -52,8 +52,8 @@ def would_overwrite(path: str) -> bool:
     return os.path.lexists(path) and not _is_device(path)
 
 
-def write_file(path: str, text: str, *, force: bool) -> None:
-    """Write a text to a temporary file, then rename it.
+def write_file(path: str, content: str | bytes, *, force: bool) -> None:
+    """Write a text or bytes to a temporary file, then rename it.
 
     Raises UserError if the path exists (unless `force`) or cannot be written.
     """
@@ -61,12 +61,13 @@ def write_file(path: str, text: str, *, force: bool) -> None:
         raise UserError(f"'{path}' is a folder")
     if would_overwrite(path) and not force:
         raise UserError(f"'{path}' exists; --force overwrites it")
+    data = content if isinstance(content, bytes) else encoded(content)
     try:
         if _is_device(path):
             with open(path, "wb", opener=_without_waiting) as file:
-                file.write(encoded(text))
+                file.write(data)
             return
-        write_beside(os.path.realpath(path), encoded(text))
+        write_beside(os.path.realpath(path), data)
     except OSError as error:
         raise UserError(f"'{path}' cannot be written: {error.strerror}") from None
 

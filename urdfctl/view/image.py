@@ -1,0 +1,202 @@
+"""The robot as a PNG, drawn by numpy: it needs neither a display nor a graphics driver."""
+
+from __future__ import annotations
+
+import base64
+import math
+import struct
+import zlib
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from importlib import import_module
+
+from urdfctl.model.geometry import Pose, about, scaled
+from urdfctl.startup.hints import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    Array = np.ndarray[Any, Any]
+
+WIDTH, HEIGHT = 1200, 900
+_FINER = 2
+"""The picture is drawn this many times larger, then reduced: its edges are smooth."""
+_FOCUS, _YAW, _PITCH, _AWAY = 2.1, 0.7, 0.4, 1.15
+"""The camera, as the page has it: focal length, angles in rad, and distance in sizes of the robot."""
+_SPACING = 0.7
+"""Triangles are filled with points that are at most this many pixels apart."""
+_AT_ONCE = 4_000_000
+_COLOURS = {
+    "position": (36, 96, 196), "velocity": (22, 121, 74), "effort": (154, 98, 0), "state": (122, 75, 194),
+    "mimic": (31, 138, 150), "none": (138, 146, 160), "error": (208, 43, 48), "missing": (217, 77, 191),
+}  # fmt: skip
+_GREY = (0.62, 0.65, 0.7)
+
+
+def png(scene: Mapping[str, Any]) -> bytes:
+    """Return the picture of a scene at its start, in the colours of the page, on a transparent ground."""
+    import numpy as np
+
+    pieces = list(_pieces(scene))
+    triangles = np.concatenate([piece for piece, _ in pieces]) if pieces else np.zeros((0, 3, 3))
+    colours = np.concatenate([np.tile(colour, (len(piece), 1)) for piece, colour in pieces] or [np.zeros((0, 3))])
+    width, height = WIDTH * _FINER, HEIGHT * _FINER
+    pixels = _drawn(triangles, colours, width, height) if len(triangles) else np.zeros((height, width, 4))
+    small = pixels.reshape(HEIGHT, _FINER, WIDTH, _FINER, 4).mean(axis=(1, 3))
+    covered = np.maximum(small[..., 3:], 1e-9)
+    small[..., :3] /= covered
+    return _encoded((np.clip(small, 0, 1) * 255).round().astype(np.uint8))
+
+
+def poses_of(joints: Sequence[Mapping[str, Any]]) -> dict[str, Pose]:
+    """Return the poses of the links of a scene at its start, in the frame of its root."""
+    found: dict[str, Pose] = {}
+    starts = {joint["name"]: joint["start"] for joint in joints}
+    for joint in joints:
+        above = found.setdefault(joint["parent"], Pose())
+        here = above.then(_pose(joint["pose"]))
+        if joint["moves"]:
+            leader, factor, offset = joint["mimic"] or ("", 1.0, 0.0)
+            place = starts[leader] * factor + offset if leader in starts else joint["start"]
+            is_slide = joint["type"] == "prismatic"
+            axis = tuple(joint["axis"])
+            here = here.then(Pose(scaled(axis, place)) if is_slide else Pose(turn=about(axis, place)))
+        found[joint["child"]] = here
+    return found
+
+
+def _pose(numbers: Sequence[float]) -> Pose:
+    a, b, c, d, e, f, g, h, i, x, y, z = numbers
+    return Pose((x, y, z), ((a, b, c), (d, e, f), (g, h, i)))
+
+
+def _pieces(scene: Mapping[str, Any]) -> Iterator[tuple[Array, Array]]:
+    """The triangles of each part in the frame of the root, and its colour."""
+    import numpy as np
+
+    poses, movers = poses_of(scene["joints"]), _movers(scene["joints"])
+    for link, parts in scene["links"].items():
+        for part in parts:
+            pose = poses.get(link, Pose()).then(_pose(part["pose"]))
+            for corners, faces, own in _surfaces(part, scene["meshes"]):
+                placed = corners @ np.array(pose.turn).T + np.array(pose.place)
+                yield placed[faces], _tint(part, movers.get(link), part["colour"] or own or _GREY)
+
+
+def _movers(joints: Sequence[Mapping[str, Any]]) -> dict[str, Mapping[str, Any]]:
+    """For each link the nearest joint above it that moves."""
+    found: dict[str, Mapping[str, Any]] = {}
+    for joint in joints:
+        if joint["moves"]:
+            found[joint["child"]] = joint
+        elif joint["parent"] in found:
+            found[joint["child"]] = found[joint["parent"]]
+    return found
+
+
+def _tint(part: Mapping[str, Any], joint: Mapping[str, Any] | None, own: Sequence[float]) -> Array:
+    import numpy as np
+
+    if part["shape"] != "missing" and joint is None:
+        return np.array(own[:3], float)
+    kind = "missing" if joint is None or part["shape"] == "missing" else "error" if joint["error"] else joint["control"]
+    brightness = 0.3 * own[0] + 0.6 * own[1] + 0.1 * own[2]
+    return 0.8 * np.array(_COLOURS[kind]) / 255 + 0.2 * brightness
+
+
+def _surfaces(part: Mapping[str, Any], meshes: Sequence[Any]) -> Iterator[tuple[Array, Array, Any]]:
+    import numpy as np
+
+    size = part["size"]
+    creation: Any = import_module("trimesh.creation")
+    if part["shape"] == "mesh":
+        for packed in meshes[part["mesh"]]:
+            corners = np.frombuffer(base64.b64decode(packed["corners"]), "<u2").reshape(-1, 3)
+            faces = np.frombuffer(base64.b64decode(packed["faces"]), "<u4" if packed["wide"] else "<u2").reshape(-1, 3)
+            yield (np.array(packed["low"]) + corners / 65535 * packed["size"]) * size, faces, packed["colour"]
+        return
+    makers: dict[str, Callable[[], Any]] = {
+        "box": lambda: creation.box(extents=size),
+        "cylinder": lambda: creation.cylinder(radius=size[0], height=size[1], sections=48),
+        "sphere": lambda: creation.icosphere(subdivisions=3, radius=size[0]),
+        "capsule": lambda: creation.capsule(radius=size[0], height=size[1]),
+        "missing": lambda: creation.icosphere(subdivisions=0, radius=size[0]),
+    }
+    made = makers[part["shape"]]()
+    middle = made.bounds.mean(axis=0)
+    yield np.asarray(made.vertices) - middle, np.asarray(made.faces), None
+
+
+# -- drawing ---------------------------------------------------------------------------------------------------------
+
+
+def _drawn(triangles: Array, colours: Array, width: int, height: int) -> Array:
+    """The triangles in perspective, lit from the camera and from above, as red, green, blue and cover from 0 to 1."""
+    import numpy as np
+
+    back = np.array([math.cos(_PITCH) * math.cos(_YAW), math.cos(_PITCH) * math.sin(_YAW), math.sin(_PITCH)])
+    right = np.array([-math.sin(_YAW), math.cos(_YAW), 0.0])
+    low, high = triangles.min(axis=(0, 1)), triangles.max(axis=(0, 1))
+    eye = (low + high) / 2 + _AWAY * max(0.05, float(np.linalg.norm(high - low))) * back
+    seen = (triangles - eye) @ np.stack([right, np.cross(back, right), -back], axis=1)
+    depth = np.maximum(seen[..., 2], 1e-6)
+    half = min(width, height) / 2
+    x = width / 2 + _FOCUS * half * seen[..., 0] / depth
+    y = height / 2 - _FOCUS * half * seen[..., 1] / depth
+    lit = np.clip(colours * _light(triangles, eye)[:, None], 0, 1)
+    nearest = np.full(width * height, np.inf)
+    pixels = np.zeros((width * height, 4))
+    for index, weights in _filled(x, y):
+        column, row = (np.rint(values[index] @ weights.T).astype(np.int64) for values in (x, y))
+        away = depth[index] @ weights.T
+        inside = (column >= 0) & (column < width) & (row >= 0) & (row < height)
+        place, away = (row * width + column)[inside], away[inside]
+        owner = np.broadcast_to(index[:, None], inside.shape)[inside]
+        np.minimum.at(nearest, place, away)
+        front = away <= nearest[place]
+        pixels[place[front], :3] = lit[owner[front]]
+        pixels[place[front], 3] = 1.0
+    return pixels.reshape(height, width, 4)
+
+
+def _light(triangles: Array, eye: Array) -> Array:
+    import numpy as np
+
+    normals = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
+    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
+    ways = eye - triangles.mean(axis=1)
+    ways /= np.linalg.norm(ways, axis=1, keepdims=True)
+    facing = (normals * ways).sum(axis=1)
+    normals *= np.where(facing < 0, -1.0, 1.0)[:, None]
+    lamp = np.array([0.4, -0.5, 1.0]) / np.linalg.norm([0.4, -0.5, 1.0])
+    light: Array = 0.35 + 0.45 * np.abs(facing) + 0.25 * np.maximum(normals @ lamp, 0.0)
+    return light
+
+
+def _filled(x: Array, y: Array) -> Iterator[tuple[Array, Array]]:
+    """Triangles of about one size, and the weights of their corners at the points that fill them."""
+    import numpy as np
+
+    around = [1, 2, 0]
+    longest = np.hypot(x - x[:, around], y - y[:, around]).max(axis=1)
+    parts = 2 ** np.ceil(np.log2(np.clip(longest / _SPACING, 1, 4096))).astype(np.int64)
+    for number in np.unique(parts):
+        first, second = np.meshgrid(np.arange(number + 1), np.arange(number + 1), indexing="ij")
+        kept = first + second <= number
+        a, b = first[kept] / number, second[kept] / number
+        weights = np.stack([a, b, 1 - a - b], axis=1)
+        of_size = np.flatnonzero(parts == number)
+        for chunk in np.array_split(of_size, max(1, math.ceil(len(of_size) * len(weights) / _AT_ONCE))):
+            if len(chunk):
+                yield chunk, weights
+
+
+def _encoded(pixels: Array) -> bytes:
+    """Pixels of red, green, blue and opacity as PNG."""
+    height, width = pixels.shape[:2]
+    rows = b"".join(b"\0" + row.tobytes() for row in pixels)
+    head = struct.pack(">II", width, height) + bytes((8, 6, 0, 0, 0))
+    chunks = [(b"IHDR", head), (b"IDAT", zlib.compress(rows, 9)), (b"IEND", b"")]
+    packed = [
+        struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data)) for kind, data in chunks
+    ]
+    return b"\x89PNG\r\n\x1a\n" + b"".join(packed)
