@@ -178,6 +178,23 @@ def nested(values: dict[str, object]) -> dict[str, Any]:
     return root
 
 
+def test_a_fault_is_told_once_although_two_keywords_see_it() -> None:
+    assert len(told(CONTROLLERS.replace("100", "0.5"))) == 1
+    assert len(told(CONTROLLERS.replace("100", "100.0"))) == 1
+
+
+@pytest.mark.parametrize("text", ["5", "[" * 70, "a: " + "{a: " * 60 + "1" + "}" * 60, "a: *b", "\ta: 1"])
+def test_what_is_no_controller_file_is_told(text: str) -> None:
+    assert told(text) != []
+
+
+@pytest.mark.parametrize(
+    "text", ["", "<a", '<!DOCTYPE r [<!ENTITY a "b">]><robot name="&a;"/>', "<html/>", "<a>" * 300]
+)
+def test_what_is_no_robot_is_told(text: str) -> None:
+    assert told_of_robot(text, urdf_schema()) != []
+
+
 # -- robots ------------------------------------------------------------------------------------------------------------
 
 

@@ -151,8 +151,9 @@ def _is_of(kind: str, value: object) -> bool:
         return all(_is_of(kind.removesuffix("_array"), part) for part in value)
     if isinstance(value, bool) or not isinstance(value, int | float):
         return True
-    other = "int" if isinstance(value, float) else "double"
-    return not kind.startswith(other)
+    if isinstance(value, float):
+        return not (kind.startswith("int") and value.is_integer())
+    return not kind.startswith("double")
 
 
 def _place(node: Node, path: Iterable[Any]) -> Place:
