@@ -61,10 +61,14 @@ def test_the_commands_of_a_job_find_the_samples_sound(job: str, monkeypatch: pyt
         assert command(*shlex.split(line)).returncode == 0, line
 
 
+TO_MIGRATE = {"samples/gripper"}
+"""What its warnings are about is mended by a migration, which test_samples.py makes and lints."""
+
+
 def test_the_samples_that_the_action_looks_at_are_all_there_are() -> None:
     sound, broken = (
         step["with"]["paths"].split() for step in jobs("check.yml")["samples"]["steps"] if step.get("uses") == "./"
     )
     folders = {path.parent.relative_to(CHECKOUT).as_posix() for path in (CHECKOUT / "samples").glob("*/package.xml")}
-    assert set(sound) == folders
+    assert set(sound) == folders - TO_MIGRATE
     assert [Path(path).name for path in broken] == ["broken"]
