@@ -217,6 +217,20 @@ arm:
     assert "state_publish_rate" not in after
 
 
+def test_a_gain_that_the_target_renamed_is_a_double_too(folder: Folder) -> None:
+    before = """\
+arm_controller:
+  type: effort_controllers/JointTrajectoryController
+  joints: [shoulder]
+  gains:
+    shoulder: {p: 100, i_clamp: 10}
+"""
+    files = {"config/controllers.yaml": before, "urdf/arm.xacro": arm(transmission("EffortJointInterface"))}
+    after = migrated(folder, files, "--only", "urdf,yaml", "--to", "lyrical")["config/controllers.yaml"]
+    assert "10.0" in after
+    assert "-10.0" in after
+
+
 def test_a_loop_around_effort_becomes_a_pid_controller_with_the_same_gains(folder: Folder) -> None:
     before = """\
 ctl:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from urdfctl.catalog.catalog import catalog_with
-from urdfctl.catalog.entries import ControllerType
+from urdfctl.catalog.catalog import Catalog, catalog_with
+from urdfctl.catalog.distros import ROS2
+from urdfctl.catalog.entries import ControllerType, Parameter
 from urdfctl.catalog.map_parameters import matching
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.ros1.controller_map import Item
@@ -51,14 +52,14 @@ def section_of(packages: Packages, item: Item, source: SourceText) -> Controller
     kind = same or (catalog.controller(replacement.type, target) if replacement else None)
     if kind is None or not isinstance(item.entry.value, Map):
         return None
-    writer = _Writer(item, kind, source)
+    writer = _Writer(item, kind, source, catalog)
     extra = dict(replacement.parameters) if replacement else {}
     return writer.section(extra, packages)
 
 
 class _Writer:
-    def __init__(self, item: Item, kind: ControllerType, source: SourceText) -> None:
-        self.item, self.kind, self.source = item, kind, source
+    def __init__(self, item: Item, kind: ControllerType, source: SourceText, catalog: Catalog) -> None:
+        self.item, self.kind, self.source, self.catalog = item, kind, source, catalog
         self.entries: list[Entry] = []
         self.rate: float | None = None
         self.gone: set[str] = set()
@@ -144,6 +145,16 @@ class _Writer:
         """Whether a distro of ROS 2 reads a parameter: later steps bring it into the form of the target."""
         return bool(matching(name, self.kind.parameters) or matching(name, self.kind.former))
 
+    def _parameter(self, name: str) -> Parameter | None:
+        """The parameter in the target, or in a distro of ROS 2 that still reads it; None if there is none."""
+        if found := matching(name, self.kind.parameters):
+            return self.kind.parameters[found[0]]
+        if not (former := matching(name, self.kind.former)):
+            return None
+        distros = (distro for distro in self.kind.former[former[0]].distros if distro in ROS2)
+        kinds = (self.catalog.controller(self.kind.type, distro) for distro in distros)
+        return next((kind.parameters[former[0]] for kind in kinds if kind and former[0] in kind.parameters), None)
+
     def _drop(self, edits: MapEdits, path: Path) -> None:
         """Drop a parameter; those of a map in braces when their lines are written."""
         if len(path) == 1 and _is_flow(self.map):
@@ -166,8 +177,7 @@ class _Writer:
             added += (f"{other}: {_as_double(value) if isinstance(value, Scalar) else written}" for other in targets)
 
     def _retype(self, edits: MapEdits, value: Node, name: str, *, as_list: bool) -> None:
-        found = matching(name, self.kind.parameters)
-        parameter = self.kind.parameters[found[0]] if found else None
+        parameter = self._parameter(name)
         if parameter is None:
             return
         if isinstance(value, Scalar):
