@@ -1,12 +1,14 @@
 """Make the pictures of the documentation: `python docs/pictures/make.py [FOLDER]`.
 
-They need neither a browser nor a display: the terminal and the graph are SVG, the robot is drawn by `urdfctl view`.
+Only that of a page needs a browser, Chromium; without it, it is left as it is. The terminal and the graph are SVG,
+the robot is drawn by `urdfctl view`.
 """
 
 from __future__ import annotations
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -16,6 +18,7 @@ CHECKOUT = HERE.parents[1]
 TERMINAL = ("lint", "samples/broken/mybot", "--select", "UC201")
 GRAPH = ("graph", "samples/gripper", "--format", "svg")
 ROBOT = ("view", "samples/gripper", "--image")
+PAGE = ("smoke", "samples/mybot")
 _COLUMNS = 120
 
 
@@ -25,7 +28,23 @@ def main() -> int:
     (folder / "lint.svg").write_text(terminal(*TERMINAL), encoding="utf-8")
     (folder / "graph.svg").write_text(run(*GRAPH), encoding="utf-8")
     run(*ROBOT, str((folder / "robot.png").resolve()))
+    photograph(PAGE, (folder / "page.png").resolve())
     return 0
+
+
+def photograph(words: tuple[str, ...], picture: Path) -> None:
+    """Write a picture of the page that a command reports, if Chromium is installed."""
+    browser = shutil.which("chromium") or shutil.which("chromium-browser")
+    if browser is None:
+        return
+    page = CHECKOUT / "page.html"
+    try:
+        run(*words, "--report", page.name)
+        look = ["--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--window-size=1000,1700"]
+        command = [browser, *look, f"--screenshot={picture}", page.as_uri()]
+        subprocess.run(command, capture_output=True, check=True, timeout=120)  # noqa: S603
+    finally:
+        page.unlink(missing_ok=True)
 
 
 def run(*words: str, colour: bool = False) -> str:
