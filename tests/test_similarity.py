@@ -64,3 +64,7 @@ def test_a_namespace_before_most_names_makes_none_of_them_similar(unknown: str, 
 )
 def test_a_slip_after_a_shared_prefix_is_still_found(unknown: str, known: list[str], meant: str) -> None:
     assert nearest(unknown, known) == meant
+
+
+def test_another_style_of_the_same_name_is_the_nearest() -> None:
+    assert nearest("pid.iClamp", ["pid.p", "pid.i", "pid.i_clamp", "pid.i_clamp_max"]) == "pid.i_clamp"

@@ -20,8 +20,8 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
     A namespace or a robot's name before most names makes none of them more similar.
     """
     candidates = sorted({candidate for candidate in known if candidate})
-    by_folded = {candidate.casefold().replace("-", "_"): candidate for candidate in candidates}
-    same = by_folded.get(name.casefold().replace("-", "_"))
+    by_folded = {_folded(candidate): candidate for candidate in candidates}
+    same = by_folded.get(_folded(name))
     if same is not None and same != name:
         return same
     similar = [
@@ -32,6 +32,11 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
     prefix = _prefix_of_most(name, candidates)
     ratio, closest = max((_similarity_past(prefix, name, candidate), candidate) for candidate in similar)
     return closest if ratio >= _LEAST_SIMILARITY else None
+
+
+def _folded(name: str) -> str:
+    """A name as it is written in any style: i_clamp, i-clamp, iClamp."""
+    return name.casefold().replace("-", "").replace("_", "")
 
 
 def _prefix_of_most(name: str, known: Sequence[str]) -> str:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.control.simulator_plugins import sure_simulator
 from urdfctl.rule import Finding, Project, Severity, rule
 from urdfctl.rules.common import whole_robot_in
 from urdfctl.rules.urdf.bodies import inertial_of, vanishing
-from urdfctl.rules.urdf.common import severity_in_gazebo
 
 
 @rule(
@@ -39,14 +39,14 @@ def moving_link_without_inertial(project: Project) -> Iterator[Finding]:
 
     No link that is fixed to it has an <inertial> either. Gazebo drops the link, its joint and everything below it;
     older versions do so silently. Its control plugin then does not know the joint. This is an error if the robot certainly
-    runs in Gazebo, and only worth knowing if nothing of it is for Gazebo. Real hardware is not affected.
+    runs in Gazebo. Real hardware is not affected.
     """
     robot = whole_robot_in(project)
     if robot is None or not project.may_be_simulated:
         return
     if all(link.inertials for link in robot.links):
         return
-    severity = severity_in_gazebo(project, refused_by=("gz", "gazebo-classic"))
+    severity = Severity.ERROR if sure_simulator(project) in ("gz", "gazebo-classic") else None
     lost = [body for body in vanishing(robot) if not any(inertial_of(link) for link in body.links)]
     if lost and not any(link.inertials for link in robot.links):
         message = "no link of the robot has an <inertial>; Gazebo drops all moving links"
