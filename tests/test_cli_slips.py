@@ -96,7 +96,7 @@ def test_the_report_can_be_written_to_a_file(folder: Folder) -> None:
 def test_statistics_are_in_the_concise_report_too(folder: Folder) -> None:
     folder.write({"arm.urdf": ARM})
     ran = folder.run("lint", "arm.urdf", "--format", "concise", "--statistics")
-    assert ran.stdout.splitlines()[-1] == "     1  info    UC133 moving-link-without-inertial"
+    assert ran.stdout.splitlines()[-1] == "     1  warning UC133 moving-link-without-inertial"
 
 
 def test_colours_can_be_forced_and_no_color_wins(folder: Folder) -> None:
