@@ -11,6 +11,7 @@ from urdfctl.cli.words import split_arguments
 from urdfctl.config.file import Config
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Severity
+from urdfctl.lint.files import LintRun
 from urdfctl.lint.results import TargetResult
 from urdfctl.lint.selection import Selection
 from urdfctl.load.target import Target
@@ -21,10 +22,12 @@ NO_RULE = Selection(select=("UC000",))
 Pair = tuple[Target, TargetResult]
 
 
-def robots_of(words: Sequence[str], config: Config, settings: Settings, selection: Selection = NO_RULE) -> list[Pair]:
-    """Return the robots that lint checks for these paths and arguments, each with its result.
+def run_of(
+    words: Sequence[str], config: Config, settings: Settings, selection: Selection = NO_RULE, *, jobs: int = 0
+) -> LintRun:
+    """Return what lint reads for these paths and arguments, for a command that writes no report of findings.
 
-    Raises UserError if a path does not exist.
+    jobs: as in LintRequest. Raises UserError if a path does not exist.
     """
     paths, arguments = split_arguments(words)
     request = LintRequest(
@@ -33,10 +36,18 @@ def robots_of(words: Sequence[str], config: Config, settings: Settings, selectio
         outputs=(),
         fail_on=Severity.ERROR,
         exit_zero=True,
-        jobs=0,
+        jobs=jobs,
         config=config,
     )
-    run = lint_files(discovered(paths, config), tuple(arguments.items()), settings, request)
+    return lint_files(discovered(paths, config), tuple(arguments.items()), settings, request)
+
+
+def robots_of(words: Sequence[str], config: Config, settings: Settings, selection: Selection = NO_RULE) -> list[Pair]:
+    """Return the robots that lint checks for these paths and arguments, each with its result.
+
+    Raises UserError if a path does not exist.
+    """
+    run = run_of(words, config, settings, selection)
     known = {id(result) for result in run.robots}
     return [pair for pair in run.targets if id(pair[1]) in known and is_robot(pair[1])]
 

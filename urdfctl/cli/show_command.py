@@ -5,16 +5,12 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 
-from urdfctl.cli.lint_request import LintRequest
-from urdfctl.cli.lint_run import lint_files
-from urdfctl.cli.targets import discovered
+from urdfctl.cli.robot_targets import run_of
 from urdfctl.cli.words import check_jobs, configured, output_of, settings_to_check, split_arguments
 from urdfctl.cli.writing import print_text, write_file
-from urdfctl.diagnostic import Severity
 from urdfctl.errors import UserError
 from urdfctl.lint.files import LintRun
 from urdfctl.lint.results import TargetResult
-from urdfctl.lint.selection import Selection
 from urdfctl.load.bringup import Bringup
 from urdfctl.report.common import as_json, is_robot, shown, visible
 from urdfctl.report.json_report import target_document
@@ -24,7 +20,6 @@ if TYPE_CHECKING:
     from urdfctl.cli.options import ShowOptions
 
 FORMATS = ("text", "json")
-_NO_RULE = Selection(select=("UC000",))
 _WIDTH = 12
 
 
@@ -33,19 +28,10 @@ def run_show(options: ShowOptions) -> int:
     check_jobs(options.jobs)
     words = options.paths or []
     config = configured(words, options)
-    settings = settings_to_check(config, options, split_arguments(words)[0])
+    paths, _ = split_arguments(words)
+    settings = settings_to_check(config, options, paths)
     outputs = [output_of(text, FORMATS) for text in options.formats or ("text",)]
-    paths, arguments = split_arguments(words)
-    request = LintRequest(
-        words=tuple(words),
-        selection=_NO_RULE,
-        outputs=(),
-        fail_on=Severity.ERROR,
-        exit_zero=True,
-        jobs=options.jobs,
-        config=config,
-    )
-    run = lint_files(discovered(paths, config), tuple(arguments.items()), settings, request)
+    run = run_of(words, config, settings, jobs=options.jobs)
     if not run.targets:
         raise UserError(f"no robot, controller file or launch file in {', '.join(paths) or 'this folder'}")
     for name, file in outputs:
