@@ -19,19 +19,17 @@ class Checking:
     """Lints a workspace in a thread of its own, again after each change.
 
     publish: called in that thread.
-    failed: called in that thread with a message if linting is impossible, such as a wrong configuration.
+    Raises UserError if the workspace cannot be opened, as for a wrong configuration.
     """
 
     def __init__(self, open_workspace: Callable[[Callable[[], bool]], Workspace], publish: Publish) -> None:
-        self._open, self._publish = open_workspace, publish
+        self._publish = publish
         self._changed = threading.Condition()
         self._changes: list[Callable[[Workspace], None]] = []
         self._near: str | None = None
         self._made = 0
         self._is_stale = False
         self._ended = False
-        self.idle = threading.Event()
-        self.lock = threading.RLock()
         self.workspace = open_workspace(self._is_outdated)
         self._thread = threading.Thread(target=self._run, name="lint", daemon=True)
 
@@ -45,7 +43,6 @@ class Checking:
         with self._changed:
             self._changes.append(change)
             self._near = near or self._near
-            self.idle.clear()
             self._changed.notify()
 
     def end(self) -> None:
@@ -61,16 +58,14 @@ class Checking:
         while not self._ended:
             with self._changed:
                 if not (self._changes or self._is_stale):
-                    self.idle.set()
                     self._changed.wait()
                 while self._changed.wait(SETTLING):
                     pass
                 changes, self._changes = self._changes, []
-            with self.lock:
-                for change in changes:
-                    change(self.workspace)
-                self._made += len(changes)
-                self._is_stale = not self._lint(self._near)
+            for change in changes:
+                change(self.workspace)
+            self._made += len(changes)
+            self._is_stale = not self._lint(self._near)
 
     def _lint(self, near: str | None) -> bool:
         """Lint everything; return whether nothing changed meanwhile."""
@@ -80,6 +75,6 @@ class Checking:
             self._publish(self.workspace.check(), True, self._made)  # noqa: FBT003
         except Outdated:
             return False
-        except UserError:
-            return True
+        except UserError:  # the folder is gone, for example; the next change tries again
+            pass
         return True

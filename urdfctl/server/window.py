@@ -28,7 +28,6 @@ class Window(LanguageServer):
         super().__init__("urdfctl", __version__)
         self.checking: Checking | None = None
         self.findings: dict[str, tuple[Diagnostic, ...]] = {}
-        self.last: Checked | None = None
         self._loop: asyncio.AbstractEventLoop | None = None
         self._folder: str | None = None
         self._wishes = Wishes()
@@ -98,8 +97,6 @@ class Window(LanguageServer):
             self._loop.call_soon_threadsafe(self._publish, checked, is_whole, changes)
 
     def _publish(self, checked: Checked, is_whole: bool, changes: int) -> None:  # noqa: FBT001
-        if is_whole:
-            self.last = checked
         concerned = {*self.findings, *checked.findings} if is_whole else {*checked.findings, *checked.files}
         positions = self.positions()
         for path in sorted(concerned):

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
 
 from urdfctl.config.file import Config, config_for, with_environ
 from urdfctl.config.settings import Settings, passed_on, validate_settings
@@ -150,7 +149,7 @@ class Workspace:
         folder = self.folder
         if path is not None:
             folder = package_around(os.path.dirname(os.path.realpath(path))) or folder
-        with self.reading():
+        with reading_instead(self.texts):
             files = discovered([folder], self.config)
             run = lint_files(files, self._wishes.arguments, self._linter, self.config.robots)
         if path is None or self._run is None:
@@ -162,12 +161,6 @@ class Workspace:
                 findings.setdefault(os.path.abspath(finding.at.file), []).append(finding)
         read = frozenset(os.path.abspath(file) for result in run.results for file in result.files)
         return Checked(run, {file: tuple(found) for file, found in findings.items()}, read)
-
-    @contextmanager
-    def reading(self) -> Iterator[None]:
-        """Read the open texts instead of the files on disk, also when robots are looked for."""
-        with reading_instead(self.texts):
-            yield
 
 
 _MOST_ROBOTS = 8
