@@ -208,6 +208,18 @@ def test_values_are_shown_where_all_calls_agree(folder: Folder) -> None:
     assert [(hint.line, hint.value) for hint in hints_in(asks)] == [(6, "12")]
 
 
+@pytest.mark.parametrize("name", ["urdf/macros.xacro", "package.xml"])
+def test_what_another_program_writes_is_known_to_the_next_question(folder: Folder, name: str) -> None:
+    question(folder, URDF, types.Position(0, 0))  # writes the files
+    workspace = Workspace(str(folder.path), Wishes())
+    workspace.check()
+    robot = str(folder.path / URDF)
+    before = workspace.robots_with(robot)
+    assert workspace.robots_with(robot) is before
+    workspace.saved(str(folder.path / name))
+    assert workspace.robots_with(robot) is not before
+
+
 def test_the_server_answers_each_kind_of_question(folder: Folder) -> None:
     question(folder, URDF, types.Position(0, 0))  # writes the files
 

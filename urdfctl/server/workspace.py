@@ -93,7 +93,6 @@ class Workspace:
     def changed(self, path: str, text: bytes | None) -> None:
         """Take an open file's text; None if it was closed, and its text on disk counts again."""
         real = os.path.realpath(path)
-        self._edition += 1
         is_new = not os.path.exists(real)
         if text is None:
             self.texts.pop(real, None)
@@ -110,10 +109,12 @@ class Workspace:
         if os.path.basename(real) in _OF_PACKAGES:
             self.forget()
         else:
+            self._edition += 1
             self._linter.changed(dict(self.texts), [real])
 
     def forget(self) -> None:
         """Lint everything again: files were created or deleted."""
+        self._edition += 1
         self._linter = LiveLinter(self.settings, self._selection, dict(self.texts), self._is_outdated)
 
     def robots_with(self, path: str) -> list[LoadedTarget]:
