@@ -10,13 +10,14 @@ from collections.abc import Iterable, Iterator
 
 from urdfctl.load.loader import LoadedTarget
 from urdfctl.server.xacro_names import xacro_names
-from urdfctl.source.dom import COMMENT, Element, Text
+from urdfctl.source.dom import Element
 from urdfctl.source.files import is_yaml
 from urdfctl.source.problem import ReadError
 from urdfctl.source.span import SourceSpan, SourceText
 from urdfctl.source.xml import parse
 from urdfctl.source.yaml import Mapping, Node, Scalar, Sequence, read_yaml
 from urdfctl.startup.records import NamedTuple
+from urdfctl.trace.address import text_in
 
 LINK, JOINT, CONTROLLER = "link", "joint", "controller"
 
@@ -135,9 +136,7 @@ def _of_plugins(root: Element, known: dict[str, set[str]]) -> Iterator[Name]:
     while pending:
         element = pending.pop()
         pending += element.elements()
-        words = "".join(
-            node.data for node in element.children() if isinstance(node, Text) and node.nodeType != COMMENT
-        ).strip()
+        words = text_in(element)
         kind = _kind_of(words, element.tagName, known)
         if kind and not element.elements():
             yield Name(kind, words, element.at.content.span)

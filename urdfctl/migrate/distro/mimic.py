@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from xml.sax.saxutils import quoteattr
 
 from urdfctl.diagnostic import Edit
+from urdfctl.migrate.markup import child
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import for_you
@@ -25,7 +26,7 @@ def _mimic(packages: Packages) -> Iterator[Proposal]:
     joints = [element for path in files for element in elements_of(packages.read(path)) if element.tagName == "joint"]
     in_urdf: dict[str, list[Element]] = {}
     for joint in joints:
-        if _child(joint, "parent") is not None:
+        if child(joint, "parent") is not None:
             in_urdf.setdefault(joint.attrs.get("name", ""), []).append(joint)
     mimics = _mimics(packages)
     for joint in joints:
@@ -61,7 +62,7 @@ def _moved(joint: Element, mimicked: Element, in_urdf: list[Element], *, is_know
     name = joint.attrs.get("name", "")
     edits = [removed(one) for key in _PARAMETERS if (one := _parameter(joint, key)) is not None]
     edits += map(removed, _commands(joint))
-    without = [one for one in in_urdf if _child(one, "mimic") is None]
+    without = [one for one in in_urdf if child(one, "mimic") is None]
     added = [edit for one in without if (edit := inserted(one, _element(joint, mimicked))) is not None]
     if is_known:
         added = []
@@ -98,10 +99,6 @@ def _element(joint: Element, mimicked: Element) -> str:
 
 def _parameter(joint: Element, name: str) -> Element | None:
     return next((one for one in joint.elements() if one.tagName == "param" and one.attrs.get("name") == name), None)
-
-
-def _child(element: Element, name: str) -> Element | None:
-    return next((one for one in element.elements() if one.tagName == name), None)
 
 
 MIMIC = Step(
