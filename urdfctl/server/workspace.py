@@ -33,8 +33,7 @@ class Wishes(NamedTuple):
 
     @classmethod
     def from_json(cls, data: object) -> Wishes:
-        """Return what an editor sends: an object with any of these names; others, and values of other kinds, are
-        passed over."""
+        """Return what an editor sends: an object with any of these names. Other names and values are ignored."""
         given = data if isinstance(data, dict) else {}
         texts = {name: given[name] for name in ("distro", "simulator") if isinstance(given.get(name), str)}
         lists = {name: given[name] for name in ("select", "ignore") if isinstance(given.get(name), list)}

@@ -63,7 +63,7 @@ def overlapping(mechanism: Mechanism, shapes: Shapes, positions: Mapping[str, fl
 
 
 def _bodies(mechanism: Mechanism, simple: Collection[str]) -> dict[str, tuple[str, str]]:
-    """The body that each link belongs to, and the body that carries it: those without shapes are passed over."""
+    """The body that each link belongs to, and the body that carries it; bodies without shapes are skipped."""
     bodies = {mechanism.root: (mechanism.root, "")}
     solid = {mechanism.root: mechanism.root in simple}
     for hinge in mechanism.hinges:
