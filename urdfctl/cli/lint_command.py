@@ -25,7 +25,7 @@ from urdfctl.errors import UserError
 from urdfctl.lint.files import LintRun
 from urdfctl.lint.grouping import grouped
 from urdfctl.lint.merging import worst
-from urdfctl.lint.selection import Selection, validate_selection
+from urdfctl.lint.selection import Selection, selection_with
 from urdfctl.report import FORMATS, render
 from urdfctl.report.common import Report, about_missing_packages
 from urdfctl.startup.hints import TYPE_CHECKING
@@ -203,20 +203,8 @@ def _uncontrolled(robots: Sequence[TargetResult]) -> str:
 
 def _selection(config: Config, options: LintOptions) -> Selection:
     """Return the rules that the options select, by default those that the configuration selects."""
-    ignored = (*config.ignore, *(code for _, file_codes in config.per_file_ignores for code in file_codes))
-    of_config = Selection(config.select, ignored, config.extend_select, config.severities)
-    try:
-        validate_selection(of_config)
-    except UserError as error:
-        raise UserError(f"{config.file}: {error}" if config.file else str(error)) from None
-    return validate_selection(
-        Selection(
-            select=codes(options.select) or config.select,
-            ignore=codes(options.ignore) or config.ignore,
-            extend=codes(options.extend_select) or config.extend_select,
-            severities=config.severities,
-        )
-    )
+    given = Selection(codes(options.select), codes(options.ignore), codes(options.extend_select))
+    return selection_with(config, given)
 
 
 def _shard(text: str | None, to_write: str | None) -> Shard | None:

@@ -6,7 +6,7 @@ import os
 from collections.abc import Collection, Sequence
 
 from urdfctl.config.file import Config, config_for, config_of, with_environ
-from urdfctl.config.settings import Settings, passed_on, validate_settings
+from urdfctl.config.settings import Settings, passed_on, settings_with
 from urdfctl.diagnostic import Severity
 from urdfctl.errors import UserError
 from urdfctl.names import did_you_mean
@@ -69,22 +69,20 @@ def settings_from(
 
     named: the paths on the command line; files among them are read wherever they are.
     """
-    return validate_settings(
+    return settings_with(
+        config,
         Settings(
-            distro=distro or config.distro,
-            simulator=simulator or config.simulator,
+            distro=distro,
+            simulator=simulator,
             started=None if start is None else tuple(name.strip() for name in start.split(",") if name.strip()),
             workspace=options.workspace,
-            package_paths=tuple(options.package_path or config.package_paths),
+            package_paths=tuple(options.package_path or ()),
             environ=passed_on(os.environ, tuple(options.env or ())),
             trust=options.trust,
             timeout=options.timeout,
             memory=options.memory << 20,
-            additions=config.additions,
-            distro_from=None if distro else config.distro_from,
-            simulator_from=None if simulator else config.simulator_from,
             named_files=tuple(os.path.abspath(path) for path in named if os.path.isfile(path)),
-        )
+        ),
     )
 
 

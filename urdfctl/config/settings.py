@@ -10,8 +10,11 @@ from urdfctl.catalog.additions import NO_ADDITIONS, Additions
 from urdfctl.catalog.distros import ALL, ROS1, ROS2, SIMULATORS
 from urdfctl.errors import UserError
 from urdfctl.names import did_you_mean
-from urdfctl.startup.hints import Any
+from urdfctl.startup.hints import TYPE_CHECKING, Any
 from urdfctl.startup.records import NamedTuple
+
+if TYPE_CHECKING:
+    from urdfctl.config.file import Config
 
 PASSED_ON = ("ROS_", "AMENT_", "COLCON_", "CMAKE_PREFIX_PATH")
 PASSED_ON_NAMES = ("HOME", "LANG")
@@ -64,6 +67,20 @@ class Settings(NamedTuple):
         plain["nodes"] = tuple((name, parameters) for name, parameters in data.get("nodes", ()))
         additions = {kind: tuple(entries) for kind, entries in data.get("additions", {}).items()}
         return cls(**{**plain, "additions": Additions(**additions) if any(additions.values()) else NO_ADDITIONS})
+
+
+def settings_with(config: Config, given: Settings) -> Settings:
+    """Return the settings of a run: those given, then those of the configuration. UserError if one is invalid."""
+    return validate_settings(
+        given._replace(
+            distro=given.distro or config.distro,
+            simulator=given.simulator or config.simulator,
+            package_paths=given.package_paths or config.package_paths,
+            additions=config.additions,
+            distro_from=None if given.distro else config.distro_from,
+            simulator_from=None if given.simulator else config.simulator_from,
+        )
+    )
 
 
 def validate_settings(settings: Settings) -> Settings:

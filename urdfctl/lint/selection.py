@@ -5,8 +5,11 @@ from __future__ import annotations
 from urdfctl.diagnostic import Severity
 from urdfctl.errors import UserError
 from urdfctl.rules import all_rules
-from urdfctl.startup.hints import Any
+from urdfctl.startup.hints import TYPE_CHECKING, Any
 from urdfctl.startup.records import NamedTuple
+
+if TYPE_CHECKING:
+    from urdfctl.config.file import Config
 
 
 class Selection(NamedTuple):
@@ -49,6 +52,23 @@ class Selection(NamedTuple):
             return None
         matching = [(len(prefix), severity) for prefix, severity in self.severities if code.startswith(prefix)]
         return max(matching)[1] if matching else None
+
+
+def selection_with(config: Config, given: Selection) -> Selection:
+    """Return the rules of a run: those given, then those of the configuration. UserError if one is unknown."""
+    ignored = (*config.ignore, *(code for _, file_codes in config.per_file_ignores for code in file_codes))
+    try:
+        validate_selection(Selection(config.select, ignored, config.extend_select, config.severities))
+    except UserError as error:
+        raise UserError(f"{config.file}: {error}" if config.file else str(error)) from None
+    return validate_selection(
+        Selection(
+            select=given.select or config.select,
+            ignore=given.ignore or config.ignore,
+            extend=given.extend or config.extend_select,
+            severities=config.severities,
+        )
+    )
 
 
 def validate_selection(selection: Selection) -> Selection:

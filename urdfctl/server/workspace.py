@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 
-from urdfctl.config.file import Config, config_for, with_environ
-from urdfctl.config.settings import Settings, passed_on, validate_settings
+from urdfctl.config.file import config_for, with_environ
+from urdfctl.config.settings import Settings, passed_on, settings_with
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.discover.walk import reading_instead
 from urdfctl.lint.files import LintRun, lint_files
@@ -14,7 +14,7 @@ from urdfctl.lint.live import LiveLinter
 from urdfctl.lint.merging import merge
 from urdfctl.lint.planning import discovered
 from urdfctl.lint.results import TargetResult
-from urdfctl.lint.selection import Selection, validate_selection
+from urdfctl.lint.selection import Selection, selection_with
 from urdfctl.load.loader import LoadedTarget, Loader
 from urdfctl.load.target import Target
 from urdfctl.source.packages import package_around
@@ -79,8 +79,9 @@ class Workspace:
         self.folder = os.path.realpath(folder)
         self.texts: dict[str, bytes] = {}
         self.config = with_environ(config_for((self.folder,)), os.environ)
-        self.settings = _settings(self.config, wishes)
-        self._selection = _selection(self.config, wishes)
+        given = Settings(distro=wishes.distro, simulator=wishes.simulator, environ=passed_on(os.environ))
+        self.settings = settings_with(self.config, given)
+        self._selection = selection_with(self.config, Selection(wishes.select, wishes.ignore))
         self._wishes = wishes
         self._is_outdated = is_outdated
         self._run: LintRun | None = None
@@ -173,28 +174,3 @@ def _weight(result: TargetResult) -> tuple[object, ...]:
 
 _OF_PACKAGES = frozenset({"package.xml", "CMakeLists.txt", "setup.py", "urdfctl.toml", "pyproject.toml"})
 """Files that decide more than the robots which read them."""
-
-
-def _settings(config: Config, wishes: Wishes) -> Settings:
-    return validate_settings(
-        Settings(
-            distro=wishes.distro or config.distro,
-            simulator=wishes.simulator or config.simulator,
-            package_paths=config.package_paths,
-            environ=passed_on(os.environ),
-            additions=config.additions,
-            distro_from=None if wishes.distro else config.distro_from,
-            simulator_from=None if wishes.simulator else config.simulator_from,
-        )
-    )
-
-
-def _selection(config: Config, wishes: Wishes) -> Selection:
-    return validate_selection(
-        Selection(
-            select=wishes.select or config.select,
-            ignore=(*wishes.ignore, *config.ignore),
-            extend=config.extend_select,
-            severities=config.severities,
-        )
-    )
