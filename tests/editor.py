@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import os
 import sys
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
@@ -100,8 +100,18 @@ class Editor:
     async def close(self, name: str) -> None:
         """Close a file without saving it."""
         self._sends()
+        self._versions.pop(self.folder / name)
         document = types.TextDocumentIdentifier((self.folder / name).as_uri())
         self.client.text_document_did_close(types.DidCloseTextDocumentParams(document))
+
+    async def show_folders(self, *, added: Sequence[Path] = (), removed: Sequence[Path] = ()) -> None:
+        """Show more folders, or fewer. The server then takes all open texts again."""
+        self._sent = len(self._versions)
+        self._near.clear()
+        self._whole.clear()
+        both = ([types.WorkspaceFolder(path.as_uri(), path.name) for path in paths] for paths in (added, removed))
+        event = types.WorkspaceFoldersChangeEvent(*both)
+        self.client.workspace_did_change_workspace_folders(types.DidChangeWorkspaceFoldersParams(event))
 
     async def told(self, kind: types.FileChangeType, name: str) -> None:
         """Tell the server that another program created, changed or deleted a file."""
@@ -113,7 +123,7 @@ class Editor:
         """Wait until everything is linted; return the findings by file: codes with lines and columns, from 0."""
         await asyncio.wait_for(self._whole.wait(), SECONDS)
         return {
-            str(path.relative_to(self.folder)): [
+            os.path.relpath(path, self.folder): [
                 (str(found.code), found.range.start.line, found.range.start.character) for found in findings
             ]
             for path, findings in sorted(self.findings.items())

@@ -35,16 +35,25 @@ def _begin(server: Window) -> None:
 
     @server.feature(types.INITIALIZED)
     def initialized(ls: Window, _: types.InitializedParams) -> None:
-        folders = [path_of(folder.uri) for folder in ls.workspace.folders.values()]
-        root = next((folder for folder in folders if folder), None) or ls.workspace.root_path
-        ls.begin(root, wishes[-1])
+        root = ls.workspace.root_path
+        ls.begin(_folders(ls) or ([root] if root else []), wishes[-1])
         _watch(ls)
+
+    @server.feature(types.WORKSPACE_DID_CHANGE_WORKSPACE_FOLDERS)
+    def other_folders(ls: Window, _: types.DidChangeWorkspaceFoldersParams) -> None:
+        ls.again(folders=_folders(ls))
 
     @server.feature(types.WORKSPACE_DID_CHANGE_CONFIGURATION)
     def configured(ls: Window, params: types.DidChangeConfigurationParams) -> None:
         given = params.settings.get("urdfctl") if isinstance(params.settings, dict) else None
         if given is not None:
             ls.again(Wishes.from_json(given))
+
+
+def _folders(server: Window) -> list[str]:
+    """The folders that the editor shows."""
+    paths = (path_of(folder.uri) for folder in server.workspace.folders.values())
+    return [path for path in paths if path]
 
 
 def _follow_texts(server: Window) -> None:

@@ -50,16 +50,25 @@ class Wishes(NamedTuple):
 
 
 class Checked(NamedTuple):
-    """The findings in a part of the workspace.
+    """The findings in a folder, or in a part of it.
 
+    folder: the real path of the whole folder.
+    is_whole: whether they are those of all of it.
     run: the results that the findings come from.
     findings: those of `urdfctl lint FOLDER --format json`, by the absolute path of their file.
     files: the files that were read; those without findings have none.
     """
 
+    folder: str
+    is_whole: bool
     run: LintRun
     findings: Mapping[str, tuple[Diagnostic, ...]]
     files: frozenset[str]
+
+    @classmethod
+    def nothing(cls, folder: str) -> Checked:
+        """Return the findings in a folder that cannot be read."""
+        return cls(folder, is_whole=True, run=LintRun([], []), findings={}, files=frozenset())
 
 
 class Workspace:
@@ -161,7 +170,12 @@ class Workspace:
             if not self.config.ignores(finding.at.file, finding.code):
                 findings.setdefault(os.path.abspath(finding.at.file), []).append(finding)
         read = frozenset(os.path.abspath(file) for result in run.results for file in result.files)
-        return Checked(run, {file: tuple(found) for file, found in findings.items()}, read)
+        found = {file: tuple(each) for file, each in findings.items()}
+        return Checked(self.folder, is_whole=path is None, run=run, findings=found, files=read)
+
+    def reads(self, path: str) -> bool:
+        """Return whether anything that was linted last reads a file."""
+        return any(path in map(os.path.realpath, result.files) for result in (self._run.results if self._run else ()))
 
 
 _MOST_ROBOTS = 8
