@@ -10,6 +10,7 @@ from urdfctl.migrate.classic.materials import CLASSIC_MATERIALS
 from urdfctl.migrate.classic.plugins import CLASSIC_HARDWARE, CLASSIC_INTERFACES, CLASSIC_PLUGINS, CONTROL_PLUGIN
 from urdfctl.migrate.classic.sensor_systems import SENSOR_SYSTEMS
 from urdfctl.migrate.classic.sensors import CLASSIC_SENSORS
+from urdfctl.migrate.classic.worlds import WORLD_MODELS, WORLD_PLUGINS
 from urdfctl.migrate.step import Step
 
 ROBOT_STEPS: tuple[Step, ...] = (
@@ -21,6 +22,8 @@ ROBOT_STEPS: tuple[Step, ...] = (
     LOOSE_SENSORS,
     SENSOR_SYSTEMS,
     CLASSIC_MATERIALS,
+    WORLD_MODELS,
+    WORLD_PLUGINS,
     BRIDGE,
 )
 PACKAGE_STEPS: tuple[Step, ...] = (CLASSIC_LAUNCH, CLASSIC_MANIFEST)

@@ -4,11 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from urdfctl.diagnostic import Edit
 from urdfctl.migrate.classic.choice import is_chosen, replaced
 from urdfctl.migrate.classic.plugins import goes_to_gz
-from urdfctl.migrate.markup import content, elements, parent_of, root_of, step_of
+from urdfctl.migrate.classic.sdf import sdf_elements
+from urdfctl.migrate.markup import (
+    child,
+    content,
+    elements,
+    indent_of,
+    indented,
+    parent_of,
+    removal,
+    root_of,
+    span_of,
+    step_of,
+)
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.todo import for_you
 from urdfctl.migrate.wishes import Part
 
 _AUTHORITY = (
@@ -44,6 +58,7 @@ COLOURS: Mapping[str, str] = {
 def _materials(packages: Packages) -> Iterator[Proposal]:
     if not goes_to_gz(packages):
         return
+    yield from _scripts(packages)
     for path in packages.files(*_OF_XML):
         source = packages.read(path)
         root = root_of(source) if b"Gazebo/" in source.data else None
@@ -62,10 +77,34 @@ def _materials(packages: Packages) -> Iterator[Proposal]:
             yield Proposal(tuple(replaced(packages, element, text)), entries=(entry,))
 
 
+def _scripts(packages: Packages) -> Iterator[Proposal]:
+    """Write the colours of the scripts in worlds and models."""
+    unknown: set[tuple[str, str]] = set()
+    for element in sdf_elements(packages, b"<script"):
+        around, named = parent_of(element), child(element, "name")
+        if element.tagName != "script" or around is None or around.tagName != "material" or named is None:
+            continue
+        name, path = content(named), element.source.path
+        colour = COLOURS.get(name.removeprefix("Gazebo/")) if name.startswith("Gazebo/") else None
+        missing = [kind for kind in ("ambient", "diffuse") if child(around, kind) is None]
+        if colour is not None or not missing:
+            lines = "\n".join(f"<{kind}>{colour}</{kind}>" for kind in missing)
+            edit = Edit(span_of(element), indented(lines, indent_of(element)).lstrip()) if lines else removal(element)
+            what = f"material '{name}' became a colour"
+            yield Proposal((edit,), entries=(Entry(EntryKind.DONE, what, element.at, authority=_AUTHORITY),))
+        elif (path, name) not in unknown:
+            unknown.add((path, name))
+            what = f"gz does not read the script of material '{name}': write <diffuse>, or <pbr> with its texture"
+            yield for_you(element.at, what, authority=_AUTHORITY)
+
+
 CLASSIC_MATERIALS = Step(
     name="classic-materials",
     part=Part.URDF,
     summary="Materials of Gazebo Classic",
     propose=_materials,
-    rows=(Row("<material>Gazebo/NAME</material>", "<visual><material><ambient>, <diffuse>", "jazzy", _AUTHORITY),),
+    rows=(
+        Row("<material>Gazebo/NAME</material>", "<visual><material><ambient>, <diffuse>", "jazzy", _AUTHORITY),
+        Row("<material><script> Gazebo/NAME in SDF", "<ambient>, <diffuse>", "jazzy", _AUTHORITY),
+    ),
 )

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.classic.choice import is_chosen, replaced
+from urdfctl.migrate.classic.sdf import OF_SDF
 from urdfctl.migrate.classic.systems import NO_SUCCESSOR, SYSTEMS, library_of, system_text
 from urdfctl.migrate.hardware import HARDWARE_OPTION, host_plugin, simulated_by, system_plugin
 from urdfctl.migrate.markup import (
@@ -128,10 +129,10 @@ def _place(span: SourceSpan) -> Place:
 def _systems(packages: Packages) -> Iterator[Proposal]:
     if not goes_to_gz(packages):
         return
-    for element in plugin_elements(packages):
+    for element in plugin_elements(packages, *OF_SDF):
         library = library_of(attribute(element, "filename"))
         around = parent_of(element)
-        if is_chosen(element) or (around is not None and around.tagName == "sensor"):
+        if is_chosen(element) or (around is not None and around.tagName in {"sensor", "world"}):
             continue
         if library in SYSTEMS:
             system = SYSTEMS[library]

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.classic.choice import is_chosen, replaced
 from urdfctl.migrate.classic.plugins import goes_to_gz
+from urdfctl.migrate.classic.sdf import OF_SDF
 from urdfctl.migrate.classic.systems import library_of, topic_of
 from urdfctl.migrate.markup import (
     attribute,
@@ -77,7 +78,7 @@ SENSORS: Mapping[str, Sensor] = {
 def _sensors(packages: Packages) -> Iterator[Proposal]:
     if not goes_to_gz(packages):
         return
-    for path in packages.files(*_OF_XML):
+    for path in packages.files(*_OF_XML, *OF_SDF):
         source = packages.read(path)
         root = root_of(source) if b"<sensor" in source.data else None
         for element in elements(root) if root is not None else ():

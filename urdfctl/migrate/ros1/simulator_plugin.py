@@ -57,12 +57,15 @@ def _has_successor(element: Element) -> bool:
     return any(name in element.source.data for name in (b"libgazebo_ros2_control.so", b"gz_ros2_control-system"))
 
 
-def plugin_elements(packages: Packages) -> Iterator[Element]:
-    """Yield the `<plugin>` elements in the XML files, as they are written."""
-    for path in packages.files(*_OF_XML):
+def plugin_elements(packages: Packages, *endings: str) -> Iterator[Element]:
+    """Yield the `<plugin>` elements in the XML files, as they are written.
+
+    endings: those of other files to look into, too.
+    """
+    for path in packages.files(*_OF_XML, *endings):
         source = packages.read(path)
         root = root_of(source) if b"<plugin" in source.data else None
-        if root is not None and root.tagName in {"robot", "gazebo"}:
+        if root is not None and root.tagName in {"robot", "gazebo", "sdf"}:
             yield from (element for element in elements(root) if element.tagName == "plugin")
 
 
