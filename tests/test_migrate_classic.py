@@ -168,10 +168,10 @@ def test_a_plugin_that_is_a_sensor_itself_becomes_one_on_its_link(folder: Folder
         """\
   <gazebo reference="body">
     <sensor name="imu" type="imu">
-      <topic>imu/data</topic>
       <update_rate>100</update_rate>
-      <gz_frame_id>body</gz_frame_id>
       <always_on>true</always_on>
+      <topic>imu/data</topic>
+      <gz_frame_id>body</gz_frame_id>
     </sensor>
   </gazebo>
 """

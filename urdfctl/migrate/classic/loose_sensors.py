@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.migrate.classic.choice import is_chosen, replaced
 from urdfctl.migrate.classic.plugins import goes_to_gz
-from urdfctl.migrate.classic.systems import library_of
+from urdfctl.migrate.classic.systems import in_namespace, library_of
 from urdfctl.migrate.markup import attribute, child, content, parent_of, step_of
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.ros1.simulator_plugin import plugin_elements
@@ -21,10 +21,13 @@ LOOSE: Mapping[str, tuple[str, str]] = {
     "hector_gazebo_ros_gps": ("navsat", "fix"),
 }
 """By library of Gazebo Classic: the type of the sensor in gz, and its topic if none is set."""
+_IN_CLASSIC = {"imu": ("imu", "gazebo_ros_imu_sensor"), "navsat": ("gps", "gazebo_ros_gps_sensor")}
+"""By type of the sensor in gz: the type in Gazebo Classic, and the library that publishes it in ROS 2."""
 
 
 def _loose_sensors(packages: Packages) -> Iterator[Proposal]:
-    if not goes_to_gz(packages):
+    to_gz = goes_to_gz(packages)
+    if not to_gz and not (packages.is_ros1 and packages.simulator == "gazebo-classic"):
         return
     for element in plugin_elements(packages):
         library = library_of(attribute(element, "filename"))
@@ -34,24 +37,44 @@ def _loose_sensors(packages: Packages) -> Iterator[Proposal]:
             continue
         link = content(body) if body is not None else attribute(around, "reference")
         if link and len(around.elements()) == 1:
-            message = f"plugin '{library}' became a sensor of type {LOOSE[library][0]} on link '{link}'"
+            kind = LOOSE[library][0] if to_gz else _IN_CLASSIC[LOOSE[library][0]][0]
+            message = f"plugin '{library}' became a sensor of type {kind} on link '{link}'"
             entry = Entry(EntryKind.DONE, message, element.at, authority=_AUTHORITY)
-            yield Proposal(tuple(replaced(packages, around, _sensor(element, library, link))), entries=(entry,))
+            text = _sensor(element, library, link, to_gz=to_gz)
+            yield Proposal(tuple(replaced(packages, around, text)), entries=(entry,))
 
 
-def _sensor(plugin: Element, library: str, link: str) -> str:
+def _sensor(plugin: Element, library: str, link: str, *, to_gz: bool) -> str:
     kind, default = LOOSE[library]
-    step = step_of(plugin.source)
-    settings = {
-        "topic": (("topicName",), default),
-        "update_rate": (("updateRate", "updateRateHZ"), "50"),
-        "gz_frame_id": (("frameId", "frameName", "frame_id"), link),
-    }
-    lines = [f'<gazebo reference="{link}">', f'{step}<sensor name="{attribute(plugin, "name")}" type="{kind}">']
-    for name, (olds, value) in settings.items():
-        given = next((content(one) for old in olds if (one := child(plugin, old)) is not None and content(one)), value)
-        lines.append(f"{step * 2}<{name}>{given}</{name}>")
-    return "\n".join([*lines, f"{step * 2}<always_on>true</always_on>", f"{step}</sensor>", "</gazebo>\n"])
+    step, name = step_of(plugin.source), attribute(plugin, "name")
+    topic = _given(plugin, ("topicName",), default)
+    rate = _given(plugin, ("updateRate", "updateRateHZ"), "50")
+    frame = _given(plugin, ("frameId", "frameName", "frame_id"), link)
+    lines = [f"<update_rate>{rate}</update_rate>", "<always_on>true</always_on>"]
+    if to_gz:
+        topic = in_namespace(plugin, topic).lstrip("/")
+        lines += [f"<topic>{topic}</topic>", f"<gz_frame_id>{frame}</gz_frame_id>"]
+    else:
+        kind, successor = _IN_CLASSIC[kind]
+        lines += [f'<plugin name="{name}" filename="lib{successor}.so">', *_of_plugin(plugin, topic, frame, step)]
+    inside = "".join(f"{step * 2}{line}\n" for line in lines)
+    head = f'<gazebo reference="{link}">\n{step}<sensor name="{name}" type="{kind}">\n'
+    return f"{head}{inside}{step}</sensor>\n</gazebo>\n"
+
+
+def _of_plugin(plugin: Element, topic: str, frame: str, step: str) -> Iterator[str]:
+    """The lines of a plugin of ROS 2 that publishes a sensor, after its first one."""
+    space = child(plugin, "robotNamespace")
+    yield f"{step}<ros>"
+    if space is not None and content(space).strip("/"):
+        yield f"{step * 2}<namespace>{content(space)}</namespace>"
+    yield f"{step * 2}<remapping>~/out:={topic}</remapping>"
+    yield from (f"{step}</ros>", f"{step}<frame_name>{frame}</frame_name>", "</plugin>")
+
+
+def _given(plugin: Element, names: Sequence[str], default: str) -> str:
+    """The value of the first of some settings that a plugin has."""
+    return next((content(one) for name in names if (one := child(plugin, name)) is not None and content(one)), default)
 
 
 LOOSE_SENSORS = Step(

@@ -6,9 +6,10 @@ import re
 from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
+from urdfctl.migrate.classic.axles import axles
 from urdfctl.migrate.classic.choice import is_chosen, replaced
 from urdfctl.migrate.classic.sdf import OF_SDF
-from urdfctl.migrate.classic.systems import NO_SUCCESSOR, SYSTEMS, library_of, system_text
+from urdfctl.migrate.classic.systems import NO_SUCCESSOR, SYSTEMS, flush, library_of, system_text
 from urdfctl.migrate.hardware import HARDWARE_OPTION, host_plugin, simulated_by, system_plugin
 from urdfctl.migrate.markup import (
     attribute,
@@ -19,7 +20,6 @@ from urdfctl.migrate.markup import (
     parent_of,
     removal,
     root_of,
-    span_of,
     step_of,
 )
 from urdfctl.migrate.packages import Packages
@@ -67,18 +67,11 @@ def _control(packages: Packages) -> Iterator[Proposal]:
         text = f'<plugin filename="{host.filenames[0]}" name="{host.names[0]}">\n'
         kept = (one for one in element.elements() if one.tagName in _KEPT or one.tagName.startswith("xacro:"))
         step = step_of(element.source)
-        text += "".join(indented(f"{_flush(one)}\n", step) for one in kept) + "</plugin>\n"
+        text += "".join(indented(f"{flush(one)}\n", step) for one in kept) + "</plugin>\n"
         entry = Entry(
             EntryKind.DONE, f"the plugin for ros2_control became '{host.names[0]}'", element.at, authority=_CONTROL
         )
         yield Proposal(tuple(replaced(packages, element, text)), entries=(entry,))
-
-
-def _flush(element: Element) -> str:
-    """An element as it is written, with its first line indented by nothing and the others by as much less."""
-    lines = span_of(element).text.splitlines()
-    margin = min((len(line) - len(line.lstrip()) for line in lines[1:] if line.strip()), default=0)
-    return "\n".join([lines[0], *(line[margin:] for line in lines[1:])])
 
 
 def _has_both(element: Element) -> bool:
@@ -136,7 +129,8 @@ def _systems(packages: Packages) -> Iterator[Proposal]:
             continue
         if library in SYSTEMS:
             system = SYSTEMS[library]
-            text = system_text(element, system, step_of(element.source))
+            measures = list(axles(packages, element)) if system.has_axles else []
+            text = system_text(element, system, step_of(element.source), measures)
             message = f"plugin '{library}' became '{system.filename}'"
             entry = Entry(EntryKind.DONE, message, element.at, authority=_AUTHORITY)
             yield Proposal(tuple(replaced(packages, element, text)), entries=(entry,))

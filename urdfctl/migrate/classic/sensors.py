@@ -8,7 +8,7 @@ from urdfctl.diagnostic import Edit
 from urdfctl.migrate.classic.choice import is_chosen, replaced
 from urdfctl.migrate.classic.plugins import goes_to_gz
 from urdfctl.migrate.classic.sdf import OF_SDF
-from urdfctl.migrate.classic.systems import library_of, topic_of
+from urdfctl.migrate.classic.systems import in_namespace, library_of, relative_topic
 from urdfctl.migrate.markup import (
     attribute,
     child,
@@ -154,18 +154,15 @@ def _topic(plugin: Element, sensor: Sensor, kind: str) -> str:
     camera = child(plugin, "cameraName") or child(plugin, "camera_name")
     written = content(own) if own is not None else ""
     if not written or written.startswith("__"):  # the default that the plugin's own files name
-        written = topic_of(plugin, sensor.output, sensor.output)
+        written = relative_topic(plugin, sensor.output, sensor.output)
     if written == sensor.output and camera is None:
         written = sensor.default
-    if camera is not None and content(camera) and not written.startswith("/"):
-        written = f"{content(camera)}/{written}"
+    name = content(camera) if camera is not None else ""
+    if name and not written.startswith(("/", f"{name}/")):
+        written = f"{name}/{written}"
     if kind == "rgbd_camera":
         written = written.rpartition("/")[0] or written
-    ros = child(plugin, "ros")
-    space = child(ros, "namespace") if ros is not None else None
-    prefix = content(space).strip("/") if space is not None else ""
-    name = written.lstrip("/")
-    return f"{prefix}/{name}" if prefix else name
+    return in_namespace(plugin, written).lstrip("/")
 
 
 CLASSIC_SENSORS = Step(

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
-from urdfctl.migrate.markup import child, children, content
+from urdfctl.migrate.markup import child, children, content, indented, span_of
 from urdfctl.source.dom import Element
 from urdfctl.startup.records import NamedTuple
 
@@ -14,17 +14,31 @@ class System(NamedTuple):
     """A system of gz.
 
     filename, name: its library and its class.
-    settings: for each setting of Classic, in the spelling of ROS 1 or of ROS 2, its name in gz. A name that begins with
-        `half:` gets half the value.
+    settings: for each setting of Classic, in the spelling of ROS 1 or of ROS 2, its names in gz. One that begins with
+        `half:` gets half the value, one with `minus:` its negative, one with `each:` is written for each of its words.
     topics: for each topic of Classic, the setting with its name in gz, and the default name.
+    kept: elements that gz reads as they are.
+    has_tf: whether it publishes the transform of its odometry on a topic of its own.
+    has_axles: whether it needs the measures of the vehicle, which Classic measures itself.
     """
 
     filename: str
     name: str
     settings: Mapping[str, str]
     topics: Mapping[str, tuple[str, str]] = {}
+    kept: tuple[str, ...] = ()
+    has_tf: bool = False
+    has_axles: bool = False
 
 
+_ODOMETRY = {
+    "updateRate": "odom_publish_frequency",
+    "update_rate": "odom_publish_frequency",
+    "odometryFrame": "frame_id",
+    "odometry_frame": "frame_id",
+    "robotBaseFrame": "child_frame_id",
+    "robot_base_frame": "child_frame_id",
+}
 _DRIVE = {
     "leftJoint": "left_joint",
     "rightJoint": "right_joint",
@@ -38,12 +52,7 @@ _DRIVE = {
     "wheel_separation": "wheel_separation",
     "wheelDiameter": "half:wheel_radius",
     "wheel_diameter": "half:wheel_radius",
-    "updateRate": "odom_publish_frequency",
-    "update_rate": "odom_publish_frequency",
-    "odometryFrame": "frame_id",
-    "odometry_frame": "frame_id",
-    "robotBaseFrame": "child_frame_id",
-    "robot_base_frame": "child_frame_id",
+    **_ODOMETRY,
 }
 _DRIVE_TOPICS = {
     "commandTopic": ("topic", "cmd_vel"),
@@ -51,10 +60,30 @@ _DRIVE_TOPICS = {
     "odometryTopic": ("odom_topic", "odom"),
     "odometry_topic": ("odom_topic", "odom"),
 }
-_DIFF_DRIVE = System("gz-sim-diff-drive-system", "gz::sim::systems::DiffDrive", _DRIVE, _DRIVE_TOPICS)
+_DIFF_DRIVE = System("gz-sim-diff-drive-system", "gz::sim::systems::DiffDrive", _DRIVE, _DRIVE_TOPICS, has_tf=True)
+_ACKERMANN = {
+    "rear_left_joint": "left_joint",
+    "front_left_joint": "left_joint",
+    "rear_right_joint": "right_joint",
+    "front_right_joint": "right_joint",
+    "left_steering_joint": "left_steering_joint",
+    "right_steering_joint": "right_steering_joint",
+    "max_steer": "steering_limit",
+    "max_speed": "max_velocity minus:min_velocity",
+    **_ODOMETRY,
+}
 SYSTEMS: Mapping[str, System] = {
     "gazebo_ros_diff_drive": _DIFF_DRIVE,
     "gazebo_ros_skid_steer_drive": _DIFF_DRIVE,
+    "gazebo_ros_ackermann_drive": System(
+        "gz-sim-ackermann-steering-system",
+        "gz::sim::systems::AckermannSteering",
+        _ACKERMANN,
+        _DRIVE_TOPICS,
+        has_tf=True,
+        has_axles=True,
+    ),
+    "gazebo_ros_wheel_slip": System("gz-sim-wheel-slip-system", "gz::sim::systems::WheelSlip", {}, kept=("wheel",)),
     "gazebo_ros_planar_move": System(
         "gz-sim-velocity-control-system",
         "gz::sim::systems::VelocityControl",
@@ -64,7 +93,7 @@ SYSTEMS: Mapping[str, System] = {
     "gazebo_ros_joint_state_publisher": System(
         "gz-sim-joint-state-publisher-system",
         "gz::sim::systems::JointStatePublisher",
-        {"joint_name": "joint_name"},
+        {"joint_name": "joint_name", "jointName": "each:joint_name"},
         {"topicName": ("topic", "joint_states")},
     ),
     "gazebo_ros_p3d": System(
@@ -92,7 +121,6 @@ NO_SUCCESSOR = (
     "gazebo_ros_harness",
     "gazebo_ros_template",
     "gazebo_ros_force",
-    "gazebo_ros_ackermann_drive",
     "gazebo_ros_tricycle_drive",
     "gazebo_ros_force_based_move",
     "gazebo_grasp_fix",
@@ -105,29 +133,53 @@ def library_of(filename: str) -> str:
     return filename.rpartition("/")[2].removeprefix("lib").removesuffix(".so")
 
 
-def system_text(element: Element, system: System, step: str) -> str:
-    """Return the `<plugin>` of gz for one of Classic."""
+def system_text(element: Element, system: System, step: str, more: Sequence[str] = ()) -> str:
+    """Return the `<plugin>` of gz for one of Classic. `more` are further lines in it."""
     lines = [f'<plugin filename="{system.filename}" name="{system.name}">']
     lines += (f"{step}<{name}>{value}</{name}>" for name, value in _settings(element, system))
+    lines += (f"{step}{line}" for line in more)
+    kept = (one for one in element.elements() if one.tagName in system.kept)
+    lines += (line for one in kept for line in indented(flush(one), step).splitlines())
     return "\n".join([*lines, "</plugin>\n"])
+
+
+def flush(element: Element) -> str:
+    """Return an element as it is written, with its first line indented by nothing and the others by as much less."""
+    lines = span_of(element).text.splitlines()
+    margin = min((len(line) - len(line.lstrip()) for line in lines[1:] if line.strip()), default=0)
+    return "\n".join([lines[0], *(line[margin:] for line in lines[1:])])
 
 
 def _settings(element: Element, system: System) -> Iterator[tuple[str, str]]:
     once: set[str] = set()
     for setting in element.elements():
-        new = system.settings.get(setting.tagName)
-        if new is None or not content(setting):
-            continue
-        name = new.removeprefix("half:")
-        if name in once and not name.endswith("_joint"):
-            continue
-        once.add(name)
-        yield name, halved(content(setting)) if new.startswith("half:") else content(setting)
+        for new in system.settings.get(setting.tagName, "").split() if content(setting) else ():
+            way, _, name = new.rpartition(":")
+            if name not in once or name.endswith(("_joint", "joint_name")):
+                yield from ((name, value) for value in _values(content(setting), way))
+            once.add(name)
     named: set[str] = set()
     for old, (setting_name, default) in system.topics.items():
         if setting_name not in named and (child(element, old) is not None or _is_last(old, system)):
             named.add(setting_name)
             yield setting_name, topic_of(element, old, default)
+    if system.has_tf and _publishes_tf(element):
+        yield "tf_topic", "/tf"
+
+
+def _values(text: str, way: str) -> list[str]:
+    """The values in gz of a setting of Classic, as `System.settings` says."""
+    if way == "each":
+        return [word for word in re.split(r"[\s,]+", text) if word]
+    return [{"half": halved, "minus": negated}[way](text) if way else text]
+
+
+def _publishes_tf(element: Element) -> bool:
+    """Whether Classic publishes the transform of the odometry: in ROS 1 unless it must not, in ROS 2 if it must."""
+    found = (child(element, name) for name in ("publish_odom_tf", "publishOdomTF", "publishTf", "broadcastTF"))
+    given = next((content(one).lower() for one in found if one is not None), "")
+    is_of_ros1 = any(one.tagName != one.tagName.lower() for one in element.elements())
+    return given not in {"false", "0"} if is_of_ros1 else given in {"true", "1"}
 
 
 def _is_last(old: str, system: System) -> bool:
@@ -138,15 +190,36 @@ def _is_last(old: str, system: System) -> bool:
 
 def topic_of(element: Element, setting: str, default: str) -> str:
     """Return the name of a topic of a plugin: by its own setting, or by the remappings of ROS 2."""
+    return in_namespace(element, relative_topic(element, setting, default))
+
+
+def relative_topic(element: Element, setting: str, default: str) -> str:
+    """Return the name of a topic of a plugin without the plugin's namespace."""
     own = child(element, setting)
     if own is not None and content(own):
         return content(own)
     ros = child(element, "ros")
     for remapping in (*children(ros, "remapping"), *children(ros, "argument")) if ros is not None else ():
         old, mark, new = content(remapping).partition(":=")
-        if mark and old.strip("~/ ") == default:
+        if mark and old.strip("~/ ").rpartition("/")[2] == default:
             return new.strip()
     return default
+
+
+def in_namespace(element: Element, topic: str) -> str:
+    """Return the name of a topic in the namespace of its plugin."""
+    ros = child(element, "ros")
+    space = child(ros, "namespace") if ros is not None else child(element, "robotNamespace")
+    prefix = content(space).strip("/") if space is not None else ""
+    return f"{prefix}/{topic}" if prefix and not topic.startswith("/") else topic
+
+
+def negated(text: str) -> str:
+    """Return the negative of a number, or of an expression of xacro."""
+    whole = re.fullmatch(r"\$\{(.*)\}", text)
+    if whole:
+        return f"${{-({whole[1].strip()})}}"
+    return text[1:] if text.startswith("-") else f"-{text}"
 
 
 def halved(text: str) -> str:

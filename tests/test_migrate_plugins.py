@@ -1,0 +1,198 @@
+"""What a migration makes of the plugins of Gazebo Classic for drives and sensors, in Classic for ROS 2 and in gz."""
+
+from __future__ import annotations
+
+import pytest
+from folder import Folder
+from test_migrate_classic import base, migrated
+
+TO_CLASSIC = ("--from", "noetic", "--to", "humble", "--simulator", "gazebo-classic")
+TO_GZ = ("--from", "noetic", "--to", "jazzy")
+WHEELS = {
+    1: "<leftJoint>left</leftJoint>\n<rightJoint>right</rightJoint>",
+    2: "<left_joint>left</left_joint>\n<right_joint>right</right_joint>",
+}
+"""The wheels of a drive by the version of ROS."""
+
+
+def plugin(library: str, settings: str) -> str:
+    """A plugin of a model, with one setting in each line."""
+    inside = "".join(f"      {line}\n" for line in settings.splitlines())
+    return f'  <gazebo>\n    <plugin name="it" filename="lib{library}.so">\n{inside}    </plugin>\n  </gazebo>\n'
+
+
+def sensor(kind: str, library: str, settings: str) -> str:
+    """A sensor with a plugin."""
+    inside = "".join(f"        {line}\n" for line in settings.splitlines())
+    return f"""\
+  <gazebo reference="body">
+    <sensor name="eye" type="{kind}">
+      <plugin name="it" filename="lib{library}.so">
+{inside}      </plugin>
+    </sensor>
+  </gazebo>
+"""
+
+
+def after(folder: Folder, gazebo: str, *words: str) -> str:
+    """What the migration makes of a part of a robot."""
+    text = migrated(folder, {"urdf/base.xacro": base(gazebo)}, *words)["urdf/base.xacro"]
+    head, tail = base("").split("</robot>")
+    return text.removeprefix(head).removesuffix(f"</robot>{tail}")
+
+
+def test_a_drive_of_ros_1_gets_the_names_of_ros_2(folder: Folder) -> None:
+    old = plugin(
+        "gazebo_ros_diff_drive",
+        "<robotNamespace>/rover</robotNamespace>\n<leftJoint>left</leftJoint>\n<rightJoint>right</rightJoint>\n"
+        "<wheelSeparation>0.4</wheelSeparation>\n<wheelTorque>5</wheelTorque>\n<odometrySource>world</odometrySource>\n"
+        "<publishWheelTF>false</publishWheelTF>\n<commandTopic>drive</commandTopic>\n<odometryTopic>odom</odometryTopic>",
+    )
+    new = plugin(
+        "gazebo_ros_diff_drive",
+        "<ros>\n  <namespace>/rover</namespace>\n  <remapping>cmd_vel:=drive</remapping>\n</ros>\n"
+        "<publish_odom>true</publish_odom>\n<publish_odom_tf>true</publish_odom_tf>\n"
+        "<left_joint>left</left_joint>\n<right_joint>right</right_joint>\n"
+        "<wheel_separation>0.4</wheel_separation>\n<max_wheel_torque>5</max_wheel_torque>\n"
+        "<odometry_source>1</odometry_source>\n<publish_wheel_tf>false</publish_wheel_tf>",
+    )
+    assert after(folder, old, *TO_CLASSIC) == new
+
+
+def test_a_drive_with_four_wheels_becomes_one_with_two_pairs(folder: Folder) -> None:
+    old = plugin(
+        "gazebo_ros_skid_steer_drive",
+        "<leftFrontJoint>left</leftFrontJoint>\n<leftRearJoint>left</leftRearJoint>\n"
+        "<rightFrontJoint>right</rightFrontJoint>\n<rightRearJoint>right</rightRearJoint>\n"
+        "<wheelSeparation>0.4</wheelSeparation>\n<broadcastTF>false</broadcastTF>",
+    )
+    new = plugin(
+        "gazebo_ros_diff_drive",
+        "<num_wheel_pairs>2</num_wheel_pairs>\n<publish_odom>true</publish_odom>\n<left_joint>left</left_joint>\n"
+        "<left_joint>left</left_joint>\n<right_joint>right</right_joint>\n<right_joint>right</right_joint>\n"
+        "<wheel_separation>0.4</wheel_separation>\n<wheel_separation>0.4</wheel_separation>\n<publish_odom_tf>false</publish_odom_tf>",
+    )
+    assert after(folder, old, *TO_CLASSIC) == new
+
+
+def test_a_publisher_of_joint_states_names_each_joint_by_itself(folder: Folder) -> None:
+    old = plugin("gazebo_ros_joint_state_publisher", "<jointName>left, right</jointName>")
+    new = plugin("gazebo_ros_joint_state_publisher", "<joint_name>left</joint_name>\n<joint_name>right</joint_name>")
+    assert after(folder, old, *TO_CLASSIC) == new
+
+
+@pytest.mark.parametrize(
+    ("library", "output"),
+    [("gazebo_ros_laser", "LaserScan"), ("gazebo_ros_block_laser", "PointCloud"), ("gazebo_ros_range", "Range")],
+)
+def test_a_ray_sensor_of_ros_1_publishes_the_same_messages_in_ros_2(folder: Folder, library: str, output: str) -> None:
+    old = sensor(
+        "ray", library, "<topicName>scan</topicName>\n<frameName>body</frameName>\n<gaussianNoise>0</gaussianNoise>"
+    )
+    new = sensor(
+        "ray",
+        "gazebo_ros_ray_sensor",
+        "<ros>\n  <remapping>~/out:=scan</remapping>\n</ros>\n"
+        f"<output_type>sensor_msgs/{output}</output_type>\n<frame_name>body</frame_name>",
+    )
+    assert after(folder, old, *TO_CLASSIC) == new
+
+
+def test_a_camera_keeps_its_topics_below_its_name_and_gives_its_rate_to_the_sensor(folder: Folder) -> None:
+    old = sensor(
+        "depth",
+        "gazebo_ros_openni_kinect",
+        "<cameraName>front</cameraName>\n<updateRate>30</updateRate>\n<imageTopicName>image_raw</imageTopicName>\n"
+        "<pointCloudTopicName>depth/points</pointCloudTopicName>\n<distortionK1>0.0</distortionK1>",
+    )
+    new = sensor(
+        "depth",
+        "gazebo_ros_camera",
+        "<ros>\n  <remapping>front/points:=front/depth/points</remapping>\n</ros>\n<camera_name>front</camera_name>",
+    )
+    shown = after(folder, old, *TO_CLASSIC)
+    assert shown == new.replace("      <plugin", "      <update_rate>30</update_rate>\n      <plugin")
+
+
+def test_a_plugin_that_is_a_sensor_becomes_a_sensor_with_a_plugin(folder: Folder) -> None:
+    old = plugin("hector_gazebo_ros_imu", "<bodyName>body</bodyName>\n<topicName>imu/data</topicName>")
+    shown = after(folder, old, *TO_CLASSIC)
+    assert '<sensor name="it" type="imu">' in shown
+    assert '<plugin name="it" filename="libgazebo_ros_imu_sensor.so">' in shown
+    assert "<remapping>~/out:=imu/data</remapping>" in shown
+
+
+def test_settings_that_ros_2_has_not_are_reported(folder: Folder) -> None:
+    old = plugin(
+        "gazebo_ros_p3d", "<bodyName>body</bodyName>\n<topicName>truth</topicName>\n<ownSetting>1</ownSetting>"
+    )
+    shown = migrated(folder, {"urdf/base.xacro": base(old)}, *TO_CLASSIC)
+    assert "plugin 'gazebo_ros_p3d' does not read ownSetting in ROS 2: dropped" in shown["MIGRATION.md"]
+    assert "<body_name>body</body_name>" in shown["urdf/base.xacro"]
+
+
+@pytest.mark.parametrize(
+    ("old", "published"),
+    [
+        (WHEELS[1], True),
+        (f"{WHEELS[1]}\n<publishOdomTF>false</publishOdomTF>", False),
+        (WHEELS[2], False),
+        (f"{WHEELS[2]}\n<publish_odom_tf>true</publish_odom_tf>", True),
+    ],
+)
+def test_a_drive_publishes_the_transform_of_its_odometry_as_before(folder: Folder, old: str, published: bool) -> None:
+    shown = after(folder, plugin("gazebo_ros_diff_drive", old), *TO_GZ)
+    assert ("<tf_topic>/tf</tf_topic>" in shown) is published
+
+
+def test_topics_are_in_the_namespace_of_their_plugin(folder: Folder) -> None:
+    old = f"{WHEELS[1]}\n<robotNamespace>rover</robotNamespace>\n<commandTopic>drive</commandTopic>\n"
+    old += "<odometryTopic>/odom</odometryTopic>"
+    shown = after(folder, plugin("gazebo_ros_diff_drive", old), *TO_GZ)
+    assert "<topic>rover/drive</topic>" in shown
+    assert "<odom_topic>/odom</odom_topic>" in shown
+
+
+def test_a_steered_vehicle_becomes_one_of_gz_with_its_measures(folder: Folder) -> None:
+    corners = {"rear_left": (0, 0.5), "rear_right": (0, -0.5), "front_left": (2, 0.4), "front_right": (2, -0.4)}
+    wheels = "".join(
+        f"""\
+  <link name="{name}"><collision><geometry><cylinder radius="0.3" length="0.1"/></geometry></collision></link>
+  <joint name="{name}_joint" type="continuous">
+    <parent link="body"/><child link="{name}"/><origin xyz="{x} {y} 0"/><axis xyz="0 1 0"/>
+  </joint>
+"""
+        for name, (x, y) in corners.items()
+    )
+    names = "rear_left_joint rear_right_joint front_left_joint front_right_joint".split()
+    old = "".join(f"<{name}>{name}</{name}>\n" for name in names)
+    old += "<left_steering_joint>front_left_joint</left_steering_joint>\n<max_speed>20</max_speed>\n"
+    old += "<right_steering_joint>front_right_joint</right_steering_joint>"
+    shown = after(folder, wheels + plugin("gazebo_ros_ackermann_drive", old))
+    for line in (
+        '<plugin filename="gz-sim-ackermann-steering-system" name="gz::sim::systems::AckermannSteering">',
+        "<left_joint>rear_left_joint</left_joint>",
+        "<max_velocity>20</max_velocity>\n      <min_velocity>-20</min_velocity>",
+        "<wheel_separation>1.0</wheel_separation>",
+        "<kingpin_width>0.8</kingpin_width>",
+        "<wheel_base>2.0</wheel_base>",
+    ):
+        assert line in shown
+    assert "TODO(urdfctl): measure the vehicle and write <wheel_radius>, in m" in shown or "<wheel_radius>" in shown
+
+
+def test_a_wheel_slip_plugin_keeps_its_wheels(folder: Folder) -> None:
+    wheel = '<wheel link_name="left_wheel">\n  <wheel_normal_force>9</wheel_normal_force>\n</wheel>'
+    shown = after(folder, plugin("gazebo_ros_wheel_slip", wheel))
+    assert (
+        shown
+        == """\
+  <gazebo>
+    <plugin filename="gz-sim-wheel-slip-system" name="gz::sim::systems::WheelSlip">
+      <wheel link_name="left_wheel">
+        <wheel_normal_force>9</wheel_normal_force>
+      </wheel>
+    </plugin>
+  </gazebo>
+"""
+    )
