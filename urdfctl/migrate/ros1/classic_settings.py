@@ -34,12 +34,12 @@ def snake_case(name: str) -> str:
     return re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "_", name).lower()
 
 
-def _same(*names: str, **others: str) -> dict[str, tuple[str, ...]]:
+def _same(words: str = "", **others: str) -> dict[str, tuple[str, ...]]:
     """Settings that are only spelt otherwise in ROS 2, and others with their new names."""
-    return {**{name: (snake_case(name),) for name in names}, **{name: (new,) for name, new in others.items()}}
+    return {**{name: (snake_case(name),) for name in words.split()}, **{name: (new,) for name, new in others.items()}}
 
 
-_ODOMETRY = _same("odometryFrame", "robotBaseFrame", "updateRate", "covariance_x", "covariance_y", "covariance_yaw")
+_ODOMETRY = _same("odometryFrame robotBaseFrame updateRate covariance_x covariance_y covariance_yaw")
 _DRIVE_TOPICS = {"commandTopic": "cmd_vel", "odometryTopic": "odom"}
 _SOURCES = {"odometry_source": {"encoder": "0", "world": "1"}}
 _PUBLISHED = (("publish_odom", "true"), ("publish_odom_tf", "true"))
@@ -54,11 +54,11 @@ _OF_CAMERA = {
 }
 _CAMERA = Successor(
     "gazebo_ros_camera",
-    _same("cameraName", "frameName", "hackBaseline", pointCloudCutoff="min_depth", pointCloudCutoffMax="max_depth"),
+    _same("cameraName frameName hackBaseline", pointCloudCutoff="min_depth", pointCloudCutoffMax="max_depth"),
     _OF_CAMERA,
     camera=True,
 )
-_POSE = _same("bodyName", "frameName", "gaussianNoise", "updateRate", "xyzOffset", "rpyOffset")
+_POSE = _same("bodyName frameName gaussianNoise updateRate xyzOffset rpyOffset")
 _POSE |= _same(rpyOffsets="rpy_offset", xyzOffsets="xyz_offset")
 
 
@@ -71,7 +71,7 @@ SUCCESSORS: Mapping[str, Successor] = {
     "gazebo_ros_diff_drive": Successor(
         "gazebo_ros_diff_drive",
         _ODOMETRY
-        | _same("leftJoint", "rightJoint", "wheelSeparation", "wheelDiameter", "odometrySource", "publishWheelTF")
+        | _same("leftJoint rightJoint wheelSeparation wheelDiameter odometrySource publishWheelTF")
         | _same("publishOdomTF", publishTf="publish_odom_tf", wheelTorque="max_wheel_torque")
         | _same(wheelAcceleration="max_wheel_acceleration"),
         _DRIVE_TOPICS,
@@ -96,8 +96,8 @@ SUCCESSORS: Mapping[str, Successor] = {
     "gazebo_ros_tricycle_drive": Successor(
         "gazebo_ros_tricycle_drive",
         _ODOMETRY
-        | _same("steeringJoint", "actuatedWheelJoint", "encoderWheelLeftJoint", "encoderWheelRightJoint")
-        | _same("actuatedWheelDiameter", "encoderWheelDiameter", "odometrySource", "publishWheelTF")
+        | _same("steeringJoint actuatedWheelJoint encoderWheelLeftJoint encoderWheelRightJoint")
+        | _same("actuatedWheelDiameter encoderWheelDiameter odometrySource publishWheelTF")
         | _same("publishWheelJointState", encoderWheelSeparation="wheel_separation", wheelTorque="max_wheel_torque")
         | _same(wheelAcceleration="max_wheel_acceleration", wheelDeceleration="max_wheel_deceleration")
         | _same(wheelSpeedTolerance="max_wheel_speed_tolerance", steeringSpeed="max_steering_speed")
@@ -108,19 +108,19 @@ SUCCESSORS: Mapping[str, Successor] = {
     ),
     "gazebo_ros_joint_state_publisher": Successor(
         "gazebo_ros_joint_state_publisher",
-        _same("updateRate", "jointName"),
+        _same("updateRate jointName"),
         {"topicName": "joint_states"},
         lists=("joint_name",),
     ),
     "gazebo_ros_p3d": Successor("gazebo_ros_p3d", _POSE, {"topicName": "odom"}),
     "gazebo_ros_ft_sensor": Successor(
-        "gazebo_ros_ft_sensor", _same("jointName", "gaussianNoise", "updateRate"), {"topicName": "wrench"}
+        "gazebo_ros_ft_sensor", _same("jointName gaussianNoise updateRate"), {"topicName": "wrench"}
     ),
     "gazebo_ros_bumper": Successor(
         "gazebo_ros_bumper", _same("frameName"), {"bumperTopicName": "bumper_states", "topicName": "bumper_states"}
     ),
     "gazebo_ros_imu_sensor": Successor(
-        "gazebo_ros_imu_sensor", _same("frameName", "initialOrientationAsReference"), {"topicName": "~/out"}
+        "gazebo_ros_imu_sensor", _same("frameName initialOrientationAsReference"), {"topicName": "~/out"}
     ),
     "gazebo_ros_laser": _ray("LaserScan"),
     "gazebo_ros_gpu_laser": _ray("LaserScan"),
