@@ -187,6 +187,14 @@ def test_a_robot_loads_the_systems_of_its_sensors_unless_a_world_does(folder: Fo
     assert system not in migrated(folder, {"urdf/base.xacro": base(LIDAR), "worlds/w.sdf": world})["urdf/base.xacro"]
 
 
+def test_a_robot_loads_the_system_of_a_sensor_that_only_other_arguments_switch_on(folder: Folder) -> None:
+    optional = f'  <xacro:arg name="lidar" default="false"/>\n<xacro:if value="$(arg lidar)">\n{LIDAR}</xacro:if>\n'
+    macro = f'<xacro:macro name="seen" params="">\n{LIDAR}</xacro:macro>\n'
+    system = 'filename="gz-sim-sensors-system"'
+    assert system in migrated(folder, {"urdf/base.xacro": base(optional)})["urdf/base.xacro"]
+    assert system not in migrated(folder, {"urdf/base.xacro": base(macro)})["urdf/base.xacro"]
+
+
 def test_what_systems_and_sensors_publish_is_bridged(folder: Folder) -> None:
     after = migrated(folder, {"urdf/base.xacro": base(DRIVE + LIDAR), "launch/sim.launch.py": LAUNCH})
     entries = yaml.safe_load(after["config/bridge.yaml"])

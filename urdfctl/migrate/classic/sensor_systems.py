@@ -6,11 +6,13 @@ import os
 from collections.abc import Iterator, Mapping
 
 from urdfctl.diagnostic import Edit
+from urdfctl.load.loader import LoadedTarget
 from urdfctl.migrate.classic.choice import CHOICE
 from urdfctl.migrate.classic.plugins import goes_to_gz
-from urdfctl.migrate.markup import root_of, step_of
+from urdfctl.migrate.markup import MACRO, ancestors, elements, root_of, step_of
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.tokens import XML
 from urdfctl.migrate.wishes import Part
 from urdfctl.model.robot import Robot
 from urdfctl.source.span import SourceSpan
@@ -39,7 +41,7 @@ def _systems(packages: Packages) -> Iterator[Proposal]:
         robot, path = loaded.project.robot, os.path.realpath(loaded.project.path)
         if robot is None or not loaded.project.complete or path in done or not packages.may_change(path):
             continue
-        absent = (system for system in _needed(robot) if system[0].encode() not in worlds)
+        absent = (system for system in _needed(packages, loaded, robot) if system[0].encode() not in worlds)
         missing = [system for system in absent if not _has(robot, system[0])]
         root = root_of(packages.read(path))
         if not missing or root is None or root.close is None or CHOICE.encode() in root.source.data:
@@ -55,9 +57,23 @@ def _systems(packages: Packages) -> Iterator[Proposal]:
         yield Proposal((edit,), entries=(entry,))
 
 
-def _needed(robot: Robot) -> list[tuple[str, str]]:
-    types = (s.attributes.get("type", "") for gazebo in robot.gazebos for s in gazebo.tag.named("sensor"))
-    return list(dict.fromkeys(SYSTEMS[kind] for kind in types if kind in SYSTEMS))
+def _needed(packages: Packages, loaded: LoadedTarget, robot: Robot) -> list[tuple[str, str]]:
+    """The systems for the sensors that a robot has, and for those that it has with other arguments."""
+    types = [s.attributes.get("type", "") for gazebo in robot.gazebos for s in gazebo.tag.named("sensor")]
+    found = [*types, *_written(packages, loaded)]
+    return list(dict.fromkeys(SYSTEMS[kind] for kind in found if kind in SYSTEMS))
+
+
+def _written(packages: Packages, loaded: LoadedTarget) -> Iterator[str]:
+    """The types of the sensors in the files of a robot, without those in macros that the files do not call."""
+    roots = [root_of(packages.read(path)) for path in loaded.sources if path.endswith(XML)]
+    written = [element for root in roots if root is not None for element in elements(root)]
+    called = {element.tagName for element in written}
+    for element in written:
+        macros = (above for above in ancestors(element) if above.tagName == MACRO)
+        is_used = all(f"xacro:{macro.attrs.get('name', '').removeprefix('xacro:')}" in called for macro in macros)
+        if element.tagName == "sensor" and is_used:
+            yield element.attrs.get("type", "")
 
 
 def _has(robot: Robot, filename: str) -> bool:
