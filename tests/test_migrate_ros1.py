@@ -243,9 +243,8 @@ ctl:
     assert "      type: pid_controller/PidController\n" in after
     for line in ("dof_names: [shoulder]", "command_interface: effort", "reference_and_state_interfaces: [position]"):
         assert f"    {line}\n" in after
-    for line in ("p: 10.0", "i: 1.0", "d: 0.5"):
+    for line in ("p: 10.0", "i: 1.0", "d: 0.5", "i_clamp_max: 2.0", "i_clamp_min: -2.0"):
         assert f"        {line}\n" in after
-    assert "i_clamp" not in after
 
 
 def test_a_file_that_is_loaded_into_several_namespaces_is_for_any(folder: Folder) -> None:
@@ -319,6 +318,17 @@ def test_a_launch_file_becomes_one_in_python_that_starts_the_same(folder: Folder
     ):
         assert part in text
     assert '"xacro ", FindPackageShare("arm"), "/urdf/arm.xacro s:=\'"' in text
+
+
+def test_a_spawner_uses_the_manager_of_the_namespace_that_an_argument_names(folder: Folder) -> None:
+    spawner = '<node pkg="controller_manager" type="spawner" name="s" args="--namespace=/$(arg ns) ctl --timeout=9"/>'
+    launch = f'<launch><arg name="ns" default="left"/>{spawner}</launch>'
+    text = migrated(folder, {**STARTED, "launch/spawn.launch": launch})["launch/spawn.launch.py"]
+    words = ", ".join(text.split("arguments=[")[1].split("\n            ),")[0].replace("\n", "").split(",")).split()
+    shown = " ".join(words)
+    assert '"ctl", "--controller-manager-timeout", "9", "-c",' in shown
+    assert '["/", LaunchConfiguration("ns"), "/controller_manager"]' in shown
+    assert "--namespace" not in text
 
 
 def test_a_launch_file_becomes_one_in_xml_if_asked(folder: Folder) -> None:

@@ -25,7 +25,6 @@ from urdfctl.startup.records import NamedTuple
 
 _RENAMED = "ros2_controllers doc/migration.rst; the parameters that the distro's branch declares"
 _TYPES = "control.ros.org, differences between ros_control and ros2_control"
-_CLAMP = "control_toolbox#298: i_clamp_max and i_clamp_min are deprecated"
 _PID = lazy_pattern(r"(?:^|\.)pid\.")
 
 
@@ -90,16 +89,8 @@ class _Writer:
         given = [
             (name[len(start) :], path) for start in starts for name, path in names.items() if name.startswith(start)
         ]
-        kept = []
-        for name, value in _clamps([(name, self._scalar(path)) for name, path in given]):
-            parameter = self.kind.parameters.get(f"gains.<dof_names>.{name}")
-            if parameter is not None and not parameter.deprecated:
-                kept.append((name, value))
-            elif parameter is not None:
-                what = f"the limit '{name}: {value}' of the integral part is dropped: choose an antiwindup_strategy"
-                at = self.item.entry.key.at
-                self.entries.append(Entry(EntryKind.DECIDED, what, at, authority=_CLAMP))
-        return kept
+        written = _clamps([(name, self._scalar(path)) for name, path in given])
+        return [(name, value) for name, value in written if f"gains.<dof_names>.{name}" in self.kind.parameters]
 
     def _wheels(self, names: Mapping[str, Path], packages: Packages) -> list[str]:
         """The measures of the wheels, which ROS 1 reads from the robot."""

@@ -154,18 +154,18 @@ def _spawner(reading: Notes, element: Element, words: Sequence[Text], files: Seq
     rest = iter(words)
     space = parsed(element.attrs.get("ns", ""))
     for word in rest:
-        option, mark, value = (plain(word) if is_literal(word) else "").partition("=")
+        option, value = _option(word)
         if option in _SPAWNER_WORDS:
             names.append(literal(_SPAWNER_WORDS[option]))
             if option == "--timeout":
-                names.append(literal(value) if mark else next(rest, ()))
+                names.append(next(rest, ()) if value is None else value)
         elif option == "--namespace":
-            space = parsed(value) if mark else next(rest, ())
+            space = next(rest, ()) if value is None else value
         elif option in _DROPPED_WORDS:
-            if not mark:
+            if value is None:
                 next(rest, None)
-        elif option.startswith("__ns:"):
-            space = literal(value)
+        elif option == "__ns:":
+            space = value or ()
         else:
             names.append(word)
     manager = (
@@ -181,6 +181,13 @@ def _spawner(reading: Notes, element: Element, words: Sequence[Text], files: Seq
         [word for file in known for word in (literal("--param-file"), file)] if reading.target.takes_param_file else []
     )
     yield Action("node", "spawner", package="controller_manager", words=(*names, *manager, *passed))
+
+
+def _option(word: Text) -> tuple[str, Text | None]:
+    """The option that a word of a command line begins with, and the text after its equals sign; None without one."""
+    first = word[0].text if word and word[0].kind == "text" else ""
+    option, mark, value = first.partition("=")
+    return option, joined(literal(value), word[1:]) if mark else None
 
 
 def _file_text(file: Text) -> str:
