@@ -189,6 +189,21 @@ def test_the_plugin_of_gazebo_keeps_its_namespace_and_names_the_controller_file(
     )
 
 
+def test_a_plain_urdf_becomes_one_for_xacro_which_finds_its_controller_file(folder: Folder) -> None:
+    launch = """\
+<launch>
+  <param name="robot_description" textfile="$(find arm)/urdf/arm.urdf"/>
+  <rosparam file="$(find arm)/config/c.yaml"/>
+  <node pkg="controller_manager" type="spawner" name="s" ns="arm" args="ctl"/>
+</launch>
+"""
+    plain = arm(transmission("EffortJointInterface"), PLUGIN).replace(' xmlns:xacro="http://www.ros.org/wiki/xacro"', "")
+    after = migrated(folder, {"urdf/arm.urdf": plain, "config/c.yaml": EFFORT, "launch/arm.launch": launch})
+    assert "<parameters>$(find arm)/config/c.yaml</parameters>" in after["urdf/arm.urdf"]
+    assert after["urdf/arm.urdf"].startswith('<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="arm">\n')
+    assert 'Command(["xacro ", FindPackageShare("arm"), "/urdf/arm.urdf"])' in after["launch/arm.launch.py"]
+
+
 def test_controllers_get_sections_types_and_doubles_and_keep_their_comments(folder: Folder) -> None:
     before = """\
 # the controllers of the arm

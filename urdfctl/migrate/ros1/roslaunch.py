@@ -213,13 +213,16 @@ def _is_description(element: Element) -> bool:
 
 
 def description_command(element: Element) -> Text:
-    """Return the command of ROS 2 that prints the description of a <param>: the program, a blank, and the rest."""
+    """Return the command of ROS 2 that prints the description of a <param>: the program, a blank, and the rest.
+
+    xacro prints a plain URDF too, and expands what the migration writes into it.
+    """
     if "textfile" in element.attrs:
-        return (PartOfText("text", "cat "), *parsed(element.attrs["textfile"]))
+        return (PartOfText("text", "xacro "), *parsed(element.attrs["textfile"]))
     words = [_without_quotes(word) for word in words_of(parsed(element.attrs.get("command", "")))]
-    start = next((i for i, word in enumerate(words) if re.search(r"(^|/)xacro(\.py)?$", plain(word))), None)
-    shown: list[PartOfText] = [PartOfText("text", "xacro" if start is not None else "cat")]
-    for word in words[(start + 1) if start is not None else 1 :]:
+    start = next((i for i, word in enumerate(words) if re.search(r"(^|/)xacro(\.py)?$", plain(word))), 0)
+    shown: list[PartOfText] = [PartOfText("text", "xacro")]
+    for word in words[start + 1 :]:
         if is_literal(word) and plain(word) in {"--inorder", "-i"}:
             continue
         shown.append(PartOfText("text", " "))

@@ -121,7 +121,15 @@ def _migrated(packages: Packages, element: Element, robots: list[LoadedTarget]) 
     elif not files:
         message = "name the controller file in <parameters>: no launch file says which one belongs to this robot"
         entries.append(Entry(EntryKind.FOR_YOU, message, element.at))
-    yield Proposal((merged(edits),), created=created, entries=tuple(entries))
+    yield Proposal((merged(edits), *_as_xacro(element, files)), created=created, entries=tuple(entries))
+
+
+def _as_xacro(element: Element, files: list[str]) -> Iterator[Edit]:
+    """The edit that makes a plain URDF one for xacro, which expands the addresses of its controller files."""
+    root = root_of(element.source)
+    if files and root is not None and not element.source.is_xacro:
+        at = root.start + len(f"<{root.tagName}")
+        yield Edit(SourceSpan(element.source, at, at), ' xmlns:xacro="http://www.ros.org/wiki/xacro"')
 
 
 def _attribute(element: Element, name: str, value: str) -> Edit:
