@@ -211,6 +211,13 @@ def test_what_systems_and_sensors_publish_is_bridged(folder: Folder) -> None:
     )
 
 
+def test_the_folder_of_the_new_file_for_the_bridge_is_installed(folder: Folder) -> None:
+    build = "project(base)\ninstall(DIRECTORY urdf DESTINATION share/${PROJECT_NAME})\n\nament_package()\n"
+    after = migrated(folder, {"urdf/base.xacro": base(LIDAR), "CMakeLists.txt": build})["CMakeLists.txt"]
+    rule = "install(DIRECTORY config\n  DESTINATION share/${PROJECT_NAME}\n)\n\n"
+    assert after == build.replace("ament_package()", f"{rule}ament_package()")
+
+
 def test_the_plugin_that_runs_controllers_and_its_hardware_become_those_of_gz(folder: Folder) -> None:
     files = {"urdf/base.xacro": base(CONTROL), "config/controllers.yaml": CONTROLLERS}
     after = migrated(folder, files)["urdf/base.xacro"]

@@ -197,7 +197,9 @@ def test_a_plain_urdf_becomes_one_for_xacro_which_finds_its_controller_file(fold
   <node pkg="controller_manager" type="spawner" name="s" ns="arm" args="ctl"/>
 </launch>
 """
-    plain = arm(transmission("EffortJointInterface"), PLUGIN).replace(' xmlns:xacro="http://www.ros.org/wiki/xacro"', "")
+    plain = arm(transmission("EffortJointInterface"), PLUGIN).replace(
+        ' xmlns:xacro="http://www.ros.org/wiki/xacro"', ""
+    )
     after = migrated(folder, {"urdf/arm.urdf": plain, "config/c.yaml": EFFORT, "launch/arm.launch": launch})
     assert "<parameters>$(find arm)/config/c.yaml</parameters>" in after["urdf/arm.urdf"]
     assert after["urdf/arm.urdf"].startswith('<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="arm">\n')

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from urdfctl.migrate.classic.bridge import BRIDGE
+from urdfctl.migrate.classic.bridge import BRIDGE, BRIDGE_INSTALL
 from urdfctl.migrate.classic.launch_python import CLASSIC_LAUNCH
 from urdfctl.migrate.classic.loose_sensors import LOOSE_SENSORS
 from urdfctl.migrate.classic.manifest import CLASSIC_MANIFEST
@@ -26,5 +26,5 @@ ROBOT_STEPS: tuple[Step, ...] = (
     WORLD_PLUGINS,
     BRIDGE,
 )
-PACKAGE_STEPS: tuple[Step, ...] = (CLASSIC_LAUNCH, CLASSIC_MANIFEST)
+PACKAGE_STEPS: tuple[Step, ...] = (CLASSIC_LAUNCH, CLASSIC_MANIFEST, BRIDGE_INSTALL)
 STEPS: tuple[Step, ...] = (*ROBOT_STEPS, *PACKAGE_STEPS)

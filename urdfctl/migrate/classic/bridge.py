@@ -5,17 +5,19 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Mapping
 
+from urdfctl.diagnostic import Edit
 from urdfctl.generate.bringup import gz_names
 from urdfctl.migrate.classic.plugins import goes_to_gz, leaves_classic
+from urdfctl.migrate.install_rules import BRIDGE_FILE, install_rule, installs
 from urdfctl.migrate.markup import content, elements, root_of
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.wishes import Part
 from urdfctl.source.opaque import is_known
 from urdfctl.source.packages import package_around, package_name
+from urdfctl.source.span import SourceSpan
 from urdfctl.startup.records import NamedTuple
 
-BRIDGE_FILE = "config/bridge.yaml"
 _AUTHORITY = "ros_gz_bridge README: config_file"
 _OF_XML = (".xacro", ".urdf", ".gazebo", ".xml", ".inc")
 
@@ -147,3 +149,18 @@ BRIDGE = Step(
     propose=_bridge,
     rows=(Row("topics that plugins published in ROS", f"{BRIDGE_FILE} for ros_gz_bridge", "jazzy", _AUTHORITY),),
 )
+
+
+def _installed(packages: Packages) -> Iterator[Proposal]:
+    """Install the file for the bridge with its package, unless a rule does."""
+    for path in packages.files(BRIDGE_FILE) if goes_to_gz(packages) else ():
+        source = packages.read(os.path.join(os.path.dirname(os.path.dirname(path)), "CMakeLists.txt"))
+        text = source.data.decode("utf-8", "surrogateescape")
+        at = source.data.rfind(b"ament_package(")
+        if at >= 0 and not installs(text, os.path.dirname(BRIDGE_FILE)):
+            rule = f"{install_rule(os.path.dirname(BRIDGE_FILE))}\n"
+            entry = Entry(EntryKind.DONE, f"{BRIDGE_FILE} is installed", file=source.path, authority=_AUTHORITY)
+            yield Proposal((Edit(SourceSpan(source, at, at), rule),), entries=(entry,))
+
+
+BRIDGE_INSTALL = Step("bridge-install", Part.MANIFEST, "The install rule of the file for ros_gz_bridge", _installed)

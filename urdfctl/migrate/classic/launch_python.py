@@ -10,9 +10,10 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import since
 from urdfctl.diagnostic import Edit
 from urdfctl.generate.bringup import gz_names
-from urdfctl.migrate.classic.bridge import BRIDGE_FILE, bridge_file_of
+from urdfctl.migrate.classic.bridge import bridge_file_of
 from urdfctl.migrate.classic.plugins import goes_to_gz, leaves_classic
 from urdfctl.migrate.hardware import simulated_by
+from urdfctl.migrate.install_rules import BRIDGE_FILE
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.python_edits import PythonFile, keyword, text_of
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step

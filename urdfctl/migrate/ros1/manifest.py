@@ -10,6 +10,7 @@ from urdfctl.catalog.catalog import catalog_with
 from urdfctl.diagnostic import Edit
 from urdfctl.generate.bringup import gz_names
 from urdfctl.migrate.hardware import host_plugin, simulated_by, system
+from urdfctl.migrate.install_rules import BRIDGE_FILE, install_rule, installs
 from urdfctl.migrate.markup import child, children, content, end_of, indent_of, lines_of, merged, root_of, step_of
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
@@ -196,9 +197,10 @@ def _cmake(source: SourceText) -> Proposal:
     new = re.sub(r"(?ms)^if\s*\(BUILD_TESTING\)\s*endif\s*\(\s*(?:BUILD_TESTING)?\s*\)[ \t]*\n?", "", new)
     new = re.sub(r"\n{3,}", "\n\n", new).rstrip("\n") + "\n"
     folder = os.path.dirname(source.path)
-    missing = [name for name in _FOLDERS if os.path.isdir(os.path.join(folder, name)) and not _installs(new, name)]
+    present = [name for name in _FOLDERS if _has_files(os.path.join(folder, name))]
+    missing = [name for name in present if not installs(new, name)]
     if missing:
-        new += f"\ninstall(DIRECTORY {' '.join(missing)}\n  DESTINATION share/${{PROJECT_NAME}}\n)\n"
+        new += f"\n{install_rule(*missing)}"
     new += "\nament_package()\n"
     at = SourceSpan(source, 0, len(source.data))
     entry = Entry(
@@ -210,11 +212,9 @@ def _cmake(source: SourceText) -> Proposal:
     return Proposal((Edit(at, new),), entries=(entry,))
 
 
-def _installs(text: str, folder: str) -> bool:
-    """Whether a build file has an install rule that names a folder, or takes folders from a variable."""
-    rules = re.findall(r"(?s)install\s*\((?:[^()]|\([^()]*\))*\)", re.sub(r"#.*", "", text))
-    lists = re.findall(r"(?s)foreach\s*\(.*?\)", text)
-    return any(re.search(rf"(?<![\w/]){folder}\b|\$\{{dir", rule) for rule in [*rules, *lists])
+def _has_files(folder: str) -> bool:
+    """Whether a folder has files of its own, not only the one for the bridge, whose step installs it."""
+    return os.path.isdir(folder) and set(os.listdir(folder)) != {os.path.basename(BRIDGE_FILE)}
 
 
 def _needed(packages: Packages, folder: str) -> Iterator[str]:

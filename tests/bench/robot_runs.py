@@ -1,0 +1,56 @@
+"""What lint and smoke say about the robots of a folder: errors, and the joints that move."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any, NamedTuple
+
+HERE = Path(__file__).resolve().parents[2]
+_SECONDS = 600
+
+
+class LintError(NamedTuple):
+    """An error that lint reports, with the file's path in the folder."""
+
+    code: str
+    file: str
+    message: str
+
+
+def errors_in(folder: Path, distro: str | None = None) -> set[LintError]:
+    """Return the errors of a folder, for a distro or for the one that its files indicate."""
+    report = _report("lint", folder, distro)
+    errors = (finding for finding in report["findings"] if finding["severity"] == "error")
+    return {
+        LintError(one["code"], _relative(one["file"], folder), one["message"].replace(f"{folder}/", ""))
+        for one in errors
+    }
+
+
+def moved_joints(folder: Path, distro: str | None = None) -> set[str]:
+    """Return the joints that a controller moves in a simulation, and passes."""
+    report = _report("smoke", folder, distro)
+    passed = {(one["robot"], one["name"]) for one in report["controllers"] if one["verdict"] == "passed"}
+    return {one["joint"] for one in report["measurements"] if (one["robot"], one["controller"]) in passed}
+
+
+def verdicts(folder: Path, distro: str | None = None) -> list[str]:
+    """Return a line for each controller that a smoke test does not pass."""
+    report = _report("smoke", folder, distro)
+    failed = (one for one in report["controllers"] if one["verdict"] != "passed")
+    return sorted(f"{one['name']} {one['verdict']} at {one['stage']}: {one['reason']}" for one in failed)
+
+
+def _report(command: str, folder: Path, distro: str | None) -> dict[str, Any]:
+    words = [sys.executable, "-m", "urdfctl", command, str(folder), "--format", "json", "--exit-zero"]
+    words += ["--distro", distro] if distro else []
+    run = subprocess.run(words, cwd=HERE, capture_output=True, text=True, check=False, timeout=_SECONDS)
+    empty = {"findings": [], "controllers": [], "measurements": []}
+    return json.loads(run.stdout) if run.stdout.strip() else empty
+
+
+def _relative(path: str, folder: Path) -> str:
+    return str(Path(path).resolve().relative_to(folder.resolve())) if Path(path).is_absolute() else path
