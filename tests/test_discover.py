@@ -35,6 +35,10 @@ def roots(*paths: str) -> list[str]:
     return [os.path.normpath(path) for path in discover_files(paths or (".",)).candidates]
 
 
+def launches() -> list[str]:
+    return [os.path.normpath(path) for path in discover_files((".",)).launch_candidates]
+
+
 def test_each_kind_of_file_is_known_by_its_name(folder: Folder) -> None:
     names = "a.urdf b.xacro c.urdf.xacro d.yaml e.yml f.launch g.launch.xml h.launch.py i.launch.yaml j".split()
     folder.write(dict.fromkeys(names, ""))
@@ -224,3 +228,18 @@ def test_a_launch_file_that_cannot_be_parsed_is_always_read(
 ) -> None:
     folder.write({"robot.urdf": ROBOT, f"launch/{name}": text})
     assert discover_files(["."]).launch_candidates == ([f"./launch/{name}"] if is_candidate else [])
+
+
+def test_the_launch_files_of_the_setup_assistant_are_one_start(folder: Folder) -> None:
+    text = """from moveit_configs_utils import MoveItConfigsBuilder
+from moveit_configs_utils.launches import generate_{0}_launch
+
+
+def generate_launch_description():
+    return generate_{0}_launch(MoveItConfigsBuilder("arm", package_name="arm_moveit").to_moveit_configs())
+"""
+    kinds = ("demo", "move_group", "rsp", "spawn_controllers", "setup_assistant", "moveit_rviz")
+    folder.write({f"launch/{kind}.launch.py": text.format(kind) for kind in kinds})
+    assert launches() == ["launch/demo.launch.py"]
+    (folder.path / "launch/demo.launch.py").unlink()
+    assert launches() == [f"launch/{kind}.launch.py" for kind in ("move_group", "rsp", "spawn_controllers")]

@@ -14,6 +14,11 @@ _INCLUDE = rb"(?s)<include\s[^<>]*?file\s*=\s*[\"']([^\"']+)[\"']"
 _NAMED = rb"[\"'/]([\w.-]+[._]launch\.(?:py|xml|ya?ml))[\"']|file:[ \t]*\S{0,300}/([\w.-]{1,100}\.launch\.\w{1,5})"
 _RELEVANT = rb"<rosparam\b|[\"']controller_manager[\"']|\bros2 control\b|[\"']control[\"']"
 _DESCRIBING = rb"\brobot_state_publisher\b|\brobot_description\b|pkg:\s*controller_manager"
+_PLANNING = rb"\bmoveit_ros_move_group\b|\bgenerate_(?:demo|move_group|rsp|spawn_controllers)_launch\b"
+_SIMULATING = rb"\b(?:gazebo_ros|ros_gz_sim|ros_ign_gazebo)\b"
+_DEMO = rb"\bgenerate_demo_launch\b"
+_OF_DEMO = "static_virtual_joint_tfs rsp move_group moveit_rviz warehouse_db spawn_controllers".split()
+"""The launch files of its package that MoveIt's demo includes (moveit_configs_utils, launches.py)."""
 _ROS2 = (".py", ".yaml", ".yml")
 _PARAMETERS = rb"(?m)^[ \t]*[\"']?ros__parameters[\"']?[ \t]*:"
 _MANAGER = rb"(?m)^[ \t]*[\"']?[\w/*]*\bcontroller_manager[\"']?[ \t]*:"
@@ -124,13 +129,14 @@ def _with_slashes(path: str, current: str) -> str:
 @lru_cache(maxsize=_MOST_TEXTS)
 def _launch_names(text: bytes) -> tuple[str, ...]:
     """The names of launch files in a Python or YAML launch file."""
-    return tuple((one or other).decode("utf-8", "replace") for one, other in re.findall(_NAMED, text))
+    names = [(one or other).decode("utf-8", "replace") for one, other in re.findall(_NAMED, text)]
+    return (*names, *(f"{name}.launch.py" for name in _OF_DEMO if re.search(_DEMO, text)))
 
 
 @lru_cache(maxsize=_MOST_TEXTS)
 def _starts_robots(text: bytes) -> bool:
-    """Whether a launch file describes a robot, loads parameters or starts controllers itself."""
-    return bool(re.search(_RELEVANT, text) or re.search(_DESCRIBING, text))
+    """Whether a launch file describes a robot, loads parameters, starts controllers or plans for a robot itself."""
+    return any(re.search(pattern, text) for pattern in (_RELEVANT, _DESCRIBING, _PLANNING, _SIMULATING))
 
 
 def _named(path: str, text: bytes, by_name: Mapping[str, Sequence[str]]) -> Iterator[str]:
