@@ -163,6 +163,18 @@ def test_show_gives_the_same_as_json(folder: Folder) -> None:
     )
 
 
+def test_show_names_the_launch_file_of_a_robot_without_controllers(folder: Folder) -> None:
+    workspace(folder)
+    display = LAUNCH[: LAUNCH.index('  <node pkg="controller_manager"')] + "</launch>\n"
+    (folder.path / "src/arm_bringup/launch/arm.launch.xml").write_text(display)
+    ran = folder.run("show", "src")
+    assert [line for line in ran.stdout.splitlines() if not line.startswith(" ")] == [
+        "src/arm_bringup/launch/arm.launch.xml",
+        "src/arm_description/urdf/arm.xacro  (no launch file starts it with these arguments)",
+        "src/arm_bringup/config/controllers.yaml  (no robot uses it)",
+    ]
+
+
 def test_show_of_an_empty_folder_is_an_error(folder: Folder) -> None:
     folder.write({"empty/readme.txt": ""})
     ran = folder.run("show", "empty")

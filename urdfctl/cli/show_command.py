@@ -44,17 +44,27 @@ def run_show(options: ShowOptions) -> int:
 
 
 def _json(run: LintRun) -> str:
-    targets = [target_document(target) for target in run.robots]
+    targets = [target_document(target) for target in _started(run)]
     return as_json({"version": 1, "targets": targets, "unused": [shown(one.path) for one in run.unused]}, 1) + "\n"
 
 
 def _lines(run: LintRun) -> Iterator[str]:
     """A tree: launch files with what they start, then robots that no launch file starts, then unused files."""
-    for target in sorted(run.robots, key=lambda target: (target.launch is None, target.launch or "", target.path)):
-        yield shown(target.launch) if target.launch else f"{_described(target)}  (no launch file starts it)"
+    started = _started(run)
+    launched = {os.path.abspath(target.path) for target in started if target.launch}
+    for target in sorted(started, key=lambda target: (target.launch is None, target.launch or "", target.path)):
+        how = "it with these arguments" if os.path.abspath(target.path) in launched else "it"
+        yield shown(target.launch) if target.launch else f"{_described(target)}  (no launch file starts {how})"
         yield from (f"  {name:{_WIDTH}}{value}" for name, value in _facts(target) if value)
     for target in run.unused:
         yield f"{shown(target.path)}  (no robot uses it)"
+
+
+def _started(run: LintRun) -> list[TargetResult]:
+    """The robots of a run, and those that lint need not mention: launch files start them without controllers."""
+    silent = {(target.path, target.arguments) for target in run.silent}
+    alone = [target for target in run.robots if target.launch or (target.path, target.arguments) not in silent]
+    return [*alone, *run.silent]
 
 
 def _facts(target: TargetResult) -> Iterator[tuple[str, str]]:

@@ -7,7 +7,15 @@ from collections.abc import Callable, Iterator, Sequence
 
 from urdfctl.config.robots import ConfiguredRobot
 from urdfctl.discover.robots import DiscoveredFiles
-from urdfctl.lint.planning import Arguments, PlannedTarget, is_launched_already, of_shard, planned, with_bringups
+from urdfctl.lint.planning import (
+    Arguments,
+    Origin,
+    PlannedTarget,
+    is_launched_already,
+    of_shard,
+    planned,
+    with_bringups,
+)
 from urdfctl.lint.results import TargetResult
 from urdfctl.load.target import Target
 from urdfctl.source.files import is_launch
@@ -40,10 +48,12 @@ class LintRun(NamedTuple):
 
     robots: the results of robots.
     targets: all targets with their results, also macro libraries, fragments and files not used by any robot.
+    silent: the results of launch files that start a robot without controllers, and have no findings of their own.
     """
 
     robots: list[TargetResult]
     targets: LintedTargets
+    silent: tuple[TargetResult, ...] = ()
 
     @property
     def unused(self) -> list[TargetResult]:
@@ -84,9 +94,13 @@ def lint_files(
     if shard is not None:
         files, plan = of_shard(files, plan, shard, robots)
     launch_files = [entry for entry in plan if entry.is_launched]
-    launched = [
-        (entry, pair) for entry, pair in _launched(launch_files, linted_launches, linter) if entry.is_reported(pair[1])
-    ]
+    started = _launched(launch_files, linted_launches, linter)
+    launched = [(entry, pair) for entry, pair in started if entry.is_reported(pair[1])]
+    silent = tuple(
+        result
+        for entry, (_, result) in started
+        if entry.origin is Origin.LAUNCHED and not entry.is_reported(result) and not is_launch(result.path)
+    )
     known = {(result.path, result.arguments) for _, (_, result) in launched if result.controllers}
     plan = [entry for entry in plan if not entry.is_launched and not is_launched_already(entry, known)]
     plan = with_bringups(plan, [(entry, result) for entry, (_, result) in launched])
@@ -101,7 +115,7 @@ def lint_files(
     unused += _unread(files.controllers_candidates, reported)
     launch_paths = {os.path.abspath(path) for path in (*files.launch_candidates, *files.around)}
     linted_robots = [result for _, result in reported if result.path not in launch_paths]
-    return _without_generated(LintRun(linted_robots, [*reported, *linted(unused)]), files)
+    return _without_generated(LintRun(linted_robots, [*reported, *linted(unused)], silent), files)
 
 
 def _without_generated(run: LintRun, files: DiscoveredFiles) -> LintRun:
@@ -115,7 +129,7 @@ def _without_generated(run: LintRun, files: DiscoveredFiles) -> LintRun:
     known = {id(result) for result in run.robots}
     targets = [(target, without_findings_in(result, generated)) for target, result in run.targets]
     pairs = zip(run.targets, targets, strict=True)
-    return LintRun([new for (_, old), (_, new) in pairs if id(old) in known], targets)
+    return run._replace(robots=[new for (_, old), (_, new) in pairs if id(old) in known], targets=targets)
 
 
 def _launched(entries: list[PlannedTarget], linted: LintPlanned, linter: TargetLinter) -> LaunchedTargets:
