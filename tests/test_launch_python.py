@@ -327,6 +327,10 @@ DESCRIPTIONS = {
         (("a", "2"),),
     ),
     "Command(['xacro /p/', 'no.xacro' if '--no' in sys.argv[1:] else 'r.xacro'])": ("/p/r.xacro", ()),
+    "subprocess.check_output(['xacro', '/p/r.xacro', 'a:=1']).decode('utf-8')": ("/p/r.xacro", (("a", "1"),)),
+    "subprocess.run(['xacro', '/p/r.xacro'], stdout=subprocess.PIPE, text=True).stdout": ("/p/r.xacro", ()),
+    "os.popen('xacro /p/r.xacro').read()": ("/p/r.xacro", ()),
+    "subprocess.check_output(['hostname'])": (None, None),
     "text": (None, None),
 }
 

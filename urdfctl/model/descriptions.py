@@ -14,6 +14,7 @@ from urdfctl.source.span import Place
 _ARGUMENT = r"(\w+):="
 _TEXTS = frozenset({"toxml", "toprettyxml"})
 _READING = frozenset({"read", "read_text"})
+_RUNNING = frozenset({"subprocess.run", "subprocess.check_output", "subprocess.getoutput", "os.popen"})
 _CHANGING = frozenset("replace strip lstrip rstrip encode decode".split())
 _DEEPEST = 30
 _MOST_CHOICES = 4
@@ -23,11 +24,13 @@ def content_of(term: Term | None, texts: Texts, exists: Callable[[str], bool]) -
     """Return the robot description of a term; None if it is not a known form of a robot description."""
     if isinstance(term, Items) and len(term.values) == 1:
         return content_of(term.values[0], texts, exists)
-    if isinstance(term, Member):
-        return _of_moveit(term, texts, exists)
     term = _unchanged(term)
+    if isinstance(term, Member):
+        return _of_program(term.of, texts) if term.name == "stdout" else _of_moveit(term, texts, exists)
     if not isinstance(term, Called):
         return None
+    if term.name in _RUNNING:
+        return _of_program(term, texts)
     if term.short == "ParameterValue":
         value = content_of(term.given("value", 0), texts, exists)
         return value and value._replace(as_yaml=value.as_yaml and term.given("value_type", 1) is None)
@@ -40,8 +43,10 @@ def content_of(term: Term | None, texts: Texts, exists: Callable[[str], bool]) -
         return Content(known_path(texts.of(term.given("path", 0))), (), term.at, as_yaml=True)
     if term.name in _TEXTS:
         return _of_process(term.of, texts, term.at)
-    if term.name in _READING and isinstance(term.of, Called) and term.of.short == "open":
-        return Content(known_path(texts.of(term.of.given("file", 0))), (), term.at)
+    if term.name in _READING and isinstance(term.of, Called):
+        if term.of.short == "open":
+            return Content(known_path(texts.of(term.of.given("file", 0))), (), term.at)
+        return _of_program(term.of, texts)
     return None
 
 
@@ -88,6 +93,16 @@ def _of_substitution(term: Called, texts: Texts) -> Content:
         as_yaml=True,
         more=more,
     )
+
+
+def _of_program(term: Term | None, texts: Texts) -> Content | None:
+    """The description that a program prints, such as `subprocess.run(["xacro", path])`."""
+    if not isinstance(term, Called) or term.name not in _RUNNING:
+        return None
+    given = term.given("args", 0) or term.given("cmd")
+    command = " ".join(map(texts.of, given.values)) if isinstance(given, Items) else texts.of(given)
+    path, arguments = of_command(command)
+    return Content(path, arguments, term.at, command=command)
 
 
 def _is_open(term: Term | None) -> bool:
