@@ -526,6 +526,58 @@ def test_a_file_that_is_not_there_is_told_of_unless_it_may_be_made(folder: Folde
     ]
 
 
+SETUP = """
+    from glob import glob
+    from os.path import join
+    from setuptools import setup
+
+    data_files = [(join("share", "arm", "launch"), glob("launch/*.launch.py"))]
+    setup(name="arm", data_files=data_files{})
+"""
+
+
+@pytest.mark.parametrize(
+    ("more", "told"),
+    [
+        ({"setup.py": SETUP.format("")}, True),
+        ({"setup.py": SETUP.format(", cmdclass={'build_py': Make}")}, False),
+        ({"setup.py": SETUP.format(""), "other/spawn.launch.py": ""}, False),
+    ],
+)
+def test_a_setup_file_installs_files_and_makes_none(folder: Folder, more: dict[str, str], *, told: bool) -> None:
+    include = """
+        from os.path import join
+
+        from ament_index_python.packages import get_package_share_directory
+        from launch import LaunchDescription
+        from launch.actions import IncludeLaunchDescription
+
+
+        def generate_launch_description():
+            path = join(get_package_share_directory("arm"), "launch", "spawn.launch.py")
+            return LaunchDescription([IncludeLaunchDescription(path)])
+    """
+    files = {"launch/world.launch.py": include, "package.xml": MANIFEST, **more}
+    missing = [("UC616", "error", "included launch file does not exist: 'arm/launch/spawn.launch.py'")]
+    assert found(folder, files, "UC616") == (missing if told else [])
+
+
+@pytest.mark.parametrize(
+    ("name", "told"),
+    [
+        ("$(optenv KIND NONE)", []),
+        ("$(arg kind)", []),
+        ("$(arg other)", [("UC616", "error", "included launch file does not exist: 'arm/plain.launch'")]),
+    ],
+)
+def test_a_path_that_the_environment_decides_need_not_exist_by_default(
+    folder: Folder, name: str, told: list[tuple[str, str, str]]
+) -> None:
+    arguments = '<arg name="kind" default="$(optenv KIND NONE)"/><arg name="other" default="plain"/>'
+    files = ros1(f'{arguments}<include file="$(find arm)/{name}.launch"/>', robot='<link name="a"/>')
+    assert found(folder, files, "UC616") == told
+
+
 WORLDS = """
     import os
     from ament_index_python.packages import get_package_share_directory

@@ -21,7 +21,7 @@ from urdfctl.model.launch import (
 )
 from urdfctl.model.launch_scope import Scope, Sources
 from urdfctl.model.moveit_files import MoveItFiles
-from urdfctl.model.substitutions import Substitutions
+from urdfctl.model.substitutions import Substitutions, is_of_environment
 from urdfctl.model.xacro_command import of_command
 from urdfctl.source.dom import Element
 from urdfctl.source.opaque import UNKNOWN, if_known
@@ -118,6 +118,7 @@ class _Builder:
         self.complete = True
         self._includes = 0
         self._remapped = False
+        self._of_environment: set[str] = set()
 
     def walk(self, parent: Element, scope: Scope) -> None:
         for element in parent.elements():
@@ -171,6 +172,8 @@ class _Builder:
         if given is None and name in scope.arguments:
             return
         text = given if given is not None else element.attrs.get("default")
+        if text is not None and is_of_environment(text, self._of_environment):
+            self._of_environment.add(name)
         value = UNKNOWN if text is None or not scope.sure else texts.resolve(text)
         scope.arguments[name] = value if value or given is not None else self.sources.blank
 
@@ -293,6 +296,8 @@ class _Builder:
         located, exists = self.sources.locate(path) if path else (None, None)
         if path and not path.startswith("/"):
             exists = None  # depends on the folder that roslaunch is started in
+        if not exists and is_of_environment(written, self._of_environment):
+            exists = None
         reference = FileReference(written, at, located, exists)
         if located is not None:
             self.references.append(Reference(reference, use, None, sure))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 
 from urdfctl.source.opaque import UNKNOWN
 
@@ -71,3 +71,11 @@ class Substitutions:
         from urdfctl.source.launch.roslaunch_eval import evaluated
 
         return evaluated(expression, self.arguments, self.environ, self.find, self.folder)
+
+
+def is_of_environment(text: str, names: Iterable[str]) -> bool:
+    """Return whether a text depends on an environment variable that need not be set.
+
+    names: the arguments whose values depend on one.
+    """
+    return "optenv" in text or any(re.search(rf"\barg\s+{re.escape(name)}\s*\)", text) for name in names)

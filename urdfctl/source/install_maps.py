@@ -72,9 +72,8 @@ def read_install_map(folder: str, package: str) -> InstallMap:
 
         rules += rules_of_setup(setup, folder, package)
         plain = plain if cmake else is_plain_setup(setup, package)
-    return InstallMap(
-        folder, rules, whole=plain and bool(cmake) != bool(setup), makes=bool(cmake or setup) and not plain
-    )
+    makes = bool(cmake) if not setup or cmake else "cmdclass" in setup
+    return InstallMap(folder, rules, whole=plain and bool(cmake) != bool(setup), makes=makes and not plain)
 
 
 def _read(path: str) -> str:
