@@ -193,6 +193,29 @@ def test_an_installed_path_leads_to_its_source(tmp_path: Path) -> None:
     assert packages.source_of("/none") == "/none"
 
 
+@pytest.mark.parametrize(
+    ("path", "source"),
+    [
+        ("/home/me/ws/src/arm/config/c.yaml", "arm/config/c.yaml"),
+        ("/home/me/ws/install/arm/share/arm/config/c.yaml", "arm/config/c.yaml"),
+        ("/home/me/arm/src/arm/urdf/i.xacro", "arm/description/urdf/i.xacro"),
+        ("/home/me/ws/src/arm/config/none.yaml", None),
+        ("/home/me/ws/src/leg/config/c.yaml", None),
+        ("arm/config/c.yaml", None),
+    ],
+)
+def test_a_path_of_another_machine_leads_to_the_file_of_the_package_in_it(
+    tmp_path: Path, path: str, source: str | None
+) -> None:
+    package(tmp_path / "arm")
+    (tmp_path / "arm" / "CMakeLists.txt").write_text("install(DIRECTORY description/urdf DESTINATION share/arm)")
+    for name in ("config/c.yaml", "description/urdf/i.xacro"):
+        (tmp_path / "arm" / name).parent.mkdir(parents=True)
+        (tmp_path / "arm" / name).touch()
+    packages = Packages(str(tmp_path / "r.xacro"), PackageIndex(str(tmp_path), environ={}))
+    assert packages.source_of(path) == (str(tmp_path / source) if source else path)
+
+
 def test_a_package_inside_another_one_is_only_used_if_there_is_no_other(tmp_path: Path) -> None:
     package(tmp_path / "outer")
     copy = package(tmp_path / "outer" / "arm")

@@ -319,6 +319,18 @@ def test_a_url_is_not_a_path_of_a_controllers_file(robot: Robot) -> None:
     assert robot.only("UC522", part).severity.value == "error"
 
 
+@pytest.mark.parametrize("start", ["$HOME", "${HOME}", "~", "$(env HOME)"])
+def test_only_a_shell_knows_the_home_folder(robot: Robot, start: str) -> None:
+    part = component(IN_GZ) + GZ.replace("/opt/arm", f"{start}/ws/src/arm")
+    severity = "warning" if start in {"${HOME}", "$(env HOME)"} else "error"  # xacro may expand these
+    assert robot.only("UC521", part).severity.value == severity
+
+
+def test_a_file_in_a_home_folder_is_on_one_machine(robot: Robot) -> None:
+    part = component(IN_GZ) + GZ.replace("/opt/arm", "/home/me/ws/src/arm")
+    assert robot.only("UC531", part).severity.value == "warning"
+
+
 def test_a_file_that_an_argument_names_may_be_another(robot: Robot) -> None:
     (robot.folder / "package.xml").write_text("<package><name>arm</name></package>", encoding="utf-8")
     fixed = component(IN_GZ) + GZ.replace("/opt/arm/controllers.yaml", "$(find arm)/none.yaml")

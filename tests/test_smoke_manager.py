@@ -386,6 +386,60 @@ def test_a_controller_that_is_started_in_the_wrong_namespace_is_reported_where_i
     }
 
 
+@pytest.mark.parametrize(
+    ("package", "more", "verdict"),
+    [
+        ("elsewhere", {}, {"arm": "skipped activate"}),
+        ("arm", {"more.yaml": manager(hand=FORWARD) + section("hand", ELBOW)}, {"arm": "failed load"}),
+    ],
+)
+def test_a_controller_whose_file_is_in_an_unknown_package_is_not_called_undeclared(
+    tmp_path: Path, package: str, more: dict[str, str], verdict: dict[str, str]
+) -> None:
+    launch = f"""
+        <launch>
+          <node pkg="controller_manager" exec="ros2_control_node">
+            <param from="$(find-pkg-share {package})/more.yaml"/>
+          </node>
+          <node pkg="controller_manager" exec="spawner" args="arm"/>
+        </launch>
+    """
+    parts = {
+        "robot.urdf": HARDWARE,
+        "robot.launch.xml": launch,
+        "package.xml": "<package format='3'><name>arm</name></package>",
+        **more,
+    }
+    made = smoked(target_of(tmp_path, parts), ("arm",), distro="jazzy")
+    assert verdicts(made) == verdict
+
+
+def test_the_path_that_the_simulator_does_not_find_stops_all_controllers_once(tmp_path: Path) -> None:
+    plugin = """
+        <gazebo>
+          <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
+            <parameters>$HOME/ws/src/arm/controllers.yaml</parameters>
+          </plugin>
+        </gazebo>
+    """
+    launch = """
+        <launch>
+          <node pkg="ros_gz_sim" exec="create" args="-file $(dirname)/robot.urdf"/>
+          <node pkg="robot_state_publisher" exec="robot_state_publisher">
+            <param name="robot_description" value="$(command 'cat $(dirname)/robot.urdf')" type="str"/>
+          </node>
+          <node pkg="controller_manager" exec="spawner" args="arm hand"/>
+        </launch>
+    """
+    hardware = HARDWARE.replace("mock_components/GenericSystem", "gz_ros2_control/GazeboSimSystem")
+    parts = {"robot.urdf": f"{hardware}{plugin}", "robot.launch.xml": launch}
+    made = smoked(target_of(tmp_path, parts), distro="jazzy")
+    assert verdicts(made) == {"arm": "failed load", "hand": "failed load"}
+    [finding] = made.linted.outcome.diagnostics
+    assert "'$HOME/ws/src/arm/controllers.yaml' is not expanded" in finding.message
+    assert Path(finding.at.file).name == "robot.urdf"
+
+
 GRIPPER_PART = """
     <robot name="gripper">
       <joint name="mount" type="fixed"><parent link="tool0"/><child link="palm"/></joint><link name="palm"/>

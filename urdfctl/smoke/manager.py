@@ -23,6 +23,9 @@ from urdfctl.rules.controllers.controller_type_missing import controller_type_mi
 from urdfctl.rules.controllers.controller_type_not_in_distro import controller_type_not_in_distro
 from urdfctl.rules.controllers.controller_type_of_other_ros import controller_type_of_other_ros
 from urdfctl.rules.controllers.controller_type_unknown import controller_type_unknown
+from urdfctl.rules.simulation.controllers_file_missing import controllers_file_missing
+from urdfctl.rules.simulation.controllers_path_not_expanded import controllers_path_not_expanded
+from urdfctl.rules.simulation.controllers_path_relative import controllers_path_relative
 from urdfctl.rules.smoke.controller_not_activated import controller_not_activated
 from urdfctl.rules.smoke.controller_not_configured import controller_not_configured
 from urdfctl.rules.smoke.controller_not_loaded import controller_not_loaded
@@ -51,6 +54,10 @@ _TYPE_DOES_NOT_EXIST = frozenset(
 )
 """Lint's rules on types that certainly do not exist. Other unknown types may come from packages outside the catalog."""
 
+_FILE_IS_NOT_FOUND = frozenset(
+    rule.code for rule in (controllers_file_missing, controllers_path_not_expanded, controllers_path_relative)
+)
+"""Lint's rules on files that a simulator's plugin does not find."""
 
 NO_ROBOT, NO_HARDWARE = "the robot description is rejected", "the hardware is rejected"
 """Why no controller becomes active if a fault is not their own."""
@@ -165,6 +172,7 @@ class _Manager:
         errors = [finding for finding in findings if finding.severity is Severity.ERROR]
         self._ros, self._everyone = generation(session.distro), session.controllers
         self._labels = labels_of(session)
+        self._unread = next((error for error in errors if error.code in _FILE_IS_NOT_FOUND), None)
         self._about = [(finding, concerned(finding, project, self._everyone)) for finding in findings]
         self._of_files = [
             (error, stopped(error, project, self._everyone, self._ros)) for error in errors if stops_controller(error)
@@ -193,7 +201,15 @@ class _Manager:
         errors = {finding.code for finding in about if finding.severity is Severity.ERROR}
         type_is_wrong = not errors.isdisjoint(_TYPE_DOES_NOT_EXIST)
         stops = [stop for stop in life.stops if _is_certain(stop, type_is_wrong=type_is_wrong)]
+        if not errors and self._may_be_declared(life.controller):
+            unread = self._unread
+            return [Refusal(Stage.LOAD, unread.message, "", unread)] if unread else []
         return [self._refusal(life.controller, stop, about, alone=len(stops) == 1) for stop in stops]
+
+    def _may_be_declared(self, configured: Configured) -> bool:
+        """Whether a started controller may be declared in a file that is not known."""
+        controllers = self._project.controllers
+        return configured.controller.declared_at is None and controllers is not None and not controllers.complete
 
     def _refusal(self, configured: Configured, stop: Stop, about: Sequence[Diagnostic], *, alone: bool) -> Refusal:
         cause = _cause_of(stop, about, alone=alone)

@@ -80,7 +80,8 @@ def tasks_of(controllers: Sequence[Configured]) -> tuple[Task, ...]:
 def _task_of(configured: Configured, below: Mapping[str, tuple[Task, Configured]]) -> Task:
     name, kind = configured.name, configured.type
     if kind is None or kind.claims is None:
-        return _not_simulated(name, "its claims are unknown")
+        is_declared = configured.controller.declared_at is not None
+        return _not_simulated(name, "its claims are unknown" if is_declared else "no known file declares it")
     claims = configured.claims.command
     if not claims:
         broadcasts = kind.broadcaster or not kind.claims.command

@@ -237,14 +237,30 @@ class Packages:
         return [name for crawl in self._index.crawls for name in crawl.packages()]
 
     def source_of(self, path: str) -> str:
-        """Return the source file of an installed path; the path itself if it exists or no install rule matches."""
+        """Return the source file of an installed path; the path itself if it exists or no file is installed there."""
         if os.path.exists(path):
             return path
         for name, folder in self._found.items():
             if path.startswith(folder + os.sep):
-                relative = os.path.normpath(path[len(folder) + 1 :])
-                return self._index.install_map(folder, name).source_of(relative) or path
-        return path
+                return self._source_in(folder, name, path[len(folder) + 1 :]) or path
+        return self._of_other_machine(path) or path
+
+    def _source_in(self, folder: str, name: str, relative: str) -> str | None:
+        return self._index.install_map(folder, name).source_of(os.path.normpath(relative))
+
+    def _of_other_machine(self, path: str) -> str | None:
+        """The file that an absolute path of another machine means: it goes through a package of the workspace."""
+        parts = (
+            path.split(os.sep) if os.path.isabs(path) and not path.startswith(self._index.workspace + os.sep) else []
+        )
+        for index in range(len(parts) - 2, 0, -1):
+            if self.is_of_workspace(parts[index]):
+                folder, relative = self.find(parts[index]), os.path.join(*parts[index + 1 :])
+                candidate = os.path.join(folder, relative)
+                found = candidate if os.path.isfile(candidate) else self._source_in(folder, parts[index], relative)
+                if found is not None:
+                    return found
+        return None
 
     def install_map(self, folder: str, name: str) -> InstallMap:
         """Return the install rules of a source package."""
@@ -254,14 +270,14 @@ class Packages:
         """Return whether a missing file may be created later, by the build of a source package or by other tools.
 
         True if .gitignore names it, if the build generates files, or if its install rules are not all known and the
-        file's folder is missing too.
+        file's folder is missing too, or the package has a file of that name elsewhere.
         """
         if self.is_ignored_by_git(path):
             return True
         for name, folder in self._found.items():
             if path.startswith(folder + os.sep):
                 build = self._index.install_map(folder, name)
-                return build.makes or not (build.whole or os.path.isdir(os.path.dirname(path)))
+                return build.makes or not (build.whole or _is_missing_from(folder, path))
         return False
 
     def is_ignored_by_git(self, path: str) -> bool:
@@ -327,3 +343,9 @@ class Packages:
         while folder != top:
             folder = os.path.dirname(folder)
             yield folder
+
+
+def _is_missing_from(package: str, path: str) -> bool:
+    """Whether the folder of a missing file exists, and the package has no other file of that name."""
+    name = os.path.basename(path)
+    return os.path.isdir(os.path.dirname(path)) and not any(name in files for _, _, files in os.walk(package))

@@ -57,11 +57,16 @@ def controllers_path_not_expanded(project: Project) -> Iterator[Finding]:
     """Expression in the path of the controller file is not expanded.
 
     Only xacro expands `$(find ...)` and `${...}`. In a plain URDF, the simulator looks for a file with exactly that
-    name. This works only if the launch file runs xacro on the URDF anyway.
+    name. This works only if the launch file runs xacro on the URDF anyway. Nothing expands `$HOME` and `~`: an error.
     """
     for sim_plugin, _, reference in controllers_files(project):
         text = reference.text
-        if is_known(text) and ("$(" in text or "${" in text):
-            message = f"'{text}' is not expanded, and '{sim_plugin.filename}' finds no file of that name; only xacro expands it"
+        if not is_known(text):
+            continue
+        problem = f"'{text}' is not expanded, and '{sim_plugin.filename}' finds no file of that name"
+        if "$(" in text or "${" in text:
             fix = Fix("rename the file to .xacro and run xacro in the launch file, or write the absolute path")
-            yield Finding(reference.at, message, fix=fix)
+            yield Finding(reference.at, f"{problem}; only xacro expands it", fix=fix)
+        elif text.startswith("~") or "$" in text:
+            fix = Fix("write $(find your_package)/... in a .xacro file")
+            yield Finding(reference.at, f"{problem}; only a shell expands it", fix=fix, severity=Severity.ERROR)

@@ -52,7 +52,7 @@ def controllers_path_relative(project: Project) -> Iterator[Finding]:
     """
     for sim_plugin, _, reference in controllers_files(project):
         text = reference.text
-        if text.startswith("/") or "$" in text or not is_known(text):
+        if text.startswith(("/", "~")) or "$" in text or not is_known(text):
             continue
         is_url = "://" in text
         message = (

@@ -10,6 +10,7 @@ from urdfctl.rules.simulation.control_plugin_twice import control_plugin_twice
 from urdfctl.rules.simulation.controllers_file_missing import controllers_file_missing
 from urdfctl.rules.simulation.controllers_of_other_namespace import controllers_of_other_namespace
 from urdfctl.rules.simulation.controllers_path_not_expanded import controllers_path_not_expanded
+from urdfctl.rules.simulation.controllers_path_of_one_machine import controllers_path_of_one_machine
 from urdfctl.rules.simulation.controllers_path_relative import controllers_path_relative
 from urdfctl.rules.simulation.drive_wheels_impossible import drive_wheels_impossible
 from urdfctl.rules.simulation.drive_wheels_unmeasured import drive_wheels_unmeasured
@@ -65,4 +66,5 @@ RULES: tuple[Rule, ...] = (
     control_period_not_positive,
     wheel_pairs_miscounted,
     sensor_plugin_outside_sensor,
+    controllers_path_of_one_machine,
 )
