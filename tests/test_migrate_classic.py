@@ -249,7 +249,7 @@ def test_a_launch_file_starts_gz_and_keeps_its_other_lines(folder: Folder) -> No
     for part in (
         "    # the simulator\n    gazebo = IncludeLaunchDescription(",
         '[FindPackageShare("ros_gz_sim"), "/launch/gz_sim.launch.py"]',
-        'launch_arguments={"gz_args": ["-r ", "my.world"]}.items()',
+        'launch_arguments={"gz_args": ["-r -v4 ", "my.world"]}.items()',
         'package="ros_gz_sim", executable="create"',
         '"-name", "base"',
         '"/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock"',

@@ -85,6 +85,21 @@ class PythonFile:
             end += 1
         return Edit(SourceSpan(self.source, start, end), "")
 
+    def without_all(self, items: list[ast.expr], gone: list[ast.expr]) -> Iterator[Edit]:
+        """Yield the edits that remove some items of a list."""
+        spans = [self.span(item) for item in items]
+        last = -1
+        for index, item in enumerate(items):
+            if item not in gone:
+                if last >= 0 and index - last > 1:
+                    yield Edit(SourceSpan(self.source, spans[last].end, spans[index - 1].end), "")
+                elif last < 0 < index:
+                    yield Edit(SourceSpan(self.source, spans[0].start, spans[index].start), "")
+                last = index
+        if last < len(items) - 1 and items:
+            start = spans[last].end if last >= 0 else spans[0].start
+            yield Edit(SourceSpan(self.source, start, spans[-1].end), "")
+
     def appended(self, items: ast.List, texts: list[str]) -> Edit:
         """Return the edit that adds items at the end of a list, on lines of their own if its items are, or must be."""
         data = self.source.data

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from urdfctl.migrate.classic.bridge import BRIDGE, BRIDGE_INSTALL
 from urdfctl.migrate.classic.launch_python import CLASSIC_LAUNCH
+from urdfctl.migrate.classic.launch_xml import CLASSIC_LAUNCH_XML
 from urdfctl.migrate.classic.loose_sensors import LOOSE_SENSORS
 from urdfctl.migrate.classic.manifest import CLASSIC_MANIFEST
 from urdfctl.migrate.classic.materials import CLASSIC_MATERIALS
@@ -26,5 +27,5 @@ ROBOT_STEPS: tuple[Step, ...] = (
     WORLD_PLUGINS,
     BRIDGE,
 )
-PACKAGE_STEPS: tuple[Step, ...] = (CLASSIC_LAUNCH, CLASSIC_MANIFEST, BRIDGE_INSTALL)
+PACKAGE_STEPS: tuple[Step, ...] = (CLASSIC_LAUNCH, CLASSIC_LAUNCH_XML, CLASSIC_MANIFEST, BRIDGE_INSTALL)
 STEPS: tuple[Step, ...] = (*ROBOT_STEPS, *PACKAGE_STEPS)

@@ -12,6 +12,7 @@ from urdfctl.diagnostic import Edit
 from urdfctl.generate.bringup import gz_names
 from urdfctl.migrate.classic.bridge import bridge_file_of
 from urdfctl.migrate.classic.plugins import goes_to_gz, leaves_classic
+from urdfctl.migrate.classic.starting import EMPTY_WORLDS, FILES, SPAWN, create_options, flags, is_empty_world
 from urdfctl.migrate.hardware import simulated_by
 from urdfctl.migrate.install_rules import BRIDGE_FILE
 from urdfctl.migrate.packages import Packages
@@ -23,10 +24,6 @@ from urdfctl.source.packages import package_around, package_name
 from urdfctl.source.span import Place, SourceSpan
 
 _AUTHORITY = "ros_gz_sim README; gazebosim.org, Migrating Gazebo Classic ROS 2 packages"
-_FILES = {"gazebo.launch.py": "-r ", "gzserver.launch.py": "-r -s ", "gzclient.launch.py": "-g "}
-"""The launch files of gazebo_ros, with the options of gz that do the same."""
-_FIND = "FindPackageShare"
-_EMPTY = ("worlds/empty.world", "empty.world")
 
 
 def _launch_python(packages: Packages) -> Iterator[Proposal]:
@@ -53,7 +50,7 @@ class _File:
         self.spawns = [
             (call, scope)
             for call, scope in file.calls("Node")
-            if text_of(getattr(keyword(call, "executable"), "value", None)) == "spawn_entity.py"
+            if text_of(getattr(keyword(call, "executable"), "value", None)) == SPAWN
         ]
 
     def _launched(self, call: ast.Call, scope: ast.AST) -> str | None:
@@ -61,7 +58,7 @@ class _File:
         texts = {text_of(node) for node in self._reached(call, scope) if isinstance(node, ast.Constant)}
         if not any("gazebo_ros" in text.split("/") for text in texts):
             return None
-        return next((name for name in _FILES if any(text.endswith(name) for text in texts)), None)
+        return next((name for name in FILES if any(text.endswith(name) for text in texts)), None)
 
     def _reached(self, call: ast.Call, scope: ast.AST) -> Iterator[ast.AST]:
         """The nodes of an expression, and of the values of the names in it."""
@@ -83,7 +80,9 @@ class _File:
             return
         edits: list[Edit] = []
         for call, scope, name in self.includes:
-            edits += self._arguments(call, scope, _FILES[name])
+            edits += self._arguments(call, scope, name)
+        for call, _ in self.spawns:
+            edits += self._without_options(call)
         edits += self._names()
         if self.includes and (bridge := self._bridge()) is not None:
             edits += bridge
@@ -105,23 +104,28 @@ class _File:
             for other in edits
         )
 
-    def _arguments(self, call: ast.Call, scope: ast.AST, flags: str) -> Iterator[Edit]:
+    def _without_options(self, call: ast.Call) -> Iterator[Edit]:
+        """The edits that remove the arguments of a spawner that gz does not know."""
+        given = keyword(call, "arguments")
+        items = given.value.elts if given and isinstance(given.value, ast.List) else []
+        kept = [item for _, item in create_options([(text_of(item), item) for item in items])]
+        yield from self.file.without_all(items, [item for item in items if item not in kept])
+
+    def _arguments(self, call: ast.Call, scope: ast.AST, name: str) -> Iterator[Edit]:
         """The edit of the arguments of an included launch file."""
         given = keyword(call, "launch_arguments")
         value = given.value if given else None
         inner = value.func.value if isinstance(value, ast.Call) and isinstance(value.func, ast.Attribute) else value
         known = self.file.value_of(inner, scope) if inner is not None else None
-        world = None
-        if isinstance(known, ast.Dict):
-            pairs = zip(known.keys, known.values, strict=True)
-            world = next((self.file.text(item) for key, item in pairs if text_of(key) == "world"), None)
-        world = None if world in ("''", '""') else world
-        if "-g" in flags:
-            shown = f'"{flags.strip()}"'
-        elif world is None or world.strip("'\"") in _EMPTY:
-            shown = f'"{flags}empty.sdf"'
+        pairs = list(zip(known.keys, known.values, strict=True)) if isinstance(known, ast.Dict) else []
+        options = flags(name, {text_of(key): text_of(item) for key, item in pairs})
+        world = next((self.file.text(item) for key, item in pairs if text_of(key) == "world"), "")
+        if "-g" in options:
+            shown = f'"{options.strip()}"'
+        elif is_empty_world(world.strip("'\"")):
+            shown = f'"{options}empty.sdf"'
         else:
-            shown = f'["{flags}", {" ".join(world.split())}]'
+            shown = f'["{options}", {" ".join(world.split())}]'
         text = f'{{"{self.gz["argument"]}": {shown}}}'
         if isinstance(known, ast.Dict):
             yield Edit(self.file.span(known), text)
@@ -136,11 +140,11 @@ class _File:
         launch = self.gz["launch"]
         new = {
             "gazebo_ros": self.gz["package"],
-            "spawn_entity.py": "create",
+            SPAWN: "create",
             "-entity": "-name",
-            **dict.fromkeys(_FILES, self.gz["launch"]),
-            **{f"{start}{name}": f"{start}{launch}" for name in _FILES for start in ("/launch/", "launch/", "/")},
-            **dict.fromkeys(_EMPTY, "empty.sdf"),
+            **dict.fromkeys(FILES, self.gz["launch"]),
+            **{f"{start}{name}": f"{start}{launch}" for name in FILES for start in ("/launch/", "launch/", "/")},
+            **dict.fromkeys(EMPTY_WORLDS, "empty.sdf"),
             "GAZEBO_MODEL_PATH": "GZ_SIM_RESOURCE_PATH",
             "GAZEBO_RESOURCE_PATH": "GZ_SIM_RESOURCE_PATH",
         }

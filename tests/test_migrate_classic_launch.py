@@ -1,0 +1,125 @@
+"""What a migration from Gazebo Classic to gz makes of launch files in Python, XML and YAML."""
+
+from __future__ import annotations
+
+import pytest
+from folder import Folder
+from test_migrate_classic import CONTROL, CONTROLLERS, DRIVE, base, migrated
+
+BRIDGE = '<param name="config_file" value="$(find-pkg-share base)/config/bridge.yaml"/>'
+
+
+def after(folder: Folder, name: str, text: str, gazebo: str = CONTROL) -> str:
+    """A launch file after its migration."""
+    files = {"urdf/base.xacro": base(gazebo), "config/controllers.yaml": CONTROLLERS, f"launch/{name}": text}
+    return migrated(folder, files)[f"launch/{name}"]
+
+
+def included(inside: str, name: str = "gazebo") -> str:
+    """A launch file in XML that starts Gazebo Classic."""
+    head = f'  <include file="$(find-pkg-share gazebo_ros)/launch/{name}.launch.py"'
+    return f"<launch>\n{head}>\n{inside}  </include>\n</launch>\n" if inside else f"<launch>\n{head}/>\n</launch>\n"
+
+
+def started(options: str, more: str) -> str:
+    """A launch file in XML that starts gz."""
+    return f"""\
+<launch>
+  <include file="$(find-pkg-share ros_gz_sim)/launch/gz_sim.launch.py">
+    <arg name="gz_args" value="{options}"/>
+  </include>
+{more}</launch>
+"""
+
+
+CLOCK = """\
+  <node pkg="ros_gz_bridge" exec="parameter_bridge" args="/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock"/>
+"""
+
+
+@pytest.mark.parametrize(
+    ("inside", "options"),
+    [
+        ("", "-r empty.sdf"),
+        (
+            '    <arg name="world" value="$(var world)"/>\n    <arg name="verbose" value="true"/>\n',
+            "-r -v4 $(var world)",
+        ),
+        ('    <arg name="gui" value="false"/>\n', "-r -s empty.sdf"),
+        ('    <arg name="pause" value="true"/>\n', "empty.sdf"),
+    ],
+)
+def test_a_launch_file_in_xml_starts_gz_in_the_same_way(folder: Folder, inside: str, options: str) -> None:
+    assert after(folder, "sim.launch.xml", included(inside)) == started(options, CLOCK)
+
+
+def test_a_launch_file_in_xml_starts_the_bridge_of_the_robots_topics(folder: Folder) -> None:
+    shown = after(folder, "sim.launch.xml", included(""), DRIVE)
+    node = f'  <node pkg="ros_gz_bridge" exec="parameter_bridge">\n    {BRIDGE}\n  </node>\n'
+    assert shown == started("-r empty.sdf", node)
+
+
+def test_the_window_of_gazebo_classic_becomes_that_of_gz(folder: Folder) -> None:
+    assert after(folder, "sim.launch.xml", included("", "gzclient")) == started("-g", CLOCK)
+
+
+def test_a_robot_is_spawned_without_the_options_that_gz_rejects(folder: Folder) -> None:
+    args = "-topic robot_description -entity base -timeout 30 -x $(var x) -unpause"
+    old = f'<launch>\n  <node pkg="gazebo_ros" exec="spawn_entity.py" args="{args}"/>\n</launch>\n'
+    new = "-topic robot_description -name base -x $(var x)"
+    assert after(folder, "spawn.launch.xml", old) == (
+        f'<launch>\n  <node pkg="ros_gz_sim" exec="create" args="{new}"/>\n</launch>\n'
+    )
+
+
+def test_a_launch_file_in_yaml_starts_gz_and_spawns_the_robot(folder: Folder) -> None:
+    old = """\
+launch:
+# the simulator
+- include:
+    file: $(find-pkg-share gazebo_ros)/launch/gazebo.launch.py
+    arg:
+    - {name: world, value: yard.sdf}
+    - {name: verbose, value: "true"}
+- node: {pkg: gazebo_ros, exec: spawn_entity.py, args: -topic robot_description -entity base}
+"""
+    assert (
+        after(folder, "sim.launch.yaml", old)
+        == """\
+launch:
+# the simulator
+- node: {pkg: ros_gz_bridge, exec: parameter_bridge, args: "/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock"}
+- include:
+    file: "$(find-pkg-share ros_gz_sim)/launch/gz_sim.launch.py"
+    arg: [{name: gz_args, value: "-r -v4 yard.sdf"}]
+- node: {pkg: "ros_gz_sim", exec: "create", args: "-topic robot_description -name base"}
+"""
+    )
+
+
+def test_a_launch_file_in_python_keeps_its_window_and_pause_and_drops_options_that_gz_rejects(folder: Folder) -> None:
+    shown = after(
+        folder,
+        "sim.launch.py",
+        """\
+from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription
+from launch.launch_description_sources import PythonLaunchDescriptionSource
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+
+def generate_launch_description():
+    source = PythonLaunchDescriptionSource([FindPackageShare("gazebo_ros"), "/launch/gazebo.launch.py"])
+    return LaunchDescription([
+        IncludeLaunchDescription(source, launch_arguments={"gui": "false", "pause": "true"}.items()),
+        Node(
+            package="gazebo_ros",
+            executable="spawn_entity.py",
+            arguments=["-topic", "robot_description", "-entity", "base", "-timeout", "30"],
+        ),
+    ])
+""",
+    )
+    assert 'launch_arguments={"gz_args": "-s empty.sdf"}' in shown
+    assert 'arguments=["-topic", "robot_description", "-name", "base"]' in shown
