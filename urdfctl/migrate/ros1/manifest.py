@@ -90,15 +90,7 @@ def _manifest_edits(packages: Packages, root: Element) -> Iterator[Edit]:
         elif element.tagName in _DEPENDS:
             yield from _dependency(packages, element, known)
     yield from _additions(packages, root, known)
-    yield _export(root, _model_path(packages, root))
-
-
-def _model_path(packages: Packages, root: Element) -> str:
-    """What Gazebo Classic needs to find the meshes of a package; empty if there is nothing to find, or it has it."""
-    has_meshes = os.path.isdir(os.path.join(os.path.dirname(root.source.path), "meshes"))
-    if not has_meshes or packages.simulator != "gazebo-classic" or b"gazebo_model_path" in root.source.data:
-        return ""
-    return '<gazebo_ros gazebo_model_path="${prefix}/.."/>'
+    yield _export(root)
 
 
 def _additions(packages: Packages, root: Element, known: set[str]) -> Iterator[Edit]:
@@ -146,11 +138,11 @@ def _successors(packages: Packages, name: str) -> tuple[str, ...]:
     return _NEW_NAMES.get(name, (name,))
 
 
-def _export(root: Element, more: str) -> Edit:
-    """The edit that names the build type, instead of a metapackage. `more` is another element to export."""
+def _export(root: Element) -> Edit:
+    """The edit that names the build type, instead of a metapackage."""
     source, step = root.source, step_of(root.source)
     export = child(root, "export")
-    build = "<build_type>ament_cmake</build_type>" + (f"\n{step * 2}{more}" if more else "")
+    build = "<build_type>ament_cmake</build_type>"
     if export is None:
         at = source.data.rfind(b"\n", 0, root.close or len(source.data)) + 1
         return Edit(SourceSpan(source, at, at), f"\n{step}<export>\n{step * 2}{build}\n{step}</export>\n")

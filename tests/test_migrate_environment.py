@@ -1,0 +1,65 @@
+"""What a migration to gz makes of the places where the simulator looks for meshes, models and plugins."""
+
+from __future__ import annotations
+
+import pytest
+from folder import Folder
+from test_migrate_classic import CONTROL, CONTROLLERS, MANIFEST, base, migrated
+
+MESH = '  <link name="shell"><visual><geometry><mesh filename="package://base/meshes/shell.stl"/></geometry></visual></link>\n'
+PARENT = '    <gazebo_ros gazebo_model_path="${prefix}/.."/>\n'
+
+
+def after(folder: Folder, more: dict[str, str], gazebo: str = CONTROL) -> dict[str, str]:
+    """The files of a package after its migration."""
+    return migrated(folder, {"urdf/base.xacro": base(gazebo), "config/controllers.yaml": CONTROLLERS, **more})
+
+
+@pytest.mark.parametrize(
+    ("name", "old", "new"),
+    [
+        (
+            "hooks/base.dsv",
+            "prepend-non-duplicate;GAZEBO_MODEL_PATH;share/base/models\n",
+            "prepend-non-duplicate;GZ_SIM_RESOURCE_PATH;share/base/models\n",
+        ),
+        (
+            "hooks/base.sh.in",
+            "# for GAZEBO_PLUGIN_PATH\nexport GAZEBO_PLUGIN_PATH=@prefix@/lib:$GAZEBO_PLUGIN_PATH\n",
+            "# for GAZEBO_PLUGIN_PATH\nexport GZ_SIM_SYSTEM_PLUGIN_PATH=@prefix@/lib:$GZ_SIM_SYSTEM_PLUGIN_PATH\n",
+        ),
+        (
+            "launch/sim.launch.xml",
+            '<launch>\n  <set_env name="GAZEBO_RESOURCE_PATH" value="/models"/>\n</launch>\n',
+            '<launch>\n  <set_env name="GZ_SIM_RESOURCE_PATH" value="/models"/>\n</launch>\n',
+        ),
+        (
+            "launch/paths.launch.py",
+            "import os\n\nMY_GAZEBO_MODEL_PATH = os.environ['GAZEBO_MODEL_PATH']\n",
+            "import os\n\nMY_GAZEBO_MODEL_PATH = os.environ['GZ_SIM_RESOURCE_PATH']\n",
+        ),
+    ],
+)
+def test_the_environment_of_gazebo_classic_is_renamed(folder: Folder, name: str, old: str, new: str) -> None:
+    assert after(folder, {name: old})[name] == new
+
+
+def test_a_package_exports_its_meshes(folder: Folder) -> None:
+    manifest = after(folder, {"meshes/shell.stl": "solid shell\nendsolid\n"}, MESH + CONTROL)["package.xml"]
+    assert manifest.endswith(f"    <build_type>ament_cmake</build_type>\n{PARENT}  </export>\n</package>\n")
+
+
+def test_a_package_exports_its_models(folder: Folder) -> None:
+    manifest = after(folder, {"models/shelf/model.config": "<model/>\n"})["package.xml"]
+    assert '    <gazebo_ros gazebo_model_path="${prefix}/models"/>\n  </export>' in manifest
+
+
+def test_a_package_without_meshes_and_models_exports_nothing_more(folder: Folder) -> None:
+    assert "gazebo_model_path" not in after(folder, {})["package.xml"]
+
+
+def test_an_export_is_not_repeated(folder: Folder) -> None:
+    export = "    <build_type>ament_cmake</build_type>\n"
+    own = MANIFEST.replace(export, export + PARENT)
+    manifest = after(folder, {"package.xml": own, "meshes/shell.stl": "solid shell\nendsolid\n"})["package.xml"]
+    assert manifest.count("gazebo_model_path") == 1

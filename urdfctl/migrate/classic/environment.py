@@ -1,0 +1,111 @@
+"""Where the simulator looks for models and plugins: environment variables, and the export of package.xml."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator, Mapping
+
+from urdfctl.diagnostic import Edit
+from urdfctl.migrate.classic.plugins import goes_to_gz, leaves_classic
+from urdfctl.migrate.markup import child, content, end_of, root_of, step_of
+from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.tokens import HOOKS, tokens_in
+from urdfctl.migrate.wishes import Part
+from urdfctl.source.dom import Element
+from urdfctl.source.files import is_launch
+from urdfctl.source.span import Place, SourceSpan
+from urdfctl.startup.patterns import lazy_pattern
+
+_VARIABLES = "gz-sim tutorials/resources.md: GZ_SIM_RESOURCE_PATH, GZ_SIM_SYSTEM_PLUGIN_PATH"
+_EXPORT = "ros_gz_sim README, gazebo_ros gazebo_ros_paths.py: <gazebo_ros gazebo_model_path> in package.xml"
+VARIABLES: Mapping[str, str] = {
+    "GAZEBO_MODEL_PATH": "GZ_SIM_RESOURCE_PATH",
+    "GAZEBO_RESOURCE_PATH": "GZ_SIM_RESOURCE_PATH",
+    "GAZEBO_PLUGIN_PATH": "GZ_SIM_SYSTEM_PLUGIN_PATH",
+}
+_NAME = lazy_pattern(rb"(?<!\w)GAZEBO_(?:MODEL|RESOURCE|PLUGIN)_PATH(?!\w)")
+_OF_XML = (".xacro", ".urdf", ".gazebo")
+
+
+def _variables(packages: Packages) -> Iterator[Proposal]:
+    if not leaves_classic(packages) or not goes_to_gz(packages):
+        return
+    for path in packages.files(*HOOKS, ".py", ".xml", ".launch", ".yaml", ".yml"):
+        source = packages.read(path)
+        is_read = is_launch(path) or path.endswith((*HOOKS, ".py"))
+        if not is_read or not _NAME.search(source.data) or not packages.may_change(path):
+            continue
+        names = [found.span() for token in tokens_in(source) for found in _NAME.finditer(source.data, *token[1:])]
+        edits = [Edit(SourceSpan(source, *span), VARIABLES[source.data[slice(*span)].decode()]) for span in names]
+        if edits:
+            first = edits[0]
+            at = Place(source, first.span.start, end=first.span.end)
+            what = f"'{first.span.text}' was renamed to '{first.text}'"
+            yield Proposal(tuple(edits), entries=(Entry(EntryKind.DONE, what, at, authority=_VARIABLES),))
+
+
+def _exports(packages: Packages) -> Iterator[Proposal]:
+    if not goes_to_gz(packages) and not (packages.is_ros1 and packages.simulator == "gazebo-classic"):
+        return
+    used = set(_packages_of_meshes(packages))
+    for path in packages.files("package.xml"):
+        root = root_of(packages.read(path)) if os.path.basename(path) == "package.xml" else None
+        export = child(root, "export") if root is not None else None
+        name = child(root, "name") if root is not None else None
+        if root is None or export is None or name is None or b"gazebo_model_path" in root.source.data:
+            continue
+        folder = os.path.dirname(path)
+        is_used = content(name) in used or os.path.isdir(os.path.join(folder, "meshes"))
+        lines = list(_paths(folder, is_used=is_used))
+        if lines and not _is_set(packages) and (edit := _added(export, lines)) is not None:
+            what = "the package exports where the simulator finds its meshes and models"
+            yield Proposal((edit,), entries=(Entry(EntryKind.DONE, what, export.at, authority=_EXPORT),))
+
+
+def _packages_of_meshes(packages: Packages) -> Iterator[str]:
+    """The packages whose files robots show: gz finds them by the name of the package."""
+    for path in packages.files(*_OF_XML):
+        for found in re.finditer(rb"(?:package|model)://([\w-]+)/", packages.read(path).data):
+            yield found[1].decode()
+
+
+def _paths(folder: str, *, is_used: bool) -> Iterator[str]:
+    """The elements that export the parent folder of a package, and its folder of models."""
+    if is_used:
+        yield '<gazebo_ros gazebo_model_path="${prefix}/.."/>'
+    if any(file == "model.config" for _, _, files in os.walk(os.path.join(folder, "models")) for file in files):
+        yield '<gazebo_ros gazebo_model_path="${prefix}/models"/>'
+
+
+def _is_set(packages: Packages) -> bool:
+    """Whether a launch file or a hook of the packages says where the models are."""
+    return any(b"GZ_SIM_RESOURCE_PATH" in packages.read(path).data for path in packages.files(*HOOKS, ".py", ".xml"))
+
+
+def _added(export: Element, lines: list[str]) -> Edit | None:
+    """The edit that adds lines at the end of an element with an end tag on a line of its own."""
+    source, step = export.source, step_of(export.source)
+    if export.close is None:
+        return None
+    start = source.data.rfind(b"\n", 0, export.close) + 1
+    if source.data[start : export.close].strip() or end_of(export) < export.close:
+        return None
+    return Edit(SourceSpan(source, start, start), "".join(f"{step * 2}{line}\n" for line in lines))
+
+
+ENVIRONMENT = Step(
+    name="environment",
+    part=Part.LAUNCH,
+    summary="Environment variables of Gazebo Classic",
+    propose=_variables,
+    rows=tuple(Row(old, new, "jazzy", _VARIABLES) for old, new in VARIABLES.items()),
+)
+MODEL_PATHS = Step(
+    name="model-paths",
+    part=Part.MANIFEST,
+    summary="Meshes and models of a package",
+    propose=_exports,
+    rows=(Row("meshes of a package", '<gazebo_ros gazebo_model_path="${prefix}/.."/> in package.xml', "", _EXPORT),),
+)
