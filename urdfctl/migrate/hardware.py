@@ -32,6 +32,16 @@ def _has_host(packages: Packages) -> bool:
     return any(host in packages.read(path).data for path in packages.files(*_OF_XML) for host in _HOSTS)
 
 
+def leaves_classic(packages: Packages) -> bool:
+    """Return whether the packages leave Gazebo Classic."""
+    return packages.simulator != "gazebo-classic" and (packages.simulator is not None or packages.crosses("jazzy"))
+
+
+def goes_to_gz(packages: Packages) -> bool:
+    """Return whether what is for Gazebo Classic becomes what gz reads."""
+    return packages.simulator == "gz" or (packages.simulator is None and packages.crosses("jazzy"))
+
+
 def options_of(packages: Packages) -> Options:
     """Return the options of the generators for the migrated packages."""
     return Options(packages.wishes.target, simulated_by(packages), hardware=_named(packages))

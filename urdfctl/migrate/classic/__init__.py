@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-<<<<<<< HEAD
 from urdfctl.migrate.classic.bridge import BRIDGE, BRIDGE_INSTALL
-=======
-from urdfctl.migrate.classic.bridge import BRIDGE
 from urdfctl.migrate.classic.environment import ENVIRONMENT, MODEL_PATHS
->>>>>>> 5e49b4e (Migrate where the simulator looks for meshes and models)
+from urdfctl.migrate.classic.initial_positions import INITIAL_POSITIONS
 from urdfctl.migrate.classic.launch_python import CLASSIC_LAUNCH
 from urdfctl.migrate.classic.launch_xml import CLASSIC_LAUNCH_XML
 from urdfctl.migrate.classic.loose_sensors import LOOSE_SENSORS
@@ -30,7 +27,15 @@ ROBOT_STEPS: tuple[Step, ...] = (
     CLASSIC_MATERIALS,
     WORLD_MODELS,
     WORLD_PLUGINS,
+    INITIAL_POSITIONS,
     BRIDGE,
 )
-PACKAGE_STEPS: tuple[Step, ...] = (CLASSIC_LAUNCH, CLASSIC_LAUNCH_XML, ENVIRONMENT, CLASSIC_MANIFEST, MODEL_PATHS, BRIDGE_INSTALL)
+PACKAGE_STEPS: tuple[Step, ...] = (
+    CLASSIC_LAUNCH,
+    CLASSIC_LAUNCH_XML,
+    ENVIRONMENT,
+    CLASSIC_MANIFEST,
+    MODEL_PATHS,
+    BRIDGE_INSTALL,
+)
 STEPS: tuple[Step, ...] = (*ROBOT_STEPS, *PACKAGE_STEPS)

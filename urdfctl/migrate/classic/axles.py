@@ -9,7 +9,7 @@ from urdfctl.generate.scalars import yaml_float
 from urdfctl.generate.survey import facts_of
 from urdfctl.generate.wheels import across, along, radius
 from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.ros1.uses import key_of, key_of_element
+from urdfctl.migrate.places import key_of, key_of_element
 from urdfctl.migrate.todo import todo_line
 from urdfctl.model.robot import Plugin
 from urdfctl.source.dom import Element

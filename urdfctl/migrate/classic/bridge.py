@@ -7,14 +7,14 @@ from collections.abc import Iterator, Mapping
 
 from urdfctl.diagnostic import Edit
 from urdfctl.generate.bringup import gz_names
-from urdfctl.migrate.classic.plugins import goes_to_gz, leaves_classic
+from urdfctl.migrate.hardware import goes_to_gz, leaves_classic
 from urdfctl.migrate.install_rules import BRIDGE_FILE, install_rule, installs
 from urdfctl.migrate.markup import content, elements, root_of
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.wishes import Part
 from urdfctl.source.opaque import is_known
-from urdfctl.source.packages import package_around, package_name
+from urdfctl.source.packages import package_around
 from urdfctl.source.span import SourceSpan
 from urdfctl.startup.records import NamedTuple
 
@@ -72,16 +72,6 @@ def _bridge(packages: Packages) -> Iterator[Proposal]:
 def _has_bridge(packages: Packages) -> bool:
     """Whether the packages already start a bridge, with topics of their own."""
     return any(b"parameter_bridge" in packages.read(path).data for path in packages.files(".py", ".launch.xml"))
-
-
-def bridge_file_of(packages: Packages, launch: str) -> str | None:
-    """Return the package with the file for the bridge: that of a launch file, or the only other one; None if none."""
-    found = [path for path in packages.files("bridge.yaml") if path.endswith(BRIDGE_FILE)]
-    own = package_around(os.path.dirname(launch)) or ""
-    beside = [path for path in found if path.startswith(own + os.sep)]
-    chosen = beside or found
-    folder = package_around(os.path.dirname(chosen[0])) if len(chosen) == 1 else None
-    return package_name(os.path.join(folder, "package.xml")) if folder else None
 
 
 def _topics(packages: Packages, folder: str) -> Iterator[Topic]:

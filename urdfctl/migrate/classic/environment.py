@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator, Mapping
 
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.classic.plugins import goes_to_gz, leaves_classic
+from urdfctl.migrate.hardware import goes_to_gz, leaves_classic
 from urdfctl.migrate.markup import child, content, end_of, root_of, step_of
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step

@@ -10,10 +10,9 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import since
 from urdfctl.diagnostic import Edit
 from urdfctl.generate.bringup import gz_names
-from urdfctl.migrate.classic.bridge import bridge_file_of
-from urdfctl.migrate.classic.plugins import goes_to_gz, leaves_classic
+from urdfctl.migrate.bridge_file import bridge_file_of
 from urdfctl.migrate.classic.starting import EMPTY_WORLDS, FILES, SPAWN, create_options, flags, is_empty_world
-from urdfctl.migrate.hardware import simulated_by
+from urdfctl.migrate.hardware import goes_to_gz, leaves_classic, simulated_by
 from urdfctl.migrate.install_rules import BRIDGE_FILE
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.python_edits import PythonFile, keyword, text_of

@@ -7,9 +7,10 @@ from collections.abc import Iterator, Mapping
 
 from urdfctl.diagnostic import Edit
 from urdfctl.generate.bringup import gz_names
-from urdfctl.migrate.classic.bridge import BRIDGE_FILE, bridge_file_of
-from urdfctl.migrate.classic.plugins import goes_to_gz, leaves_classic
+from urdfctl.migrate.bridge_file import bridge_file_of
 from urdfctl.migrate.classic.starting import FILES, SPAWN, create_options, flags, is_empty_world
+from urdfctl.migrate.hardware import goes_to_gz, leaves_classic
+from urdfctl.migrate.install_rules import BRIDGE_FILE
 from urdfctl.migrate.markup import attribute, children, elements, end_of, indent_of, removal, root_of, step_of
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step

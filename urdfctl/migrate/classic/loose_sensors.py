@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.migrate.classic.choice import is_chosen, replaced
-from urdfctl.migrate.classic.plugins import goes_to_gz
 from urdfctl.migrate.classic.systems import in_namespace, library_of
+from urdfctl.migrate.hardware import goes_to_gz
 from urdfctl.migrate.markup import attribute, child, content, parent_of, step_of
 from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.ros1.simulator_plugin import plugin_elements
+from urdfctl.migrate.places import plugin_elements
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.wishes import Part
 from urdfctl.source.dom import Element

@@ -6,8 +6,7 @@ from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
 from urdfctl.generate.bringup import gz_names
-from urdfctl.migrate.classic.plugins import goes_to_gz, leaves_classic
-from urdfctl.migrate.hardware import host_plugin, simulated_by, system
+from urdfctl.migrate.hardware import goes_to_gz, host_plugin, leaves_classic, simulated_by, system
 from urdfctl.migrate.markup import content, indent_of, lines_of, root_of
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step

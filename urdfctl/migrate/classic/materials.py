@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping
 
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.classic.choice import is_chosen, replaced
-from urdfctl.migrate.classic.plugins import goes_to_gz
 from urdfctl.migrate.classic.sdf import sdf_elements
+from urdfctl.migrate.hardware import goes_to_gz
 from urdfctl.migrate.markup import (
     child,
     content,

@@ -10,7 +10,14 @@ from urdfctl.migrate.classic.axles import axles
 from urdfctl.migrate.classic.choice import is_chosen, replaced
 from urdfctl.migrate.classic.sdf import OF_SDF
 from urdfctl.migrate.classic.systems import NO_SUCCESSOR, SYSTEMS, flush, library_of, system_text
-from urdfctl.migrate.hardware import HARDWARE_OPTION, host_plugin, simulated_by, system_plugin
+from urdfctl.migrate.hardware import (
+    HARDWARE_OPTION,
+    goes_to_gz,
+    host_plugin,
+    leaves_classic,
+    simulated_by,
+    system_plugin,
+)
 from urdfctl.migrate.markup import (
     attribute,
     child,
@@ -23,7 +30,7 @@ from urdfctl.migrate.markup import (
     step_of,
 )
 from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.ros1.simulator_plugin import plugin_elements
+from urdfctl.migrate.places import plugin_elements
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import for_you
 from urdfctl.migrate.wishes import Part
@@ -38,16 +45,6 @@ _KEPT = ("parameters", "ros", "hold_joints", "controller_manager_name")
 _AUTHORITY = "gazebosim.org, Migrating Gazebo Classic ROS 2 packages"
 _CONTROL = "gz_ros2_control doc/index.rst; rosdistro#41224: gazebo_ros2_control ends with iron"
 _OF_XML = (".xacro", ".urdf", ".gazebo", ".xml", ".inc")
-
-
-def leaves_classic(packages: Packages) -> bool:
-    """Return whether the packages leave Gazebo Classic."""
-    return packages.simulator != "gazebo-classic" and (packages.simulator is not None or packages.crosses("jazzy"))
-
-
-def goes_to_gz(packages: Packages) -> bool:
-    """Return whether what is for Gazebo Classic becomes what gz reads."""
-    return packages.simulator == "gz" or (packages.simulator is None and packages.crosses("jazzy"))
 
 
 def _control(packages: Packages) -> Iterator[Proposal]:

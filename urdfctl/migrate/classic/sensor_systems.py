@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from urdfctl.diagnostic import Edit
 from urdfctl.load.loader import LoadedTarget
 from urdfctl.migrate.classic.choice import CHOICE
-from urdfctl.migrate.classic.plugins import goes_to_gz
+from urdfctl.migrate.hardware import goes_to_gz
 from urdfctl.migrate.markup import MACRO, ancestors, elements, root_of, step_of
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step

@@ -6,9 +6,9 @@ from collections.abc import Iterator, Mapping
 
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.classic.choice import is_chosen, replaced
-from urdfctl.migrate.classic.plugins import goes_to_gz
 from urdfctl.migrate.classic.sdf import OF_SDF
 from urdfctl.migrate.classic.systems import in_namespace, library_of, relative_topic
+from urdfctl.migrate.hardware import goes_to_gz
 from urdfctl.migrate.markup import (
     attribute,
     child,
@@ -144,7 +144,10 @@ def _settings(element: Element, plugin: Element, sensor: Sensor, kind: str) -> E
     rate = child(plugin, "updateRate") or child(plugin, "updateRateHZ")
     if rate is not None and child(element, "update_rate") is None:
         lines.append(f"<update_rate>{content(rate)}</update_rate>")
-    end = element.source.data.rfind(b"\n", 0, element.close or end_of(element)) + 1
+    close = element.close or end_of(element)
+    end = element.source.data.rfind(b"\n", 0, close) + 1
+    if element.source.data[end:close].strip():
+        return Edit(SourceSpan(element.source, close, close), "".join(lines))
     return Edit(SourceSpan(element.source, end, end), "".join(f"{indent or step}{line}\n" for line in lines))
 
 

@@ -10,7 +10,7 @@ FILES: Mapping[str, str] = {"gazebo.launch.py": "-r ", "gzserver.launch.py": "-r
 EMPTY_WORLDS = ("worlds/empty.world", "empty.world")
 SPAWN = "spawn_entity.py"
 _RENAMED = {"-entity": "-name", "-model": "-name"}
-_WITHOUT_SUCCESSOR = {
+WITHOUT_SUCCESSOR = {
     "-b": 0,
     "-bond": 0,
     "-gazebo_namespace": 1,
@@ -39,8 +39,8 @@ def create_options(words: Sequence[tuple[str, Word]]) -> Iterator[tuple[str, Wor
     for text, word in words:
         if left:
             left -= 1
-        elif text in _WITHOUT_SUCCESSOR:
-            left = _WITHOUT_SUCCESSOR[text]
+        elif text in WITHOUT_SUCCESSOR:
+            left = WITHOUT_SUCCESSOR[text]
         else:
             yield _RENAMED.get(text, text), word
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.classic.plugins import goes_to_gz
 from urdfctl.migrate.classic.sdf import own_models, sdf_elements
 from urdfctl.migrate.classic.systems import library_of
+from urdfctl.migrate.hardware import goes_to_gz
 from urdfctl.migrate.markup import attribute, content, indent_of, parent_of, removal, span_of
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step

@@ -11,8 +11,8 @@ from urdfctl.migrate.classic.sdf import OF_SDF
 from urdfctl.migrate.classic.systems import library_of
 from urdfctl.migrate.markup import attribute, child, content, indent_of, indented, parent_of, span_of, step_of
 from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.places import plugin_elements
 from urdfctl.migrate.ros1.classic_settings import OF_SENSOR, SUCCESSORS, Successor, snake_case
-from urdfctl.migrate.ros1.simulator_plugin import plugin_elements
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.wishes import Part
 from urdfctl.source.dom import Element

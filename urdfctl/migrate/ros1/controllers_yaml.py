@@ -10,9 +10,9 @@ from urdfctl.migrate.hardware import simulated_by
 from urdfctl.migrate.manager import RATE, manager_text
 from urdfctl.migrate.markup import attribute, child, content, elements, end_of, root_of
 from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.places import plugin_elements
 from urdfctl.migrate.ros1.controller_map import GAINS_OF_GAZEBO, Item, items_of
 from urdfctl.migrate.ros1.controller_section import ControllerSection, section_of
-from urdfctl.migrate.ros1.simulator_plugin import plugin_elements
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import todo_line
 from urdfctl.migrate.wishes import Part

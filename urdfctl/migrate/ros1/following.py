@@ -6,11 +6,12 @@ from collections.abc import Iterator, Sequence
 
 from urdfctl.migrate.markup import step_of
 from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.places import key_of_element
 from urdfctl.migrate.ros1.followers import followers_of
 from urdfctl.migrate.ros1.gathering import Component, Path, prefix_of
 from urdfctl.migrate.ros1.interfaces import states_of
 from urdfctl.migrate.ros1.parts import joint_text
-from urdfctl.migrate.ros1.uses import Use, Uses, key_of_element
+from urdfctl.migrate.ros1.uses import Use, Uses
 from urdfctl.model.robot import Robot
 
 

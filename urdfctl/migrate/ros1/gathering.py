@@ -29,8 +29,9 @@ from urdfctl.migrate.markup import (
     span_of,
     step_of,
 )
+from urdfctl.migrate.places import ElementKey, key_of_element
 from urdfctl.migrate.ros1.parts import Converted, Unreadable
-from urdfctl.migrate.ros1.uses import ElementKey, key_of_element, unit_of
+from urdfctl.migrate.ros1.uses import unit_of
 from urdfctl.source.dom import Element
 from urdfctl.source.span import SourceSpan, SourceText
 from urdfctl.startup.records import NamedTuple

@@ -7,6 +7,8 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
 from urdfctl.generate.bringup import gz_names, takes_param_file
+from urdfctl.migrate.bridge_file import bridge_file_of
+from urdfctl.migrate.classic.initial_positions import joints_with_position
 from urdfctl.migrate.hardware import simulated_by
 from urdfctl.migrate.launch.python_form import python_file
 from urdfctl.migrate.launch.xml_form import xml_file
@@ -45,7 +47,7 @@ def _migrated(packages: Packages, path: str, root: Element) -> Iterator[Proposal
     new = _new_path(path, packages.wishes.launch)
     if os.path.exists(new):
         return
-    reading = Reading(_target(packages))
+    reading = Reading(_target(packages, path))
     actions = reading.actions(root)
     name = os.path.basename(path)
     text = (xml_file if packages.wishes.launch == "xml" else python_file)(actions, f"Migrated from {name}.")
@@ -79,7 +81,7 @@ def _is_of_moveit(path: str, root: Element) -> bool:
     return bool(nodes & {*_OF_MOVEIT}) or os.path.exists(os.path.join(folder, ".setup_assistant"))
 
 
-def _target(packages: Packages) -> Target:
+def _target(packages: Packages, path: str) -> Target:
     wishes = packages.wishes
     controllers = _controller_files(packages)
     return Target(
@@ -91,6 +93,8 @@ def _target(packages: Packages) -> Target:
         takes_param_file=takes_param_file(wishes.target),
         remaps_description=wishes.target not in since("jazzy"),
         gz=gz_names(wishes.target),
+        bridge=bridge_file_of(packages, path) or "",
+        placed=frozenset(joints_with_position(packages)),
     )
 
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
+from urdfctl.migrate.classic.starting import WITHOUT_SUCCESSOR
+from urdfctl.migrate.install_rules import BRIDGE_FILE
 from urdfctl.migrate.launch.actions import (
     Action,
     PartOfText,
@@ -31,6 +33,8 @@ class Target(NamedTuple):
     gz: the names of the packages of gz in the distro.
     describes: whether robot_state_publisher may be started without a description.
     has_manager: whether the file already starts a controller manager.
+    bridge: the package with the file for the bridge of the robot's topics; empty if there is none.
+    placed: the joints whose position at the start is in the description.
     """
 
     distro: str
@@ -43,6 +47,8 @@ class Target(NamedTuple):
     gz: Mapping[str, str]
     describes: bool = False
     has_manager: bool = False
+    bridge: str = ""
+    placed: frozenset[str] = frozenset()
 
     @property
     def simulated(self) -> bool:
@@ -85,7 +91,9 @@ _SAME = frozenset(
 )
 """Packages of ROS 1 that exist for ROS 2, with programs of the same names."""
 EMPTY_WORLDS = ("worlds/empty.world", "empty.world")
-_POSES = {"-x": "-x", "-y": "-y", "-z": "-z", "-R": "-R", "-P": "-P", "-Y": "-Y"}
+_POSES = ("-x", "-y", "-z", "-R", "-P", "-Y")
+_OF_ROS1 = ("-urdf", "-sdf", "-unpause", "-wait", "-b")
+"""Options of ROS 1's spawn_model that ROS 2's spawn_entity.py does not have, or has with another meaning."""
 
 
 def migrated_node(reading: Notes, element: Element, description: Text, files: Sequence[Text]) -> Iterator[Action]:
@@ -99,7 +107,7 @@ def migrated_node(reading: Notes, element: Element, description: Text, files: Se
     elif package == "gazebo_ros":
         yield from simulator_actions(reading, {})
     elif package == "robot_state_publisher":
-        yield _plain(element, "robot_state_publisher", "robot_state_publisher")._replace(description=description)
+        yield _state_publisher(element)._replace(description=description)
     elif package == "joint_state_publisher":
         yield _joint_states(element)
     elif package == "tf2_ros" or (package == "tf" and program == "static_transform_publisher"):
@@ -206,19 +214,19 @@ def _spawned_model(reading: Notes, element: Element, words: Sequence[Text]) -> A
         elif option == "-param":
             name = next(rest, ())
             shown += [literal("-topic"), literal(plain(name)) if is_literal(name) else name]
-        elif option in ("-file", "-J"):
-            value = next(rest, ())
-            if option == "-file":
-                shown += [literal("-file"), value]
-            else:
-                next(rest, ())
-                reading.left.append(
-                    (element, "joint positions at the start: set initial_value of the state interfaces")
-                )
-        elif option in _POSES:
+        elif option == "-file" or option in _POSES:
             shown += [literal(option), next(rest, ())]
-        elif option not in ("-urdf", "-sdf", "-unpause", "-wait") or not option:
-            shown += [] if option else [word]
+        elif option == "-J" and is_gz:
+            joint = next(rest, ())
+            next(rest, ())
+            if not is_literal(joint) or plain(joint).rpartition("::")[2] not in target.placed:
+                text = "joint positions at the start: set initial_value of the state interfaces"
+                reading.left.append((element, text))
+        elif option in WITHOUT_SUCCESSOR:
+            values = [next(rest, ()) for _ in range(WITHOUT_SUCCESSOR[option])]
+            shown += [] if is_gz or option in _OF_ROS1 else [word, *values]
+        elif not option:
+            shown.append(word)
     package = target.gz["package"] if is_gz else "gazebo_ros"
     space = element.attrs.get("ns")
     return Action(
@@ -257,8 +265,11 @@ def simulator_actions(reading: Notes, given: Mapping[str, Text]) -> Iterator[Act
         value=parsed(f"$(find {gz['package']})/launch/{gz['launch']}"),
         pairs=((gz["argument"], arguments),),
     )
-    clock = literal(f"/clock@rosgraph_msgs/msg/Clock[{gz['messages']}.Clock")
-    yield Action("node", "parameter_bridge", package=gz["bridge"], words=(clock,))
+    bridge = Action("node", "parameter_bridge", package=gz["bridge"])
+    if target.bridge:
+        yield bridge._replace(pairs=(("config_file", parsed(f"$(find {target.bridge})/{BRIDGE_FILE}")),))
+    else:
+        yield bridge._replace(words=(literal(f"/clock@rosgraph_msgs/msg/Clock[{gz['messages']}.Clock"),))
 
 
 def _server_only(gui: Text) -> Text:
@@ -268,6 +279,17 @@ def _server_only(gui: Text) -> Text:
     if len(gui) == 1 and gui[0].kind == "arg":
         return (PartOfText("eval", f"'' if arg('{gui[0].text}') == 'true' else '-s '"),)
     return ()
+
+
+def _state_publisher(element: Element) -> Action:
+    """robot_state_publisher with the parameters that ROS 2 has (robot_state_publisher README)."""
+    node = _plain(element, "robot_state_publisher", "robot_state_publisher")
+    known = {"publish_frequency": "", "ignore_timestamp": "", "tf_prefix": "/", "frame_prefix": ""}
+    names = {"tf_prefix": "frame_prefix"}
+    given = ((name, value) for name, value in node.pairs if name in known)
+    return node._replace(
+        pairs=tuple((names.get(name, name), joined(value, literal(known[name]))) for name, value in given)
+    )
 
 
 def _joint_states(element: Element) -> Action:

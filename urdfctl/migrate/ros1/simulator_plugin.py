@@ -14,7 +14,6 @@ from urdfctl.migrate.markup import (
     child,
     content,
     element_at,
-    elements,
     end_of,
     indent_of,
     indented,
@@ -26,8 +25,8 @@ from urdfctl.migrate.markup import (
     step_of,
 )
 from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.places import ElementKey, key_of, key_of_element, plugin_elements
 from urdfctl.migrate.ros1.followers import is_mimic_plugin, mimic_plugins
-from urdfctl.migrate.ros1.uses import ElementKey, key_of, key_of_element
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import for_you
 from urdfctl.migrate.wishes import Part
@@ -55,18 +54,6 @@ def _plugins(packages: Packages) -> Iterator[Proposal]:
 def _has_successor(element: Element) -> bool:
     """Whether the file is half migrated: it also has the plugin of ros2_control, and chooses one by an argument."""
     return any(name in element.source.data for name in (b"libgazebo_ros2_control.so", b"gz_ros2_control-system"))
-
-
-def plugin_elements(packages: Packages, *endings: str) -> Iterator[Element]:
-    """Yield the `<plugin>` elements in the XML files, as they are written.
-
-    endings: those of other files to look into, too.
-    """
-    for path in packages.files(*_OF_XML, *endings):
-        source = packages.read(path)
-        root = root_of(source) if b"<plugin" in source.data else None
-        if root is not None and root.tagName in {"robot", "gazebo", "sdf"}:
-            yield from (element for element in elements(root) if element.tagName == "plugin")
 
 
 def _robots_by_plugin(packages: Packages) -> dict[ElementKey, list[LoadedTarget]]:

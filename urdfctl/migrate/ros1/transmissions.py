@@ -8,11 +8,12 @@ from urdfctl.diagnostic import Edit
 from urdfctl.migrate.hardware import HARDWARE_OPTION, simulated_by, system_plugin
 from urdfctl.migrate.markup import attribute, element_at, elements, root_of, step_of
 from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.places import ElementKey, key_of_element
 from urdfctl.migrate.ros1.followers import followers_of
 from urdfctl.migrate.ros1.following import following, idle
 from urdfctl.migrate.ros1.gathering import Component, Gathering, label_of, prefix_of, written_component
 from urdfctl.migrate.ros1.parts import Converted, Unreadable, converted
-from urdfctl.migrate.ros1.uses import ElementKey, Uses, key_of_element
+from urdfctl.migrate.ros1.uses import Uses
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import for_you
 from urdfctl.migrate.wishes import Part

@@ -8,15 +8,13 @@ from collections.abc import Iterator
 from urdfctl.load.loader import LoadedTarget
 from urdfctl.migrate.markup import MACRO, ancestors, element_at, elements, root_of
 from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.places import ElementKey, key_of
 from urdfctl.model.robot import Robot
 from urdfctl.model.transmission import Transmission
 from urdfctl.source.dom import Element
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Call, Place
 from urdfctl.startup.records import NamedTuple
-
-ElementKey = tuple[str, int]
-"""An element as it is written: the real path of its file, and the offset of its start tag."""
 
 _OF_XML = (".xacro", ".urdf", ".gazebo", ".xml", ".inc")
 
@@ -89,16 +87,6 @@ def is_of_ros1(element: Element) -> bool:
 
 def _calls(at: Place) -> Iterator[Call]:
     return at.call.chain() if at.call else iter(())
-
-
-def key_of(at: Place) -> ElementKey:
-    """Return the key of the element at a place."""
-    return os.path.realpath(at.source.path), at.start
-
-
-def key_of_element(element: Element) -> ElementKey:
-    """Return the key of an element."""
-    return os.path.realpath(element.source.path), element.start
 
 
 def unit_of(element: Element) -> Element:

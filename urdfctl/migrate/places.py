@@ -1,0 +1,37 @@
+"""Where elements are written, and the plugins in the XML files of the packages."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+
+from urdfctl.migrate.markup import elements, root_of
+from urdfctl.migrate.packages import Packages
+from urdfctl.source.dom import Element
+from urdfctl.source.span import Place
+
+_OF_XML = (".xacro", ".urdf", ".gazebo", ".xml", ".inc")
+ElementKey = tuple[str, int]
+"""An element as it is written: the real path of its file, and the offset of its start tag."""
+
+
+def key_of(at: Place) -> ElementKey:
+    """Return the key of the element at a place."""
+    return os.path.realpath(at.source.path), at.start
+
+
+def key_of_element(element: Element) -> ElementKey:
+    """Return the key of an element."""
+    return os.path.realpath(element.source.path), element.start
+
+
+def plugin_elements(packages: Packages, *endings: str) -> Iterator[Element]:
+    """Yield the `<plugin>` elements in the XML files, as they are written.
+
+    endings: those of other files to look into, too.
+    """
+    for path in packages.files(*_OF_XML, *endings):
+        source = packages.read(path)
+        root = root_of(source) if b"<plugin" in source.data else None
+        if root is not None and root.tagName in {"robot", "gazebo", "sdf"}:
+            yield from (element for element in elements(root) if element.tagName == "plugin")
