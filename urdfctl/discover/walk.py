@@ -59,7 +59,8 @@ class reading_instead:  # noqa: N801 (a context manager, read as a verb)
 def text_of(path: str) -> bytes:
     """Return the text of a file, as far as discovery needs it."""
     if _INSTEAD[-1] and (real := os.path.realpath(path)) in _INSTEAD[-1]:
-        return _INSTEAD[-1][real]
+        text = _INSTEAD[-1][real]
+        return text if len(text) <= _MAX_BYTES else b"<robot "
     try:
         if os.path.getsize(path) > _MAX_BYTES:
             return b"<robot "  # the loader reports why it cannot be read

@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
+import io
 import os
-import re
 from collections.abc import Callable, Sequence
 
 from lsprotocol import types
 from pygls import uris
 
 from urdfctl.diagnostic import Location
-from urdfctl.source.files import first_bytes
+from urdfctl.source.files import MAX_BYTES, first_bytes
 from urdfctl.startup.hints import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from pygls.workspace import PositionCodec
-
-_MAX_BYTES = 16 << 20
 
 
 def path_of(uri: str) -> str | None:
@@ -32,17 +30,27 @@ def uri_of(path: str) -> str:
 
 def _lines(data: bytes) -> list[str]:
     """Part a text where the protocol does: at LF, CRLF and CR, and not at a form feed."""
-    return re.split(r"(?<=\n)|(?<=\r)(?!\n)", data.decode("utf-8", "replace").removeprefix("\ufeff"))
+    lines = list(io.StringIO(data.decode("utf-8", "replace").removeprefix("\ufeff"), newline=""))
+    return lines if lines and not lines[-1].endswith(("\n", "\r")) else [*lines, ""]
+
+
+_ENCODINGS = {
+    types.PositionEncodingKind.Utf8: ("utf-8", 1),
+    types.PositionEncodingKind.Utf16: ("utf-16-le", 2),
+    types.PositionEncodingKind.Utf32: ("utf-32-le", 4),
+}
+"""For each unit of an editor's positions, the encoding and its size in bytes."""
 
 
 class Positions:
-    """Converts positions in files.
+    """Converts positions in files. The codec's own functions take seconds for a line of a megabyte.
 
     text_of: returns the open text of a file, by its real path; None if it is not open.
     """
 
     def __init__(self, codec: PositionCodec, text_of: Callable[[str], bytes | None]) -> None:
-        self._codec, self._text_of = codec, text_of
+        self._encoding, self._size = _ENCODINGS[types.PositionEncodingKind(codec.encoding)]
+        self._text_of = text_of
         self._lines: dict[str, Sequence[str]] = {}
 
     def lines(self, path: str) -> Sequence[str]:
@@ -52,7 +60,7 @@ class Positions:
             data = self._text_of(real)
             if data is None:
                 try:
-                    data = first_bytes(real, _MAX_BYTES)
+                    data = first_bytes(real, MAX_BYTES)
                 except OSError:
                     data = b""
             self._lines[real] = _lines(data)
@@ -60,23 +68,30 @@ class Positions:
 
     def range_of(self, at: Location) -> types.Range:
         """Return the range of a location, in the editor's units."""
-        return self._codec.range_to_client_units(
-            self.lines(at.file),
-            types.Range(
-                types.Position(at.line - 1, at.column - 1),
-                types.Position(at.end_line - 1, at.end_column - 1),
-            ),
-        )
+        start = self.position_of(at.file, at.line, at.column)
+        return types.Range(start, self.position_of(at.file, at.end_line, at.end_column))
 
     def position_of(self, path: str, line: int, column: int) -> types.Position:
         """Return the editor's position for a line and a column, both from 1, in code points."""
-        return self._codec.position_to_client_units(self.lines(path), types.Position(line - 1, column - 1))
+        lines = self.lines(path)
+        if line > len(lines):
+            return types.Position(len(lines), 0)
+        return types.Position(line - 1, self._units(lines[line - 1][: column - 1]))
 
     def location_of(self, at: Location) -> types.Location:
         """Return a location with its file, in the editor's units."""
         return types.Location(uri_of(at.file), self.range_of(at))
 
     def line_and_column(self, path: str, position: types.Position) -> tuple[int, int]:
-        """Return the line and the column of an editor's position, both from 1, in code points."""
-        found = self._codec.position_from_client_units(self.lines(path), position)
-        return found.line + 1, found.character + 1
+        """Return the line and the column of an editor's position, both from 1, in code points: at most the end."""
+        lines = self.lines(path)
+        line = min(position.line, len(lines) - 1)
+        text = lines[line].rstrip("\r\n")
+        return line + 1, 1 + (self._points(text, position.character) if line == position.line else len(text))
+
+    def _units(self, text: str) -> int:
+        return len(text) if text.isascii() else len(text.encode(self._encoding)) // self._size
+
+    def _points(self, text: str, units: int) -> int:
+        """How many code points are in the first units of a text."""
+        return len(text[:units].encode(self._encoding)[: units * self._size].decode(self._encoding, "ignore"))

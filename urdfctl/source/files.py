@@ -104,6 +104,8 @@ class Files:
         self._check_bounds(resolved)
         if resolved not in self._texts:
             held = self._held.get(os.path.realpath(resolved)) if self._held else None
+            if held is not None:
+                _check_size(resolved, len(held))
             self._texts[resolved] = SourceText(_shown(resolved), _bytes_of(resolved) if held is None else held)
         return self._texts[resolved]
 
@@ -135,6 +137,12 @@ def _shown(path: str) -> str:
     return os.path.normpath(path)
 
 
+def _check_size(path: str, size: int) -> None:
+    if size > MAX_BYTES:
+        message = f"'{path}' has {size >> 20} MiB; the limit is {MAX_BYTES >> 20} MiB"
+        raise FileProblem(ProblemKind.BUDGET, path, message)
+
+
 def _bytes_of(path: str) -> bytes:
     try:
         info = os.stat(path)
@@ -142,9 +150,7 @@ def _bytes_of(path: str) -> bytes:
             raise FileProblem(ProblemKind.FILE_UNREADABLE, path, f"'{path}' is a folder, not a file")
         if not stat.S_ISREG(info.st_mode):
             raise FileProblem(ProblemKind.FILE_UNREADABLE, path, f"'{path}' is not a regular file")
-        if info.st_size > MAX_BYTES:
-            message = f"'{path}' has {info.st_size >> 20} MiB; the limit is {MAX_BYTES >> 20} MiB"
-            raise FileProblem(ProblemKind.BUDGET, path, message)
+        _check_size(path, info.st_size)
         with open(path, "rb") as file:
             data = file.read(MAX_BYTES + 1)
     except FileNotFoundError:
