@@ -10,15 +10,12 @@ from urdfctl.cli.writing import print_message, print_text, write_file
 from urdfctl.errors import UserError
 from urdfctl.graph.job import graph_for
 from urdfctl.graph.parts import Graph
-from urdfctl.graph.view import collapsed, focused
+from urdfctl.graph.view import collapsed, focused, readable
 from urdfctl.report.common import as_json, shown
 from urdfctl.startup.hints import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfctl.cli.see_options import GraphOptions
-
-_MOST_JOINTS = 30
-"""With more joints, drawings show those with the same wiring as one, unless the user says otherwise."""
 
 
 def run_graph(options: GraphOptions) -> int:
@@ -49,9 +46,8 @@ def run_graph(options: GraphOptions) -> int:
 
 
 def _reduced(graph: Graph, output: str, *, wanted: bool | None) -> Graph:
-    joints = sum(node.kind == "joint" for node in graph.nodes)
     if wanted is None:
-        wanted = output != "json" and joints > _MOST_JOINTS
+        return graph if output == "json" else readable(graph)
     return collapsed(graph) if wanted else graph
 
 

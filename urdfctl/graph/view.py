@@ -8,6 +8,14 @@ from urdfctl.names import did_you_mean
 
 _ALIKE = ("joint", "command", "state")
 _NAMED = 3
+_MOST_JOINTS = 30
+"""With more joints, drawings show those with the same wiring as one, unless the user says otherwise."""
+
+
+def readable(graph: Graph) -> Graph:
+    """Return a graph as a drawing shows it: joints with the same wiring are one if there are many."""
+    joints = sum(node.kind == "joint" for node in graph.nodes)
+    return collapsed(graph) if joints > _MOST_JOINTS else graph
 
 
 def focused(graph: Graph, name: str) -> Graph:

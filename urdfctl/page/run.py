@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.graph.svg import STYLE, svg
-from urdfctl.graph.view import collapsed
+from urdfctl.graph.view import readable
 from urdfctl.lint.results import TargetResult
 from urdfctl.page.chart import chart
 from urdfctl.page.drawing import drawing
@@ -20,8 +20,6 @@ from urdfctl.view.html import part_values
 from urdfctl.view.job import Portrait
 
 _ORDER = (Verdict.FAILED, Verdict.WARNED, Verdict.SKIPPED, Verdict.PASSED)
-_MOST_JOINTS = 30
-"""With more joints, the graph shows those with the same wiring as one."""
 
 
 class RunFacts(NamedTuple):
@@ -85,8 +83,8 @@ def _how(result: TargetResult) -> str:
 
 def _robot(title: str, facts: str, portrait: Portrait) -> dict[str, Any]:
     graph = portrait.graph
-    if graph is not None and sum(node.kind == "joint" for node in graph.nodes) > _MOST_JOINTS:
-        graph = collapsed(graph)
+    if graph is not None:
+        graph = readable(graph)
     return {
         "title": visible(title),
         "how": visible(facts),

@@ -47,9 +47,7 @@ def portraits(
 
     in_3d: whether to make scenes; by default if the libraries are installed.
     """
-    wanted = installed() if in_3d is None else in_3d
-    most = MOST_TRIANGLES // max(1, len(targets))
-    details = {"in_3d": wanted, "most": most, "seconds": settings.timeout * _SHARE}
+    details = portrait_details(settings, len(targets), in_3d=installed() if in_3d is None else in_3d)
     results = run_on_targets(
         portrait_work, targets, settings, details=[details] * len(targets), workers=Workers(parallel=parallel)
     )
@@ -59,6 +57,11 @@ def portraits(
             yield Portrait(graph, result["scene"], result["outline"])
         else:
             yield Portrait(failure=result.reason, crashed=result.our_fault)
+
+
+def portrait_details(settings: Settings, count: int = 1, *, in_3d: bool = True) -> dict[str, Any]:
+    """Return what `portrait_work` needs for each of `count` targets on a page."""
+    return {"in_3d": in_3d, "most": MOST_TRIANGLES // max(1, count), "seconds": settings.timeout * _SHARE}
 
 
 def portrait_work(work: Work) -> dict[str, Any]:
