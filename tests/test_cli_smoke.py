@@ -49,6 +49,13 @@ def test_a_broken_sample_fails(name: str) -> None:
     assert " failed   " in done.stdout
 
 
+@needs_pybullet
+def test_progress_is_told_without_a_terminal_if_it_is_asked_for(folder: Folder) -> None:
+    words = ("smoke", str(SAMPLES / "my_robot"), "--engine", "pybullet")
+    assert folder.run(*words).stderr == ""
+    assert "[1/2] " in folder.run(*words, "--progress").stderr
+
+
 def test_quiet_shows_only_the_findings_and_statistics_count_them() -> None:
     sample = SAMPLES / "broken" / "mybot"
     whole, quiet = smoke(sample, *NONE), smoke(sample, *NONE, "-q", "--statistics")

@@ -158,6 +158,13 @@ class SmokeOptions(CheckOptions):
         str | None, typer.Option(help="YAML file with your own targets, trajectories, tolerances and start pose.")
     ] = None
     duration: Annotated[float, typer.Option(help="Seconds of simulation for each controller.")] = 2.0
+    progress: Annotated[
+        bool | None,
+        typer.Option(
+            "--progress/--no-progress",
+            help="Print a line on standard error for each controller that was simulated. Default: on terminals.",
+        ),
+    ] = None
     gui: Annotated[bool, typer.Option("--gui", help="Show pybullet's window.")] = False
     timeout: Annotated[float, typer.Option(help="Processor time for one robot, in seconds.")] = 30.0
     formats: Annotated[

@@ -65,7 +65,7 @@ def run_smoke(options: SmokeOptions) -> int:
         duration=options.duration,
         gui=options.gui,
         tasks=read_tasks(options.tasks) if options.tasks is not None else None,
-        live=sys.stderr.isatty() and os.environ.get("TERM") != "dumb",
+        live=_is_terminal() if options.progress is None else options.progress,
     )
     plan = _plan(words, config, options)
     if not plan and options.shard is None:
@@ -103,6 +103,10 @@ def run_smoke(options: SmokeOptions) -> int:
     if report.is_interrupted:
         return INTERRUPTED
     return 0 if options.exit_zero else _status(report)
+
+
+def _is_terminal() -> bool:
+    return sys.stderr.isatty() and os.environ.get("TERM") != "dumb"
 
 
 def _status(report: SmokeReport) -> int:
