@@ -30,7 +30,7 @@ def hover(question: Question) -> str | None:
 
 
 def _name(question: Question) -> Iterator[str]:
-    around = NamesAround(question)
+    around = NamesAround(question._replace(robots=question.shown))
     if around.at is None:
         return
     for name in {(one.kind, one.text): one for one in around.all if one.span == around.at.span}.values():

@@ -21,7 +21,7 @@ class Evaluated(NamedTuple):
 class Question(NamedTuple):
     """A place that an editor asks about.
 
-    robots: those that read the file, the one that says most first.
+    robots: those that read the file, the one that says most first, after the variant that was chosen.
     source: the file as it is open; its path is as the robots read it.
     line, column: from 1, in code points.
     """
@@ -32,6 +32,13 @@ class Question(NamedTuple):
     column: int
     is_current: bool = True
     """Whether the robots were read from the texts as they are; a text that cannot be parsed now was read before."""
+    is_chosen: bool = False
+    """Whether the user chose the first robot: only its values are shown."""
+
+    @property
+    def shown(self) -> Sequence[LoadedTarget]:
+        """The robots whose values are shown."""
+        return self.robots[:1] if self.is_chosen else self.robots
 
     @property
     def file(self) -> str:
@@ -53,8 +60,8 @@ class Question(NamedTuple):
         return span.file == self.file and span.start <= self.offset <= span.end
 
     def evaluated(self) -> Iterator[Evaluated]:
-        """Yield the attributes of the file that have expressions, for each robot and each call of a macro."""
-        for robot in self.robots:
+        """Yield the attributes of the file that have expressions, for each robot shown and each call of a macro."""
+        for robot in self.shown:
             pending = [robot.root] if robot.root is not None else []
             while pending:
                 element = pending.pop()

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import asyncio
 import os
-from collections.abc import Callable, Iterable
+import tempfile
+from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from typing import Any
 
@@ -14,12 +15,14 @@ from pygls.lsp.server import LanguageServer
 from urdfctl import __version__
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.errors import UserError
+from urdfctl.lint.results import TargetResult
 from urdfctl.server.checking import Checking
 from urdfctl.server.diagnostics import shown_diagnostic
 from urdfctl.server.folders import FoundByFolder
 from urdfctl.server.positions import Positions, path_of, uri_of
 from urdfctl.server.question import Question
 from urdfctl.server.workspace import Checked, Wishes, Workspace
+from urdfctl.source.files import MAX_BYTES, first_bytes
 from urdfctl.source.span import SourceText
 
 
@@ -33,7 +36,10 @@ class Window(LanguageServer):
         self._loop: asyncio.AbstractEventLoop | None = None
         self._folders: tuple[str, ...] = ()
         self._found = FoundByFolder(())
-        self._robots: dict[str, list[dict[str, Any]]] = {}
+        self._tested: dict[str, tuple[Diagnostic, ...]] = {}
+        self._changes = 0
+        self._temporary: tempfile.TemporaryDirectory[str] | None = None
+        self.can_pick = False
         self._wishes = Wishes()
 
     # -- the workspace -------------------------------------------------------------------------------------------------
@@ -47,7 +53,7 @@ class Window(LanguageServer):
             self.checking.end()
         self._loop = asyncio.get_running_loop()
         self._folders, self._wishes = tuple(dict.fromkeys(map(os.path.realpath, folders))), wishes
-        self._found, self._robots, self.checking = FoundByFolder(self._folders), {}, None
+        self._found, self.checking = FoundByFolder(self._folders), None
         checking = Checking(self._opened, partial(self._take, self._found))
         if not checking.workspaces:
             self._show(set(self.findings))
@@ -76,12 +82,27 @@ class Window(LanguageServer):
         path = path_of(uri)
         if path is None:
             return
+        if text is not None and path in self._tested and text.encode("utf-8", "surrogatepass") != _on_disk(path):
+            del self._tested[path]
         if not self._folders:
             self.begin([os.path.dirname(path)], self._wishes)
             return
         data = None if text is None else text.encode("utf-8", "surrogatepass")
         if self.checking is not None:
             self.checking.change(lambda workspace: workspace.changed(path, data), near=path)
+
+    def temporary_folder(self) -> str:
+        """Return a folder for files that are shown; it is deleted when the server ends."""
+        if self._temporary is None:
+            self._temporary = tempfile.TemporaryDirectory(prefix="urdfctl-")
+        return self._temporary.name
+
+    def end(self) -> None:
+        """Lint nothing more, and leave no temporary files."""
+        if self.checking is not None:
+            self.checking.end()
+        if self._temporary is not None:
+            self._temporary.cleanup()
 
     def positions(self) -> Positions:
         """Return what converts positions, as the texts are now."""
@@ -93,14 +114,37 @@ class Window(LanguageServer):
         path = path_of(uri)
         if path is None or self.checking is None:
             return None
-        robots = self.checking.workspace_of(path).robots_with(path)
+        workspace = self.checking.workspace_of(path)
+        robots, is_chosen = workspace.robots_with(path), workspace.chosen(path) is not None
         sources = [source for robot in robots for source in robot.sources.values()]
         read = next((one for one in sources if os.path.realpath(one.path) == path), None)
         text = self.workspace.get_text_document(uri).source.encode("utf-8", "surrogatepass")
         line, column = self.positions().line_and_column(path, position)
         if read is not None and read.data == text:
-            return Question(robots, read, line, column)
-        return Question(robots, SourceText(read.path if read else path, text), line, column, is_current=False)
+            return Question(robots, read, line, column, is_chosen=is_chosen)
+        source = SourceText(read.path if read else path, text)
+        return Question(robots, source, line, column, is_current=False, is_chosen=is_chosen)
+
+    def unsaved(self) -> set[str]:
+        """Return the real paths of the open files whose text differs from that on disk."""
+        found = set()
+        for uri, document in dict(self.workspace.text_documents).items():
+            path = path_of(uri)
+            if path is not None and document.source.encode("utf-8", "surrogatepass") != _on_disk(path):
+                found.add(path)
+        return found
+
+    def log(self, text: str) -> None:
+        """Write to the editor's log of the server."""
+        self.window_log_message(types.LogMessageParams(types.MessageType.Info, text))
+
+    def refresh(self) -> None:
+        """Let the editor ask again for what it shows in files: another variant is shown."""
+        workspace = self.client_capabilities.workspace
+        if workspace and workspace.inlay_hint and workspace.inlay_hint.refresh_support:
+            self.workspace_inlay_hint_refresh(None)
+        if workspace and workspace.code_lens and workspace.code_lens.refresh_support:
+            self.workspace_code_lens_refresh(None)
 
     # -- findings ------------------------------------------------------------------------------------------------------
 
@@ -113,17 +157,34 @@ class Window(LanguageServer):
         if found is not self._found:  # by a thread whose folders are not shown any more
             return
         found.take(checked)
-        if checked.is_whole:
-            self._robots[checked.folder] = list(_robots(checked))
+        self._changes = changes
         self._show(found.files() | checked.files | set(self.findings if is_last else ()))
-        robots = [robot for robots in self._robots.values() for robot in robots]
-        self.protocol.notify("urdfctl/checked", {"whole": is_last, "changes": changes, "robots": robots})
+        self.tell_robots(is_whole=is_last)
+
+    def tell_robots(self, *, is_whole: bool = True) -> None:
+        """Tell the editor what was linted, for its status item. is_whole: whether that are all folders."""
+        workspaces = self.checking.workspaces if self.checking else ()
+        robots = [_robot(result, is_shown) for one in workspaces for result, is_shown in one.robots() if result.robot]
+        self.protocol.notify("urdfctl/checked", {"whole": is_whole, "changes": self._changes, "robots": robots})
+
+    def take_tested(self, findings: Mapping[str, tuple[Diagnostic, ...]]) -> None:
+        """Show the findings of a smoke test instead of those of the last one. In a file that is changed they end."""
+        concerned = {*self._tested, *findings}
+        self._tested = dict(findings)
+        self._show(concerned)
+
+    def _findings(self, path: str) -> tuple[Diagnostic, ...]:
+        """The findings in a file, and those of a smoke test that lint does not have."""
+        found = self._found.of(path)
+        known = {(finding.code, finding.at.line, finding.at.column) for finding in found}
+        more = (one for one in self._tested.get(path, ()) if (one.code, one.at.line, one.at.column) not in known)
+        return (*found, *more)
 
     def _show(self, files: Iterable[str]) -> None:
         """Send the findings in some files, if they are not known to the editor."""
         positions = self.positions()
         for path in sorted(files):
-            findings = self._found.of(path)
+            findings = self._findings(path)
             if findings != self.findings.get(path, ()):
                 self._send(path, findings, positions)
 
@@ -133,17 +194,22 @@ class Window(LanguageServer):
         self.text_document_publish_diagnostics(types.PublishDiagnosticsParams(uri_of(path), shown))
 
 
-def _robots(checked: Checked) -> Iterable[dict[str, Any]]:
-    """The robots of a workspace, for the editor's status item."""
-    for result in checked.run.robots:
-        if result.robot is not None:
-            yield {
-                "file": result.path,
-                "robot": result.robot,
-                "arguments": dict(result.arguments),
-                "launch": result.launch,
-                "distro": result.distro,
-                "distro_from": result.distro_from,
-                "simulator": result.simulator,
-                "files": list(result.files),
-            }
+def _on_disk(path: str) -> bytes | None:
+    try:
+        return first_bytes(path, MAX_BYTES)
+    except OSError:
+        return None
+
+
+def _robot(result: TargetResult, is_shown: bool) -> dict[str, Any]:  # noqa: FBT001
+    return {
+        "file": result.path,
+        "robot": result.robot,
+        "arguments": dict(result.arguments),
+        "launch": result.launch,
+        "distro": result.distro,
+        "distro_from": result.distro_from,
+        "simulator": result.simulator,
+        "files": list(result.files),
+        "shown": is_shown,
+    }

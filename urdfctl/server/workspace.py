@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 
 from urdfctl.config.file import config_for, with_environ
 from urdfctl.config.settings import Settings, passed_on, settings_with
@@ -17,6 +17,7 @@ from urdfctl.lint.results import TargetResult
 from urdfctl.lint.selection import Selection, selection_with
 from urdfctl.load.loader import LoadedTarget, Loader
 from urdfctl.load.target import Target
+from urdfctl.server.variants import Variant, variants_among
 from urdfctl.source.packages import package_around
 from urdfctl.startup.records import NamedTuple
 
@@ -96,6 +97,7 @@ class Workspace:
         self._run: LintRun | None = None
         self._loaded: tuple[object, list[LoadedTarget]] | None = None
         self._edition = 0
+        self._chosen: list[Target] = []
         self._whole: dict[Target, LoadedTarget] = {}
         self._linter = LiveLinter(self.settings, self._selection, self.texts, is_outdated)
 
@@ -126,16 +128,47 @@ class Workspace:
         self._edition += 1
         self._linter = LiveLinter(self.settings, self._selection, dict(self.texts), self._is_outdated)
 
-    def robots_with(self, path: str) -> list[LoadedTarget]:
-        """Return the robots that read a file, as they were found last: the one that says most first.
+    def variants(self, path: str) -> list[Variant]:
+        """Return the variants of the robots that read a file, as they were found last: the one that says most first."""
+        return variants_among(self._pairs_with(path), self.folder)
 
-        Of a file that no robot reads, it is what the file is by itself.
-        """
+    def choose(self, path: str, target: Target | None) -> None:
+        """Show a variant of the robots that read a file from now on; all of them if None."""
+        others = {variant.target for variant in self.variants(path)}
+        kept = [one for one in self._chosen if one not in others]
+        self._chosen = kept if target is None else [target, *kept]
+
+    def chosen(self, path: str) -> Target | None:
+        """Return the variant that was chosen last of those that read a file; None if none was."""
+        targets = {target for target, _ in self._pairs_with(path)}
+        return next((target for target in self._chosen if target in targets), None)
+
+    def robots(self) -> Iterator[tuple[TargetResult, bool]]:
+        """Yield the robots that were found last, each with whether it is a variant that was chosen."""
+        run = self._run or LintRun([], [])
+        known = {id(result) for result in run.robots}
+        yield from ((result, target in self._chosen) for target, result in run.targets if id(result) in known)
+
+    def _pairs_with(self, path: str) -> list[tuple[Target, TargetResult]]:
+        """What was linted last and reads a file, with what it is: what says most first."""
         real = os.path.realpath(path)
         pairs = self._run.targets if self._run else []
         found = [pair for pair in pairs if real in map(os.path.realpath, pair[1].files)]
-        targets = [target for target, _ in sorted(found, key=lambda pair: _weight(pair[1]), reverse=True)]
-        chosen = targets[:_MOST_ROBOTS] or [Target(real)]
+        return sorted(found, key=lambda pair: _weight(pair[1]), reverse=True)
+
+    def target_with(self, path: str) -> Target:
+        """Return the target that says most about a file: the variant that was chosen, if one was."""
+        pairs = self._pairs_with(path)
+        return self.chosen(path) or next((target for target, _ in pairs), Target(os.path.realpath(path)))
+
+    def robots_with(self, path: str) -> list[LoadedTarget]:
+        """Return the robots that read a file, as they were found last: the one that says most first, after the variant
+        that was chosen.
+
+        Of a file that no robot reads, it is what the file is by itself.
+        """
+        first, others = self.target_with(path), [target for target, _ in self._pairs_with(path)]
+        chosen = list(dict.fromkeys([first, *others]))[:_MOST_ROBOTS]
         key = tuple(chosen), self._edition
         if self._loaded is None or self._loaded[0] != key:
             loader = Loader(self.settings, dict(self.texts))

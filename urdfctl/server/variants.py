@@ -1,0 +1,65 @@
+"""The variants of a robot: with each choice of its arguments that `[[robot]]` or a launch file makes."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Sequence
+
+from urdfctl.lint.results import TargetResult
+from urdfctl.load.target import Target
+from urdfctl.startup.hints import Any
+from urdfctl.startup.records import NamedTuple
+
+
+class Variant(NamedTuple):
+    """A robot with some arguments, as something starts it.
+
+    title: what tells it from the other variants: the arguments that differ, and the launch file.
+    arguments: all xacro arguments that the description is given.
+    """
+
+    target: Target
+    title: str
+    robot: str
+    file: str
+    arguments: tuple[tuple[str, str], ...]
+    launch: str | None
+
+    def to_json(self, *, is_shown: bool) -> dict[str, Any]:
+        """Return the variant as the editor gets it; `target` is what it chooses the variant by."""
+        return {
+            "title": self.title,
+            "robot": self.robot,
+            "file": self.file,
+            "arguments": dict(self.arguments),
+            "launch": self.launch,
+            "target": self.target._asdict(),
+            "shown": is_shown,
+        }
+
+
+def variants_among(pairs: Iterable[tuple[Target, TargetResult]], folder: str) -> list[Variant]:
+    """Return the variants of the robots among some results, each once, in order. folder: titles name files from it."""
+    found: dict[tuple[object, ...], tuple[Target, TargetResult]] = {}
+    for target, result in pairs:
+        if result.robot is not None and not result.library:
+            found.setdefault((result.path, result.arguments, result.launch), (target, result))
+    results = [result for _, result in found.values()]
+    return [
+        Variant(
+            target=target,
+            title=_title(result, results, folder),
+            robot=result.robot or "",
+            file=result.path,
+            arguments=result.arguments,
+            launch=result.launch,
+        )
+        for target, result in found.values()
+    ]
+
+
+def _title(result: TargetResult, among: Sequence[TargetResult], folder: str) -> str:
+    same = [dict(other.arguments) for other in among if other.path == result.path]
+    given = (f"{name}:={value}" for name, value in result.arguments if any(other.get(name) != value for other in same))
+    launch = f"({os.path.relpath(result.launch, folder)})" if result.launch else ""
+    return " ".join(part for part in (result.robot, *given, launch) if part)
