@@ -25,10 +25,17 @@ Result = TypeVar("Result")
 class Editor:
     """One window with one folder."""
 
-    def __init__(self, folder: Path, encodings: list[str] | None = None, wishes: object = None) -> None:
+    def __init__(
+        self,
+        folder: Path,
+        encodings: list[str] | None = None,
+        wishes: object = None,
+        can: types.ClientCapabilities | None = None,
+    ) -> None:
         self.folder = folder
         self.encodings = encodings
         self.wishes = wishes
+        self.can = can or types.ClientCapabilities()
         self.client = LanguageClient("editor", "1")
         self.findings: dict[Path, list[types.Diagnostic]] = {}
         self.robots: list[Any] = []
@@ -60,11 +67,11 @@ class Editor:
         """Start the server of this checkout and show it the folder."""
         code = "import sys; from urdfctl.__main__ import main; sys.argv = ['urdfctl', 'server']; sys.exit(main())"
         await self.client.start_io(sys.executable, "-c", code, env=self.environment())
-        general = types.GeneralClientCapabilities(position_encodings=self.encodings)  # type: ignore[arg-type]
+        self.can.general = types.GeneralClientCapabilities(position_encodings=self.encodings)  # type: ignore[arg-type]
         folder = types.WorkspaceFolder(self.folder.as_uri(), "folder")
         result = await self.client.initialize_async(
             types.InitializeParams(
-                capabilities=types.ClientCapabilities(general=general),
+                capabilities=self.can,
                 process_id=os.getpid(),
                 initialization_options=self.wishes,
                 workspace_folders=[folder],
@@ -163,11 +170,12 @@ def in_editor(
     use: Callable[[Editor], Awaitable[Result]],
     encodings: list[str] | None = None,
     wishes: object = None,
+    can: types.ClientCapabilities | None = None,
 ) -> Result:
     """Return what `use` returns for an editor that shows a folder."""
 
     async def run() -> Result:
-        editor = Editor(folder.resolve(), encodings, wishes)
+        editor = Editor(folder.resolve(), encodings, wishes, can)
         await editor.start()
         try:
             return await use(editor)

@@ -31,7 +31,7 @@ def test_a_position_and_back_is_the_same_place(
     assert found.line_and_column("r.urdf", position) == (line, column)
 
 
-@pytest.mark.parametrize(("unit", "end"), zip(UNITS, (7, 5, 4), strict=True))
+@pytest.mark.parametrize(("unit", "end"), list(zip(UNITS, (7, 5, 4), strict=True)))
 def test_a_sign_outside_of_the_basic_plane_has_the_units_of_the_editor(
     unit: types.PositionEncodingKind, end: int
 ) -> None:

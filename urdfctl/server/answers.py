@@ -13,6 +13,7 @@ from urdfctl.report.rule_explanation import rule_explanation
 from urdfctl.rules import all_rules
 from urdfctl.server.actions import EXPLAIN, FIX_ALL, actions_at, edit_of
 from urdfctl.server.completion import items_at
+from urdfctl.server.dialogue import show_page
 from urdfctl.server.hover import hover
 from urdfctl.server.navigation import NamesAround, definitions, references, renamed
 from urdfctl.server.positions import path_of
@@ -59,10 +60,12 @@ def _about_findings(server: Window) -> None:
         return actions_at(found, params.range, window.positions(), wanted)
 
     @server.command(EXPLAIN)
-    def explain(window: Window, code: str) -> str:
+    async def explain(window: Window, code: str) -> str:
         rule = next((rule for rule in all_rules() if rule.code == code), None)
-        text = rule_explanation(rule) if rule else f"urdfctl has no rule {code}"
-        window.window_show_message(types.ShowMessageParams(types.MessageType.Info, text))
+        if rule is None:
+            raise JsonRpcInvalidParams(f"urdfctl has no rule {code}")
+        text = rule_explanation(rule)
+        await show_page(window, f"{code}.txt", text, instead=text)
         return text
 
 

@@ -9,6 +9,8 @@ from lsprotocol import types
 
 from urdfctl.config.file import NAMES
 from urdfctl.server.answers import answer_questions
+from urdfctl.server.commands import answer_commands
+from urdfctl.server.lenses import answer_lenses
 from urdfctl.server.positions import path_of
 from urdfctl.server.window import Window
 from urdfctl.server.workspace import Wishes, Workspace
@@ -22,6 +24,8 @@ def make_server() -> Window:
     _begin(server)
     _follow_texts(server)
     answer_questions(server)
+    answer_commands(server)
+    answer_lenses(server)
     return server
 
 
@@ -30,8 +34,10 @@ def _begin(server: Window) -> None:
     wishes: list[Wishes] = []
 
     @server.feature(types.INITIALIZE)
-    def asked(_: Window, params: types.InitializeParams) -> None:
-        wishes.append(Wishes.from_json(params.initialization_options))
+    def asked(ls: Window, params: types.InitializeParams) -> None:
+        options = params.initialization_options
+        wishes.append(Wishes.from_json(options))
+        ls.can_pick = isinstance(options, dict) and options.get("pick") is True
 
     @server.feature(types.INITIALIZED)
     def initialized(ls: Window, _: types.InitializedParams) -> None:
@@ -83,8 +89,7 @@ def _follow_texts(server: Window) -> None:
 
     @server.feature(types.SHUTDOWN)
     def ended(ls: Window, *_: object) -> None:
-        if ls.checking is not None:
-            ls.checking.end()
+        ls.end()
 
 
 def _watch(server: Window) -> None:
