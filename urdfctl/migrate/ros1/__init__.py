@@ -6,10 +6,12 @@ from urdfctl.migrate.ros1.classic_plugins import PLUGINS
 from urdfctl.migrate.ros1.controllers_yaml import CONTROLLERS
 from urdfctl.migrate.ros1.launch_files import LAUNCH_FILES
 from urdfctl.migrate.ros1.manifest import MANIFEST
+from urdfctl.migrate.ros1.moveit_files import MOVEIT_FILES
+from urdfctl.migrate.ros1.moveit_launch import MOVEIT_LAUNCH
 from urdfctl.migrate.ros1.simulator_plugin import MIMIC_PLUGINS, SIMULATOR_PLUGIN
 from urdfctl.migrate.ros1.transmissions import TRANSMISSIONS
 from urdfctl.migrate.step import Step
 
-ROBOT_STEPS: tuple[Step, ...] = (MIMIC_PLUGINS, TRANSMISSIONS, SIMULATOR_PLUGIN, PLUGINS, CONTROLLERS)
-PACKAGE_STEPS: tuple[Step, ...] = (LAUNCH_FILES, MANIFEST)
+ROBOT_STEPS: tuple[Step, ...] = (MIMIC_PLUGINS, TRANSMISSIONS, SIMULATOR_PLUGIN, PLUGINS, MOVEIT_FILES, CONTROLLERS)
+PACKAGE_STEPS: tuple[Step, ...] = (MOVEIT_LAUNCH, LAUNCH_FILES, MANIFEST)
 STEPS: tuple[Step, ...] = (*ROBOT_STEPS, *PACKAGE_STEPS)

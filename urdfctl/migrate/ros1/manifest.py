@@ -40,6 +40,7 @@ _NEW_NAMES: Mapping[str, tuple[str, ...]] = {
     "rostest": (),
     "roslint": (),
     "catkin": (),
+    "moveit_fake_controller_manager": (),
 }
 """By name in ROS 1: the packages of ROS 2 that take its place. Others keep their name."""
 _NAMED_IN_LAUNCH = r"(?:FindPackageShare\(|find-pkg-share |package=|pkg=)['\"]?([\w-]+)"
@@ -219,6 +220,7 @@ def _needed(packages: Packages, folder: str) -> Iterator[str]:
         if path.endswith(_LAUNCHES):
             yield from re.findall(_NAMED_IN_LAUNCH, text)
             yield from ["xacro"] if "xacro " in text else []
+            yield from ["moveit_configs_utils"] if "moveit_configs_utils" in text else []
         elif path.endswith(".yaml"):
             types = re.findall(r"(?m)^\s+type:\s*['\"]?(\w+/\w+)", text)
             yield from (kind.package for name in types if (kind := catalog.controller(name, packages.wishes.target)))

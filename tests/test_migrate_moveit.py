@@ -1,0 +1,148 @@
+"""What a migration from ROS 1 makes of a package of MoveIt's Setup Assistant."""
+
+from __future__ import annotations
+
+import pytest
+from folder import Folder
+from test_migrate_ros1 import MANIFEST, arm, transmission
+
+SRDF = '<robot name="arm">\n  <group name="all"><joint name="shoulder"/></group>\n</robot>\n'
+KINEMATICS = "all:\n  kinematics_solver: kdl_kinematics_plugin/KDLKinematicsPlugin\n"
+LIST = """\
+controller_list:
+  - name: arm/ctl
+    action_ns: follow_joint_trajectory
+    type: FollowJointTrajectory
+    default: True
+    joints:
+      - shoulder
+"""
+PIPELINE = """\
+<launch>
+  <arg name="planning_plugin" value="ompl_interface/OMPLPlanner"/>
+  <arg name="planning_adapters" default="default_planner_request_adapters/FixWorkspaceBounds
+    default_planner_request_adapters/AddTimeParameterization"/>
+  <param name="planning_plugin" value="$(arg planning_plugin)"/>
+  <param name="request_adapters" value="$(arg planning_adapters)"/>
+  <param name="start_state_max_bounds_error" value="$(arg unknown)"/>
+  <rosparam command="load" file="$(find arm_moveit)/config/ompl_planning.yaml"/>
+</launch>
+"""
+OMPL = "# the planners\nplanner_configs:\n  RRT:\n    type: geometric::RRT\n"
+EXECUTION = '<launch>\n  <param name="trajectory_execution/allowed_goal_duration_margin" value="1"/>\n</launch>\n'
+
+
+def migrated(folder: Folder, files: dict[str, str], target: str = "humble") -> dict[str, str]:
+    """The files of a package of MoveIt after its migration from noetic, with the package of its robot."""
+    folder.write(
+        {
+            "src/arm/package.xml": MANIFEST,
+            "src/arm/urdf/arm.xacro": arm(transmission("EffortJointInterface")),
+            "src/moveit/package.xml": MANIFEST.replace("<name>arm<", "<name>arm_moveit<"),
+            "src/moveit/CMakeLists.txt": "project(arm_moveit)\nfind_package(catkin REQUIRED)\ncatkin_package()\n",
+            "src/moveit/.setup_assistant": "moveit_setup_assistant_config:\n  URDF: {package: arm}\n",
+            "src/moveit/config/arm.srdf": SRDF,
+            "src/moveit/config/kinematics.yaml": KINEMATICS,
+        "src/moveit/config/joint_limits.yaml": "joint_limits: {}\n",
+            **{f"src/moveit/{name}": text for name, text in files.items()},
+        }
+    )
+    words = ("--from", "noetic", "--to", target, "--simulator", "none", "-o", "new", "--force")
+    ran = folder.run("migrate", "src", *words)
+    assert ran.returncode == 0, ran.stderr
+    new = folder.path / "new" / "moveit"
+    return {path.relative_to(new).as_posix(): path.read_text() for path in new.rglob("*") if path.is_file()}
+
+
+def test_the_list_of_controllers_becomes_a_map_by_name(folder: Folder) -> None:
+    after = migrated(folder, {"config/simple.yaml": LIST, "launch/trajectory_execution.launch.xml": EXECUTION})
+    assert "config/simple.yaml" not in after
+    assert (
+        after["config/moveit_controllers.yaml"]
+        == """\
+moveit_controller_manager: moveit_simple_controller_manager/MoveItSimpleControllerManager
+
+trajectory_execution:
+  allowed_goal_duration_margin: 1.0
+
+moveit_simple_controller_manager:
+  controller_names:
+    - arm/ctl
+
+  arm/ctl:
+    action_ns: follow_joint_trajectory
+    type: FollowJointTrajectory
+    default: True
+    joints:
+      - shoulder
+"""
+    )
+
+
+def test_the_other_content_of_the_file_with_the_list_stays(folder: Folder) -> None:
+    ctl = "ctl:\n  type: effort_controllers/JointEffortController\n  joint: shoulder\n"
+    after = migrated(folder, {"config/ros_controllers.yaml": ctl + LIST})
+    assert "controller_list" not in after["config/ros_controllers.yaml"]
+    assert "forward_command_controller/ForwardCommandController" in after["config/ros_controllers.yaml"]
+    assert "- arm/ctl" in after["config/moveit_controllers.yaml"]
+
+
+@pytest.mark.parametrize(
+    ("target", "lines"),
+    [
+        (
+            "humble",
+            """\
+planning_plugin: ompl_interface/OMPLPlanner
+request_adapters: >-
+  default_planner_request_adapters/FixWorkspaceBounds
+  default_planner_request_adapters/AddTimeParameterization
+""",
+        ),
+        (
+            "jazzy",
+            """\
+planning_plugins:
+  - ompl_interface/OMPLPlanner
+request_adapters:
+  - default_planning_request_adapters/ValidateWorkspaceBounds
+response_adapters:
+  - default_planning_response_adapters/AddTimeOptimalParameterization
+""",
+        ),
+    ],
+)
+def test_a_planning_pipeline_names_its_plugin_and_adapters(folder: Folder, target: str, lines: str) -> None:
+    files = {"launch/ompl_planning_pipeline.launch.xml": PIPELINE, "config/ompl_planning.yaml": OMPL}
+    after = migrated(folder, files, target)
+    head, tail = OMPL.split("\n", 1)
+    assert after["config/ompl_planning.yaml"].startswith(f"{head}\n{lines}")
+    assert after["config/ompl_planning.yaml"].endswith(tail)
+    assert "launch/ompl_planning_pipeline.launch.xml" not in after
+
+
+def test_limits_of_joints_are_doubles(folder: Folder) -> None:
+    limits = "joint_limits:\n  shoulder:\n    has_velocity_limits: true\n    max_velocity: 2  # rad/s\n"
+    after = migrated(folder, {"config/joint_limits.yaml": limits})
+    assert after["config/joint_limits.yaml"] == limits.replace("2  #", "2.0  #")
+
+
+def test_the_launch_files_are_made_by_moveit_and_find_their_description(folder: Folder) -> None:
+    launch = '<launch>\n  <node pkg="moveit_ros_move_group" type="move_group" name="move_group"/>\n</launch>\n'
+    after = migrated(folder, {"launch/move_group.launch": launch, "launch/demo.launch": launch})
+    assert (
+        after["launch/move_group.launch.py"]
+        == """\
+from moveit_configs_utils import MoveItConfigsBuilder
+from moveit_configs_utils.launches import generate_move_group_launch
+
+
+def generate_launch_description():
+    moveit_config = MoveItConfigsBuilder("arm", package_name="arm_moveit").to_moveit_configs()
+    return generate_move_group_launch(moveit_config)
+"""
+    )
+    assert "launch/move_group.launch" not in after
+    assert "launch/demo.launch" in after
+    assert "install(FILES .setup_assistant DESTINATION share/${PROJECT_NAME})" in after["CMakeLists.txt"]
+    assert "<exec_depend>moveit_configs_utils</exec_depend>" in after["package.xml"]
