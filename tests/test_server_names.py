@@ -96,7 +96,8 @@ def question(folder: Folder, file: str, at: types.Position, typed: str | None = 
     path = os.path.realpath(folder.path / file)
     robots = workspace.robots_with(path)
     source = SourceText(path, (typed if typed is not None else FILES[file]).encode())
-    return Question(robots, source, at.line + 1, at.character + 1, is_current=typed is None)
+    packages = workspace.packages_for(path)
+    return Question(robots, source, at.line + 1, at.character + 1, is_current=typed is None, packages=packages)
 
 
 def texts(edits: list[Replacement]) -> dict[str, str]:
@@ -178,12 +179,12 @@ def test_pointing_at_something_tells_what_is_known_about_it(
     ("file", "text", "offered"),
     [
         (URDF, ROBOT.replace("</robot>", '<joint name="x"><parent link="|'), {"base", "head", "left_wheel"}),
-        (URDF, ROBOT.replace('    <joint name="neck"><c', '    <joint name="|"><c'), {"neck", "left_hinge"}),
+        (URDF, ROBOT.replace('    <joint name="neck"><c', '    <joint name="|"><c'), {"neck"}),
         (URDF, ROBOT.replace("</robot>", "<xacro:|"), {"xacro:wheel"}),
-        (URDF, ROBOT.replace("</robot>", "<xacro:wheel |"), {'side=""', 'radius=""'}),
-        (YAML, CONTROLLERS.replace("[neck]", "[|]"), {"neck", "right_hinge"}),
+        (URDF, ROBOT.replace("</robot>", "<xacro:wheel |"), {'side=""', 'radius="0.1"'}),
+        (YAML, CONTROLLERS.replace("[neck]", "[|]"), {"neck"}),
         (YAML, CONTROLLERS.replace("position_controllers/JointGroupPositionController", "|"),
-         {"joint_trajectory_controller/JointTrajectoryController"}),
+         {"position_controllers/JointGroupPositionController"}),
         (YAML, CONTROLLERS.replace("    joints: [neck]", "    |"), {"joints: [neck]"}),
     ],
 )  # fmt: skip
@@ -228,6 +229,7 @@ def test_the_server_answers_each_kind_of_question(folder: Folder) -> None:
             await editor.open(name)
         await editor.checked()
         document, at, client = editor.document(YAML), place(CONTROLLERS, "neck"), editor.client
+        at_type = place(CONTROLLERS, "position_controllers/")
         whole = types.Range(types.Position(0, 0), types.Position(99, 0))
         context = types.ReferenceContext(include_declaration=True)
         wrong = types.RenameParams(editor.document(URDF), place(ROBOT, "neck"), "a b")
@@ -238,7 +240,7 @@ def test_the_server_answers_each_kind_of_question(folder: Folder) -> None:
             await client.text_document_references_async(types.ReferenceParams(context, document, at)),
             await client.text_document_rename_async(types.RenameParams(document, at, "pan")),
             await client.text_document_hover_async(types.HoverParams(document, at)),
-            await client.text_document_completion_async(types.CompletionParams(document, at)),
+            await client.text_document_completion_async(types.CompletionParams(document, at_type)),
             await client.text_document_document_symbol_async(types.DocumentSymbolParams(document)),
             await client.text_document_inlay_hint_async(types.InlayHintParams(editor.document(XACRO), whole)),
         ]
@@ -249,6 +251,6 @@ def test_the_server_answers_each_kind_of_question(folder: Folder) -> None:
     assert used.count("robot.xacro:") == 2
     assert edited.count("new_text='pan'") == 3
     assert "revolute" in about
-    assert "right_hinge" in offered
+    assert "position_controllers/JointGroupPositionController" in offered
     assert "turn" in outline
     assert hints == "()"

@@ -15,8 +15,9 @@ from urdfctl.server.actions import EXPLAIN, FIX_ALL, actions_at, edit_of
 from urdfctl.server.completion import items_at
 from urdfctl.server.dialogue import show_page
 from urdfctl.server.hover import hover
+from urdfctl.server.items import Item
 from urdfctl.server.navigation import NamesAround, definitions, references, renamed
-from urdfctl.server.positions import path_of
+from urdfctl.server.positions import Positions, path_of
 from urdfctl.server.question import Question
 from urdfctl.server.symbols import hints_in, symbols_in
 from urdfctl.server.window import Window
@@ -42,6 +43,9 @@ _ITEMS = {
     "property": types.CompletionItemKind.Constant,
     "argument": types.CompletionItemKind.Variable,
     "package": types.CompletionItemKind.Module,
+    "file": types.CompletionItemKind.File,
+    "value": types.CompletionItemKind.Value,
+    "option": types.CompletionItemKind.Keyword,
 }
 
 
@@ -49,6 +53,7 @@ def answer_questions(server: Window) -> None:
     """Register what answers an editor."""
     _about_findings(server)
     _about_names(server)
+    _about_completion(server)
     _about_files(server)
 
 
@@ -103,18 +108,32 @@ def _about_names(server: Window) -> None:
         text = hover(question) if question else None
         return types.Hover(types.MarkupContent(types.MarkupKind.Markdown, text)) if text else None
 
-    @server.feature(types.TEXT_DOCUMENT_COMPLETION, types.CompletionOptions(trigger_characters=list("\"'<{ :/[")))
+
+def _about_completion(server: Window) -> None:
+    @server.feature(types.TEXT_DOCUMENT_COMPLETION, types.CompletionOptions(trigger_characters=list("\"'<{ :/[-")))
     def completion(window: Window, params: types.CompletionParams) -> list[types.CompletionItem]:
         question = window.question(params.text_document.uri, params.position)
+        items = items_at(question) if question else []
+        positions = window.positions()
         return [
             types.CompletionItem(
-                label=item.text,
+                label=item.text.strip(),
                 kind=_ITEMS[item.kind],
                 detail=item.kind,
                 documentation=types.MarkupContent(types.MarkupKind.Markdown, item.about) if item.about else None,
+                sort_text=f"{number:05}",
+                filter_text=item.text,
+                text_edit=types.TextEdit(_replaced(question, item, positions, params.position), item.text),
             )
-            for item in (items_at(question) if question else [])
+            for number, item in enumerate(items)
+            if question is not None
         ]
+
+
+def _replaced(question: Question, item: Item, positions: Positions, at: types.Position) -> types.Range:
+    """The range of the word that is typed already."""
+    start = max(1, question.column - item.replaces)
+    return types.Range(positions.position_of(question.file, question.line, start), at)
 
 
 def _about_files(server: Window) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from urdfctl.load.loader import LoadedTarget
 from urdfctl.source.dom import Element
+from urdfctl.source.packages import Packages
 from urdfctl.source.span import SourceSpan, SourceText
 from urdfctl.startup.records import NamedTuple
 
@@ -32,6 +33,8 @@ class Question(NamedTuple):
     column: int
     is_current: bool = True
     """Whether the robots were read from the texts as they are; a text that cannot be parsed now was read before."""
+    packages: Packages | None = None
+    """The packages as the file sees them; None if they are not asked about."""
     is_chosen: bool = False
     """Whether the user chose the first robot: only its values are shown."""
 
@@ -54,6 +57,10 @@ class Question(NamedTuple):
     def before(self) -> str:
         """The text of the line before the place."""
         return self.source.line(self.line)[: self.column - 1]
+
+    def sources(self) -> list[SourceText]:
+        """Return the texts that the robots read, each once."""
+        return list({one.path: one for robot in self.robots for one in robot.sources.values()}.values())
 
     def is_in(self, span: SourceSpan) -> bool:
         """Return whether the place is in a span of the file, or at its end."""

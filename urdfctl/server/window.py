@@ -120,10 +120,11 @@ class Window(LanguageServer):
         read = next((one for one in sources if os.path.realpath(one.path) == path), None)
         text = self.workspace.get_text_document(uri).source.encode("utf-8", "surrogatepass")
         line, column = self.positions().line_and_column(path, position)
+        packages = workspace.packages_for(path)
         if read is not None and read.data == text:
-            return Question(robots, read, line, column, is_chosen=is_chosen)
+            return Question(robots, read, line, column, is_chosen=is_chosen, packages=packages)
         source = SourceText(read.path if read else path, text)
-        return Question(robots, source, line, column, is_current=False, is_chosen=is_chosen)
+        return Question(robots, source, line, column, is_current=False, is_chosen=is_chosen, packages=packages)
 
     def unsaved(self) -> set[str]:
         """Return the real paths of the open files whose text differs from that on disk."""

@@ -18,7 +18,7 @@ from urdfctl.lint.selection import Selection, selection_with
 from urdfctl.load.loader import LoadedTarget, Loader
 from urdfctl.load.target import Target
 from urdfctl.server.variants import Variant, variants_among
-from urdfctl.source.packages import package_around
+from urdfctl.source.packages import Packages, package_around
 from urdfctl.startup.records import NamedTuple
 
 
@@ -174,6 +174,10 @@ class Workspace:
             loader = Loader(self.settings, dict(self.texts))
             self._loaded = key, [self._read(loader, target) for target in chosen]
         return self._loaded[1]
+
+    def packages_for(self, path: str) -> Packages:
+        """Return the packages of the workspace as a file sees them."""
+        return Loader(self.settings, dict(self.texts)).reading(path)[1]
 
     def _read(self, loader: Loader, target: Target) -> LoadedTarget:
         """The robot of a target; as it was last, or as it is on disk, while a text that is typed cannot be parsed."""

@@ -1,0 +1,64 @@
+"""What is offered can be written: no item causes a finding; every second word is typed halfway before."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("pygls", reason="pygls is not installed")
+
+from completing import Insertion, insertions
+from editor import types
+from folder import CHECKOUT, Folder
+from live_replay import copied
+from test_server_names import CONTROLLERS, LAUNCH, MACROS, ROBOT, STARTS, URDF, XACRO, YAML, question
+
+from urdfctl.server.completion import items_at
+
+SAMPLES = CHECKOUT / "samples"
+STARTER = LAUNCH.replace("arguments=['turn']", "arguments=[|]")
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "offered", "left_out"),
+    [
+        (URDF, ROBOT.replace('"macros.xacro"', '"$(find p)/|"'), {"urdf/macros.xacro"}, {"urdf/robot.xacro"}),
+        (URDF, ROBOT.replace('"macros.xacro"', '"$(find |)/urdf/macros.xacro"'), {"p"}, set()),
+        (XACRO, MACROS.replace("${2 * radius}", "${2 * |}"), {"radius"}, {"side"}),
+        (XACRO, MACROS.replace('child link="${side}_wheel"', 'child link="|"'),
+         {"${side}_wheel"}, {"left_wheel", "base"}),
+        (URDF, ROBOT.replace('<parent link="base"', '<parent link="|"'), {"base", "left_wheel"}, {"head"}),
+        (URDF, ROBOT.replace('<state_interface name="position"', '<state_interface name="|"'),
+         {"velocity", "effort"}, set()),
+        (URDF, ROBOT.replace('<command_interface name="position"', '<command_interface name="|"'),
+         {"position"}, {"velocity"}),
+        (YAML, CONTROLLERS.replace("100", "100\n    turn:\n      type: |"),
+         {"position_controllers/JointGroupPositionController"}, {"diff_drive_controller/DiffDriveController"}),
+        (STARTS, STARTER.replace("|", "'|'"), {"turn", "--inactive"}, {"--stopped", "--help"}),
+        (STARTS, STARTER.replace("|", "'turn', '--in|'"), {"--inactive"}, {"turn"}),
+        (STARTS, STARTER.replace("|", "'turn', '-c', '|'"), {"/controller_manager"}, {"turn", "--inactive"}),
+    ],
+)  # fmt: skip
+def test_only_what_fits_the_place_is_offered(
+    folder: Folder, file: str, text: str, offered: set[str], left_out: set[str]
+) -> None:
+    before = text[: text.index("|")]
+    at = types.Position(before.count("\n"), len(before) - before.rfind("\n") - 1)
+    found = {item.text for item in items_at(question(folder, file, at, typed=text.replace("|", "")))}
+    assert (offered - found, left_out & found) == (set(), set())
+
+
+def test_an_item_replaces_the_word_that_is_typed(folder: Folder) -> None:
+    text = ROBOT.replace("<xacro:wheel side", "<xacro:wh side", 1)
+    line = text[: text.index("<xacro:wh side")].count("\n")
+    asks = question(folder, URDF, types.Position(line, len("  <xacro:wh")), typed=text)
+    assert [(item.text, item.replaces) for item in items_at(asks)] == [("xacro:wheel", len("xacro:wh"))]
+
+
+@pytest.mark.parametrize("name", ["my_robot", "mybot", "radu", "gripper"])
+def test_inserting_what_is_offered_causes_no_finding(name: str, tmp_path: Path) -> None:
+    """The exhaustive form is tests/bench/exhaustive/test_completion.py."""
+    found = list(insertions(copied(SAMPLES / name, tmp_path), number=12, seed=3, each=2))
+    assert len(found) > 8
+    assert list(map(str, filter(Insertion.is_harmful, found))) == []

@@ -1,0 +1,261 @@
+"""What can be written at a place of a controller file or another YAML file of a robot."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from urdfctl.catalog.entries import ControllerType, Parameter
+from urdfctl.catalog.map_parameters import expanded, matching
+from urdfctl.control.minimal import minimal_parameters
+from urdfctl.control.session import session_of
+from urdfctl.load.loader import LoadedTarget
+from urdfctl.server.hover import described_parameter
+from urdfctl.server.items import Item
+from urdfctl.server.names import CONTROLLER, JOINT, LINK, names_in
+from urdfctl.server.question import Question
+from urdfctl.server.trial import Trial
+from urdfctl.server.xacro_names import PARAMETER
+from urdfctl.source.opaque import UNKNOWN
+
+_WORD = r"[\"']?(?P<word>[\w/.-]*)$"
+_LISTS_CONTROLLERS = frozenset({"controller_names", "controllers", "chained_controllers", "fallback_controllers"})
+
+
+def in_yaml(question: Question) -> Iterator[Item]:
+    """Yield what can be written at a place."""
+    line = question.before
+    keys = _keys_above(question)
+    if found := re.match(rf"\s*(?:- )?type:\s*{_WORD}", line):
+        yield from _replacing(found["word"], _types(question))
+    elif found := re.match(rf"\s*-\s*{_WORD}", line):
+        yield from _replacing(found["word"], _elements(question, keys, found["word"]))
+    elif found := re.match(rf"\s*(?:- )?(?P<key>[\w./]+):\s*\[(?:[^\]]*[\s,\[])?{_WORD}", line):
+        yield from _replacing(found["word"], _elements(question, [*keys, found["key"]], found["word"]))
+    elif found := re.match(r"\s*(?P<word>[\w.]*)$", line):
+        yield from _replacing(found["word"], _parameters(question, keys))
+    elif found := re.match(rf"\s*(?:- )?(?P<key>[\w./]+):(?P<gap>\s*){_WORD}", line):
+        gap = "" if found["gap"] else " "
+        for item in _replacing(found["word"], _scalars(question, [*keys, found["key"]])):
+            yield item._replace(text=gap + item.text)
+
+
+def _replacing(word: str, items: Iterator[Item]) -> Iterator[Item]:
+    return (item._replace(replaces=len(word)) for item in items)
+
+
+def _keys_above(question: Question) -> list[str]:
+    """The keys of the maps around a line, the outermost first."""
+    indent = len(question.before) - len(question.before.lstrip())
+    keys: list[str] = []
+    is_list = question.before.lstrip().startswith("-")
+    for number in range(question.line - 1, 0, -1):
+        text = question.source.line(number)
+        found = re.match(r"(\s*)(?:- )?([^\s#:][^:#]*):(?:\s|$)", text)
+        if found and (len(found[1]) < indent or (is_list and len(found[1]) == indent and not keys)):
+            indent = len(found[1])
+            keys.insert(0, found[2].strip().strip("\"'"))
+    return keys
+
+
+# -- controllers -------------------------------------------------------------------------------------------------------
+
+
+def _trials(question: Question) -> Iterator[Trial]:
+    """The controllers of the robots that read the file, each to be tried with other values."""
+    for robot in question.robots:
+        project = robot.project
+        if project.distros and project.controllers is not None:
+            session = session_of(project, project.distro or project.distros[-1])
+            joints = project.robot.joints if project.robot else ()
+            moving = frozenset(joint.name for joint in joints if joint.moves and joint.name)
+            yield from (Trial(session, each, moving) for each in session.controllers)
+
+
+def _own(keys: list[str]) -> list[str]:
+    return [key.rpartition("/")[2] for key in keys]
+
+
+def _at(question: Question, keys: list[str]) -> Iterator[tuple[Trial, str]]:
+    """The controllers whose parameter the keys lead to, with the parameter's full name or its beginning."""
+    names = _own(keys)
+    for trial in _trials(question):
+        if trial.controller.name in names:
+            inside = keys[names.index(trial.controller.name) + 1 :]
+            yield trial, ".".join(key for key in inside if key != "ros__parameters")
+
+
+def _types(question: Question) -> Iterator[Item]:
+    """The types of the distro that fit a controller's parameters and claims, first those that need nothing else."""
+    name = [key for key in _own(_keys_above(question)) if key != "ros__parameters"][-1:]
+    for robot in question.robots:
+        project = robot.project
+        if not project.distros:
+            continue
+        distro = project.distro or project.distros[-1]
+        found = (project.catalog.controller(each, distro) for each in project.catalog.known_types(distro))
+        known = [kind for kind in found if kind is not None]
+        trials = [trial for trial in _trials(question) if trial.controller.name in name]
+        possible = [kind for kind in known if all(_is_possible(kind, trial) for trial in trials)]
+        for kind in sorted(possible, key=lambda one: any(trial.faults(one, _given(trial)) for trial in trials)):
+            yield Item(kind.type, "type", f"a controller type of {distro}")
+
+
+def _given(trial: Trial) -> dict[str, object]:
+    return {name: value for name, value in trial.values.items() if name not in {"type", "use_sim_time"}}
+
+
+def _is_possible(kind: ControllerType, trial: Trial) -> bool:
+    """Return whether a controller can have a type: it fits the parameters, or there are none yet."""
+    given = _given(trial)
+    return not given or not trial.faults(kind, given) - trial.now()
+
+
+def _elements(question: Question, keys: list[str], word: str) -> Iterator[Item]:
+    """Elements of a list: of a controller's parameter those with which nothing is wrong that is right now."""
+    trials = [(trial, name) for trial, name in _at(question, keys) if trial.controller.type is not None]
+    for trial, name in trials:
+        kind = trial.controller.type
+        matched = matching(name, kind.parameters) if kind else None
+        if kind is None or matched is None:
+            continue
+        now = trial.values.get(name)
+        given = [one for one in now if one and one != word] if isinstance(now, list) else []
+        for choice in _choices(trial, kind.parameters[matched[0]], matched[0]):
+            if choice not in given and trial.is_as_good(kind, {**trial.values, name: [*given, choice]}):
+                yield Item(choice, _kind_of(trial, choice))
+    if not trials:
+        key = keys[-1] if keys else ""
+        kinds = (CONTROLLER,) if key in _LISTS_CONTROLLERS else (JOINT,) if "joint" in key else ()
+        listed = set(re.findall(r"[\w/.-]+", _list_around(question)))
+        yield from (item for item in _named(question, *kinds) if item.text not in listed)
+
+
+def _list_around(question: Question) -> str:
+    """The text of the lines of a list around the place, and of its row."""
+    lines = [question.source.line(question.line)]
+    for step in (-1, 1):
+        number = question.line + step
+        while re.match(r"\s*-\s", question.source.line(number)):
+            lines.append(question.source.line(number))
+            number += step
+    return "\n".join(lines)
+
+
+def _kind_of(trial: Trial, choice: str) -> str:
+    return JOINT if choice in trial.joints else "interface"
+
+
+def _choices(trial: Trial, parameter: Parameter, name: str) -> list[str]:
+    """Texts that a parameter or its elements can be: what its validators name, joints, interfaces, or full names."""
+    allowed = parameter.validators.get("one_of", parameter.validators.get("subset_of"))
+    if isinstance(allowed, list | tuple):
+        return [str(one) for one in allowed if isinstance(one, str)]
+    hardware, kind = trial.session.hardware, trial.controller.type
+    offers = [offer for found in (hardware.command, hardware.state) for each in found.values() for offer in each]
+    interfaces = list(dict.fromkeys(offer.interface for offer in offers))
+    rules = [rule for part in (kind.claims or ()) for rule in part] if kind else []
+    if any(name == rule.names_from for rule in rules):
+        return [f"{offer.component}/{offer.interface}" for offer in offers]
+    if "interface" in name:
+        return interfaces
+    if kind is not None and (name in kind.joint_parameters or "joint" in name or "wheel" in name):
+        components = list(dict.fromkeys(offer.component for offer in offers if offer.component in trial.joints))
+        return components or sorted(trial.joints)
+    return []
+
+
+def _scalars(question: Question, keys: list[str]) -> Iterator[Item]:
+    """A single value: what its parameter accepts; in other files, a joint or a link by the key."""
+    trials = [(trial, name) for trial, name in _at(question, keys) if trial.controller.type is not None]
+    for trial, name in trials:
+        kind = trial.controller.type
+        matched = matching(name, kind.parameters) if kind else None
+        if kind is None or matched is None:
+            continue
+        parameter = kind.parameters[matched[0]]
+        texts: list[object] = [True, False] if parameter.types == ("bool",) else []
+        texts += _choices(trial, parameter, matched[0]) if "string" in parameter.types else []
+        for value in texts:
+            if trial.is_as_good(kind, {**trial.values, name: value}):
+                yield Item(_written(value), "value")
+        if "frame" in name and "string" in parameter.types:
+            yield from _named(question, LINK)
+    key = keys[-1]
+    if not trials and re.search(r"frame|link", key):
+        yield from _named(question, LINK)
+    elif not trials and key == "joint":
+        yield from _named(question, JOINT)
+
+
+def _named(question: Question, *kinds: str) -> Iterator[Item]:
+    for robot in question.robots:
+        for name in names_in(robot):
+            if name.kind in kinds and name.defines and name.text and UNKNOWN not in name.text:
+                yield Item(name.text, name.kind)
+
+
+# -- parameters --------------------------------------------------------------------------------------------------------
+
+
+def _parameters(question: Question, keys: list[str]) -> Iterator[Item]:
+    for robot in question.robots:
+        joints = _commanded(robot)
+        for trial, prefix in _at(question, keys):
+            yield from _of_controller(trial, prefix, joints)
+
+
+def _commanded(robot: LoadedTarget) -> list[str]:
+    """The joints that hardware commands, or that move if nothing is known of hardware."""
+    model = robot.project.robot
+    if model is None:
+        return []
+    parts = [part for component in model.ros2_controls for part in component.of_kind("joint") if part.commands]
+    moving = [joint.name for joint in model.joints if joint.moves and joint.name and not joint.mimic]
+    return [part.name for part in parts if part.name] or moving
+
+
+def _of_controller(trial: Trial, prefix: str, joints: list[str]) -> Iterator[Item]:
+    """The parameters that a controller does not have yet, below the keys that are written already.
+
+    Each has a value of its type with which nothing is wrong that is right now, or none if none is known.
+    joints: what a parameter that lists joints is offered with.
+    """
+    each, distro = trial.controller, trial.session.distro
+    if each.type is None:
+        return
+    below = f"{prefix}." if prefix else ""
+    examples = minimal_parameters(each.type)
+    for name, parameter in each.type.parameters.items():
+        if parameter.ignored or parameter.deprecated or parameter.type == "none":
+            continue
+        for full in expanded(name, trial.values):
+            rest = full.removeprefix(below)
+            if full.startswith(below) and "." not in rest and full not in trial.values:
+                value = _value(trial, name, full, [joints, examples.get(name), parameter.default])
+                about = described_parameter(parameter, full, f"{each.type.type} ({distro})")
+                yield Item(f"{rest}: {_written(value)}".rstrip(), PARAMETER, about)
+
+
+def _value(trial: Trial, name: str, full: str, candidates: list[object]) -> object:
+    """The first value with which the controller is as good as it is now; None if there is none."""
+    each = trial.controller
+    parameter = each.type.parameters[name] if each.type else None
+    if each.type is None or parameter is None:
+        return None
+    of_joints = name in ("joints", *each.type.joint_parameters) and parameter.type == "string_array"
+    interfaces: list[object] = [[one] for one in _choices(trial, parameter, name)] if "interface" in name else []
+    for value in [*(candidates if of_joints else candidates[1:]), *interfaces]:
+        if value not in (None, []) and trial.is_as_good(each.type, {**trial.values, full: value}):
+            return value
+    return None
+
+
+def _written(value: object) -> str:
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, list | tuple):
+        return f"[{', '.join(_written(one) for one in value)}]"
+    if isinstance(value, str):
+        return f'"{value}"' if not value or not re.fullmatch(r"[A-Za-z_][\w/-]*", value) else value
+    return "" if value is None else str(value)
