@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import random
-from pathlib import Path
 
 import pytest
 
@@ -15,7 +14,7 @@ from urdfctl.smoke.loads import effort_troubles, gravity_load, moved_inertias, w
 from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
 from urdfctl.smoke.prepare import mechanism_urdf
 from urdfctl.smoke.results import Trouble
-from urdfctl.smoke.shapes import MOST_POINTS, Shape, Shapes, corners_of, rim_of, with_rims
+from urdfctl.smoke.shapes import Shape, Shapes, rim_of, with_rims
 from urdfctl.smoke.stability import loop_troubles, mass_matrix
 from urdfctl.smoke.tasks import Drive, Family, Gains, Task
 
@@ -310,7 +309,7 @@ def test_a_rover_stands_on_its_wheels_and_casters() -> None:
     assert ground_codes(BOTH) == []
 
 
-@pytest.mark.parametrize(("height", "expected"), [(0.001, []), (0.01, ["UC940"]), (0.05, ["UC940"])])
+@pytest.mark.parametrize(("height", "expected"), [(0.001, []), (0.005, ["UC940"]), (0.05, ["UC940"])])
 def test_a_wheel_that_is_mounted_too_high_does_not_touch_the_ground(height: float, expected: list[str]) -> None:
     """The robot leans on one of the two wheels."""
     assert ground_codes({"l": (0.0, 0.2, height), "r": (0.0, -0.2, height)}) == expected
@@ -389,15 +388,3 @@ def test_the_inertias_of_single_joints_are_the_diagonal_of_the_mass_matrix(seed:
     matrix = mass_matrix(tree, tree.movable)
     expected = {hinge.name: matrix[n][n] for n, hinge in enumerate(tree.movable)}
     assert moved_inertias(tree) == pytest.approx(expected, rel=1e-9)
-
-
-def test_the_corners_of_a_scanned_mesh_are_thinned_to_those_that_lie_farthest_out(tmp_path: Path) -> None:
-    wheel = tmp_path / "wheel.obj"
-    turns = [math.radians(n / 10) for n in range(3600)]
-    rims = [(r * math.cos(a), y, r * math.sin(a)) for a in turns for y in (-0.02, 0.02) for r in (0.05, 0.1)]
-    wheel.write_text("".join(f"v {x:.6f} {y} {z:.6f}\n" for x, y, z in rims), encoding="utf-8")
-    corners = corners_of(str(wheel))
-    assert len(corners) < MOST_POINTS < len(rims)
-    rim = rim_of((Shape("mesh", Pose(), (), corners),), (0.0, 1.0, 0.0))
-    assert rim is not None
-    assert (rim.radius, rim.place, rim.width) == pytest.approx((0.1, 0.0, 0.04), abs=1e-5)

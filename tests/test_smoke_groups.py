@@ -63,3 +63,10 @@ def test_a_joint_that_mimics_another_moves_with_it() -> None:
         ["a"],
         ["b"],
     ]
+
+
+def test_a_motor_moves_the_joints_that_mimic_its_joint_too() -> None:
+    hinges = (*HAND[:3], hinge("b2", "b1_link", mimic="a1"))
+    palm = PALM._replace(hinges=hinges)
+    assert names(task("a", "a1"), task("b", "b2"), mechanism=palm) == [["a"], ["b"]]
+    assert names(task("a", "a2"), task("b", "b2"), mechanism=palm) == [["a", "b"]]

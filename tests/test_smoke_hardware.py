@@ -9,7 +9,14 @@ from smoke_robots import ARMS, Arm, Rover
 from smoking import codes, smoked, target_of, verdicts, whole
 from smoking_engines import EACH_ENGINE
 
+from urdfctl.model.build_robot import robot_of
+from urdfctl.model.geometry import Pose
+from urdfctl.smoke.hardware import with_transmissions, within_ranges
+from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
 from urdfctl.smoke.results import Smoked
+from urdfctl.smoke.tasks import Family, Task
+from urdfctl.source.span import SourceText
+from urdfctl.source.xml import parse
 
 FORWARD = """
 controller_manager:
@@ -96,3 +103,61 @@ def test_the_radius_multiplier_of_one_side_counts(tmp_path: Path, engine: str) -
     assert codes(run(tmp_path, rover.urdf(), halved, engine)) == ["UC913", "UC941"]
     both = rover.yaml(radius=2.0) + "    left_wheel_radius_multiplier: 0.5\n    right_wheel_radius_multiplier: 0.5\n"
     assert codes(run(tmp_path, rover.urdf(), both, engine)) == []
+
+
+# -- limits and gears ------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("limit", "least", "most", "expected"),
+    [
+        (2.0, -1.0, 1.0, 1.0),
+        (2.0, -3.0, 3.0, 2.0),
+        (2.0, -0.5, 1.5, 1.5),
+        (2.0, -1.5, 0.5, 1.5),
+        (None, -1.0, 1.0, 1.0),
+        (0.0, -1.0, 1.0, 0.0),
+        (2.0, 0.0, 0.0, 2.0),
+        (2.0, float("-inf"), float("inf"), 2.0),
+        (None, float("-inf"), 1.0, None),
+    ],
+)
+def test_the_limit_of_a_joint_is_at_most_the_greatest_command(
+    limit: float | None, least: float, most: float, expected: float | None
+) -> None:
+    """A limit of 0 has a meaning of its own: the joint does not move, or is not limited."""
+    hinge = Hinge("j", "revolute", parent="base", child="arm", pose=Pose(), axis=(0.0, 0.0, 1.0))
+    for name in ("velocity", "effort"):
+        given = hinge._replace(velocity=limit, effort=limit, ranges=((name, least, most),))
+        [made] = within_ranges(Mechanism("base", {"base": Body("base"), "arm": Body("arm")}, (given,))).hinges
+        other = "effort" if name == "velocity" else "velocity"
+        assert (getattr(made, name), getattr(made, other)) == (expected, limit)
+
+
+def geared(reduction: str, offset: str, name: str = "j") -> list[tuple[str, str]]:
+    """Return what of a controller of joint 'j' is not simulated if a joint has a transmission."""
+    text = f"""
+        <robot name="r"><link name="a"/><ros2_control name="c" type="system"><transmission name="t">
+          <plugin>transmission_interface/SimpleTransmission</plugin><actuator name="m" role="m"/>
+          <joint name="{name}" role="j"><mechanical_reduction>{reduction}</mechanical_reduction>
+          <offset>{offset}</offset></joint>
+        </transmission></ros2_control></robot>
+    """
+    root = parse(SourceText("/robot.urdf", text.strip().encode())).documentElement
+    assert root is not None
+    [task] = with_transmissions(robot_of(root), [Task("arm", Family.TRAJECTORY, ("i", "j"), "position")])
+    return list(task.left_out)
+
+
+@pytest.mark.parametrize(
+    ("reduction", "offset", "what"),
+    [("50", "0.0", "the reduction of 50"), ("1.0", "0.5", "the offset of 0.5"), ("-1", "0.5", "the reduction of -1")],
+)
+def test_a_reduction_or_an_offset_is_named_as_not_simulated(reduction: str, offset: str, what: str) -> None:
+    assert geared(reduction, offset) == [("transmission", f"{what} of joint 'j' acts in the hardware")]
+    assert geared(reduction, offset, "another") == []
+
+
+@pytest.mark.parametrize(("reduction", "offset"), [("1", "0"), ("1.0", "0.0"), ("one", "none")])
+def test_a_transmission_that_changes_nothing_leaves_nothing_out(reduction: str, offset: str) -> None:
+    assert geared(reduction, offset) == []

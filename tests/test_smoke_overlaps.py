@@ -83,3 +83,37 @@ def test_a_pose_that_the_limits_forbid_is_not_looked_at() -> None:
 
 def test_a_pair_that_the_srdf_allows_is_not_reported() -> None:
     assert list(overlap_troubles(*folded(), {frozenset({"l0", "l3"})})) == []
+
+
+def test_the_links_below_a_link_without_shapes_are_carried_by_the_last_one_that_has_some() -> None:
+    """A bare link between two others is skipped; what hangs on the fourth is no neighbour of the first."""
+    here = (0.0, 0.0, 0.0)
+    assert pairs(chain(here, here, here, here), BOX, None, None, BOX, BOX) == []
+    assert pairs(chain(here, here, here, here), BOX, None, BALL, BALL, BOX) == [("l0", "l4")]
+
+
+@pytest.mark.parametrize(("links", "expected"), [(60, 1), (150, 0)])
+def test_a_robot_of_more_than_a_hundred_simple_links_is_not_looked_at(links: int, expected: int) -> None:
+    """The last link reaches back to the first."""
+    places = [*[(0.0, 0.0, 1.0)] * (links - 2), (0.0, 0.0, 2.0 - links)]
+    assert len(pairs(chain(*places), *[BALL] * links)) == expected
+
+
+def test_thin_plates_that_lie_on_each_other_do_not_overlap() -> None:
+    plate = Shape("box", Pose(), (1.0, 1.0, 0.01))
+    for apart, expected in ((0.01, []), (0.005, [("l0", "l3")])):
+        arm = chain((0.0, 0.0, 5.0), (0.0, 0.0, 5.0), (0.0, 0.0, apart - 10.0))
+        assert pairs(arm, plate, BALL, BALL, plate) == expected
+
+
+@pytest.mark.parametrize(("more", "note"), [(1, "1 more pair of links overlap"), (2, "2 more pairs of links overlap")])
+def test_a_note_counts_the_other_pairs(more: int, note: str) -> None:
+    """Fingers of one palm, two and two at one place."""
+    places = [(float(n // 2), 0.0, 0.3) for n in range(2 * more + 2)]
+    fingers = [
+        hinge._replace(parent="l0", pose=Pose(place))
+        for hinge, place in zip(chain(*places).hinges, places, strict=True)
+    ]
+    bodies = {f"l{n}": Body(f"l{n}") for n in range(2 * more + 3)}
+    (trouble,) = overlap_troubles(Mechanism("l0", bodies, tuple(fingers)), Shapes(dict.fromkeys(bodies, (BOX,))))
+    assert trouble.notes == (note,)

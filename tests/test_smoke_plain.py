@@ -9,7 +9,12 @@ from smoke_robots import Rover
 from smoking import codes, smoked, target_of, verdicts, whole
 from smoking_engines import EACH_ENGINE
 
+from urdfctl.model.geometry import Pose, Vector, of_angles
+from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
+from urdfctl.smoke.plain import with_plain_drives
 from urdfctl.smoke.results import Smoked
+from urdfctl.smoke.shapes import Shape, Shapes, with_rims
+from urdfctl.smoke.tasks import Drive, Family, Task
 
 BOTH = """
 controller_manager:
@@ -81,3 +86,90 @@ def test_without_an_engine_the_wheels_are_checked_once_for_the_base(tmp_path: Pa
     files = {"robot.urdf": Rover().urdf(effort="0.00001"), "controllers.yaml": EACH}
     diagnostics = smoked(target_of(tmp_path, files), distro="jazzy").linted.outcome.diagnostics
     assert [finding.code for finding in diagnostics] == ["UC962"]
+
+
+# -- which wheels form a drive -----------------------------------------------------------------------------------------
+
+LEFT, RIGHT = (0.0, 1.0, 0.0), (0.0, -1.0, 0.0)
+PAIR = {"l": ((0.0, 0.2, 0.0), LEFT), "r": ((0.0, -0.2, 0.0), LEFT)}
+TURNS = Task("wheels", Family.FORWARD, ("l", "r"), "velocity")
+
+
+def drive_of(
+    wheels: dict[str, tuple[Vector, Vector]],
+    *tasks: Task,
+    radii: dict[str, float] | None = None,
+    root: str = "base",
+    caster: float = 0.05,
+    kind: str = "continuous",
+) -> Drive | None:
+    """Return the drive that tasks get: of a base with wheels of 0.1 m at some places and axes, and four balls."""
+    hinges, known = [], {}
+    for name, (place, axis) in wheels.items():
+        made = Hinge(name, kind, parent=root, child=f"{name}_link", pose=Pose(place), axis=axis)
+        hinges.append(made._replace(lower=-20.0, upper=20.0))
+        size = ((radii or {}).get(name, 0.1), 0.04)
+        known[f"{name}_link"] = (Shape("cylinder", Pose(turn=of_angles(1.5707963, 0, 0)), size),)
+    corners = [(x, y) for x in (-0.2, 0.2) for y in (-0.1, 0.1)]
+    known[root] = tuple(Shape("sphere", Pose((x, y, caster - 0.1)), (caster,)) for x, y in corners)
+    bodies = {root: Body(root, 10.0), **{hinge.child: Body(hinge.child, 0.5) for hinge in hinges}}
+    shapes = Shapes(known)
+    made_tasks = with_plain_drives(with_rims(Mechanism(root, bodies, tuple(hinges)), shapes), shapes, tasks or (TURNS,))
+    return made_tasks[0].drive
+
+
+def test_wheels_on_both_sides_form_a_drive_with_the_measures_of_the_robot() -> None:
+    found = drive_of(PAIR)
+    assert found is not None
+    assert (found.left, found.right, found.plain) == (("l",), ("r",), True)
+    assert (found.radius, found.separation) == pytest.approx((0.1, 0.4))
+    assert (found.left_scale, found.right_scale) == (1.0, 1.0)
+
+
+def test_the_wheels_of_one_side_may_be_mirrored_but_not_one_of_them() -> None:
+    mirrored = drive_of({**PAIR, "r": ((0.0, -0.2, 0.0), RIGHT)})
+    assert mirrored is not None
+    assert (mirrored.left_scale, mirrored.right_scale) == (1.0, -1.0)
+    four = {**PAIR, "l2": ((-0.3, 0.2, 0.0), RIGHT), "r2": ((-0.3, -0.2, 0.0), LEFT)}
+    assert drive_of(four, TURNS._replace(joints=tuple(four))) is None
+    assert drive_of({**four, "l2": ((-0.3, 0.2, 0.0), LEFT)}, TURNS._replace(joints=tuple(four))) is not None
+
+
+@pytest.mark.parametrize(("height", "drives"), [(0.104, True), (0.106, False)])
+def test_the_wheels_of_a_drive_have_one_radius(height: float, drives: bool) -> None:
+    assert (drive_of(PAIR, radii={"l": height}) is not None) == drives
+
+
+@pytest.mark.parametrize(("place", "drives"), [(0.006, True), (0.004, False), (-0.2, False)])
+def test_the_wheels_of_a_drive_are_on_both_sides(place: float, drives: bool) -> None:
+    assert (drive_of({**PAIR, "l": ((0.0, place, 0.0), LEFT)}) is not None) == drives
+
+
+def test_a_third_wheel_in_the_middle_leaves_no_drive() -> None:
+    three = {**PAIR, "m": ((0.3, 0.0, 0.0), LEFT)}
+    assert drive_of(three, TURNS._replace(joints=tuple(three))) is None
+
+
+def test_wheels_in_the_air_drive_nothing() -> None:
+    assert drive_of({name: ((x, y, 0.05), axis) for name, ((x, y, _), axis) in PAIR.items()}) is None
+
+
+@pytest.mark.parametrize(
+    ("task", "others"),
+    [
+        (TURNS._replace(interface="position"), ()),
+        (TURNS._replace(family=Family.VELOCITY_PID), ()),
+        (TURNS._replace(joints=("l", "r", "arm")), ()),
+        (TURNS._replace(joints=("l",)), ()),
+        (Task("states", Family.NOTHING), (TURNS,)),
+        (TURNS, (Task("base", Family.DIFFERENTIAL, ("l", "r"), "velocity", drive=Drive(("l",), ("r",))),)),
+    ],
+    ids=["positions", "loops", "another joint", "one side", "a broadcaster", "a base with a controller"],
+)
+def test_only_velocities_of_all_wheels_and_of_nothing_else_drive(task: Task, others: tuple[Task, ...]) -> None:
+    assert drive_of(PAIR, task, *others) is None
+
+
+def test_wheels_of_a_robot_that_is_fixed_or_that_have_limits_are_no_drive() -> None:
+    assert drive_of(PAIR, root="world") is None
+    assert drive_of(PAIR, kind="revolute") is None

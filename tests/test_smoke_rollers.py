@@ -10,6 +10,11 @@ from smoke_robots import link
 from smoking import codes, target_of, verdicts, whole
 from smoking_engines import EACH_ENGINE
 
+from urdfctl.model.geometry import Pose
+from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
+from urdfctl.smoke.rollers import Twist, commands, motion_of_base, wheel_speeds
+from urdfctl.smoke.tasks import Drive
+
 MECANUM = """
 controller_manager:
   ros__parameters:
@@ -127,3 +132,39 @@ def test_an_offset_of_the_frame_is_reported_as_not_simulated(tmp_path: Path) -> 
     target = target_of(tmp_path, {"robot.urdf": mecanum(), "controllers.yaml": moved})
     (result,) = whole(target, "mujoco", distro="jazzy").controllers
     assert result.reason == "not simulated: its base_frame_offset is not modelled"
+
+
+# -- the Jacobian ----------------------------------------------------------------------------------------------------
+
+ROLES = (("fl", 1, 1), ("fr", 1, -1), ("rl", -1, 1), ("rr", -1, -1))
+FOUR = Drive(driven=tuple(PLACES), base="base_link", radius=0.1, reach=0.5, roles=ROLES)
+
+
+def on_wheels(places: dict[str, tuple[float, float]], velocity: float = 20.0) -> Mechanism:
+    """Return a base with wheels that roll forward, at some places."""
+    hinges = [
+        Hinge(name, "continuous", "base_link", f"{name}_link", Pose((x, y, 0.1)), (0.0, 1.0, 0.0), velocity=velocity)
+        for name, (x, y) in places.items()
+    ]
+    bodies = [Body("base_link", 10.0), *(Body(hinge.child, 0.5, radius=0.1) for hinge in hinges)]
+    return Mechanism("base_link", {body.name: body for body in bodies}, tuple(hinges))
+
+
+@pytest.mark.parametrize("twist", [Twist(ahead=0.3), Twist(left=-0.2), Twist(turn=0.4), Twist(0.1, 0.2, -0.3)])
+def test_the_jacobian_of_the_robot_undoes_the_kinematics_of_the_controller(twist: Twist) -> None:
+    """The wheels are at ±0.2 m and ±0.3 m, as the controller's sum of 0.5 m says."""
+    angles = wheel_speeds(FOUR, twist)
+    assert motion_of_base(on_wheels(PLACES), FOUR, angles) == pytest.approx(twist)
+
+
+def test_wheels_in_one_place_cannot_move_a_base_in_all_ways() -> None:
+    row = {name: (x, 0.3) for name, (x, _) in PLACES.items()}
+    assert motion_of_base(on_wheels(row), FOUR, dict.fromkeys(PLACES, 1.0)) is None
+
+
+@pytest.mark.parametrize("velocity", [1.0, 2.0])
+def test_no_wheel_is_commanded_faster_than_it_can_turn(velocity: float) -> None:
+    """A part of the limit is left to the loops of the motors."""
+    for twist in commands(on_wheels(PLACES, velocity), FOUR):
+        fastest = max(map(abs, wheel_speeds(FOUR, twist).values()))
+        assert 0.8 * velocity < fastest < velocity

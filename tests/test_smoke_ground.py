@@ -1,0 +1,45 @@
+"""How a robot comes to rest on the ground, against the plane through its feet."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from urdfctl.model.geometry import Pose
+from urdfctl.smoke.ground import ground_troubles, resting
+from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
+from urdfctl.smoke.shapes import Shape, Shapes
+from urdfctl.smoke.tasks import Drive, Family, Task
+
+
+def tripod(about: float, short: float) -> tuple[Mechanism, Shapes]:
+    """Return a robot on three ball feet, 0.2 m from its middle, of which the one in a direction is too short."""
+    turns = [about + n * 2 * math.pi / 3 for n in range(3)]
+    feet = [
+        Shape("sphere", Pose((0.2 * math.cos(turn), 0.2 * math.sin(turn), short if n == 0 else 0.0)), (0.02,))
+        for n, turn in enumerate(turns)
+    ]
+    return Mechanism("base", {"base": Body("base", 5.0, centre=(0.0, 0.0, 0.1))}, ()), Shapes({"base": tuple(feet)})
+
+
+@pytest.mark.parametrize("about", [n * math.pi / 4 + 0.2 for n in range(8)])
+@pytest.mark.parametrize("short", [0.01, 0.06])
+def test_a_robot_leans_on_its_short_leg_whichever_that_is(about: float, short: float) -> None:
+    """The plane through the feet falls by that on 1.5 times 0.2 m; one of its axes is level across the direction."""
+    at_rest = resting(*tripod(about, short))
+    assert at_rest is not None
+    assert at_rest.tilt == pytest.approx(math.atan2(short, 0.3), abs=0.003)
+    x, y, _ = at_rest.turn[2]
+    assert math.cos(math.atan2(-y, -x) - about) > 0.99
+
+
+def test_a_robot_that_leans_by_a_fifth_of_a_radian_has_not_tipped_over() -> None:
+    wheel = Hinge("l", "continuous", parent="base", child="wheel", pose=Pose((-0.1, 0.1, 0.0)), axis=(0.0, 1.0, 0.0))
+    task = Task("base", Family.DIFFERENTIAL, ("l",), "velocity", drive=Drive(("l",), ("r",), radius=0.02))
+    for short, expected in ((0.06, []), (0.36, ["UC931"])):
+        stool, shapes = tripod(0.0, short)
+        robot = Mechanism("base", {**stool.bodies, "wheel": Body("wheel", 0.1)}, (wheel,))
+        known = Shapes({**shapes.known, "wheel": (Shape("sphere", Pose(), (0.02,)),)})
+        codes = [trouble.code for trouble in ground_troubles(robot, known, [task])]
+        assert [code for code in codes if code == "UC931"] == expected
