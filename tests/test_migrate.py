@@ -8,13 +8,12 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator
-from functools import partial
 from pathlib import Path
 
 import pytest
 from folder import Folder, environment
 
-from urdfctl.cli.migrate_command import lint_folders
+from urdfctl.cli.migrate_lint import Lint
 from urdfctl.cli.writing_all import write_all
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Edit
@@ -187,7 +186,7 @@ def test_a_change_that_would_cause_a_finding_of_a_new_kind_is_left_out_and_repor
     scratch = Scratch([str(tmp_path / "arm")])
     step = Step("breaking", Part.URDF, "a fault", breaking)
     settings = Settings(workspace=scratch.root)
-    result = migrate(scratch, Wishes("jazzy"), settings, partial(lint_folders, scratch.folders), [step])
+    result = migrate(scratch, Wishes("jazzy"), settings, Lint(scratch), [step])
     scratch.close()
     assert result.changes == ()
     assert "not changed by step 'breaking'" in result.lines[0].message

@@ -18,7 +18,7 @@ from urdfctl.load.target import Target
 from urdfctl.startup.records import NamedTuple
 
 
-class _InWorkers(NamedTuple):
+class InWorkers(NamedTuple):
     """Lints targets in limited workers, with a progress bar."""
 
     settings: Settings
@@ -45,5 +45,5 @@ class _InWorkers(NamedTuple):
 
 def lint_files(files: DiscoveredFiles, arguments: Arguments, settings: Settings, request: LintRequest) -> LintRun:
     """Lint the robots among some files as a command asks for it, then the files that none of them uses."""
-    linter = _InWorkers(settings, request, Loader(settings))
+    linter = InWorkers(settings, request, Loader(settings))
     return whole_runs.lint_files(files, arguments, linter, request.config.robots, request.shard)

@@ -7,24 +7,16 @@ import shutil
 import subprocess
 from collections.abc import Sequence
 from contextlib import closing
-from functools import partial
 
 from urdfctl.catalog.distros import ALL, ROS2, SIMULATORS
-from urdfctl.cli.lint_request import LintRequest
-from urdfctl.cli.lint_run import lint_files
+from urdfctl.cli.migrate_lint import Lint
 from urdfctl.cli.migrate_options import MigrateOptions
 from urdfctl.cli.patch import patch
-from urdfctl.cli.targets import discovered
 from urdfctl.cli.words import configured, settings_from
 from urdfctl.cli.writing import print_bytes, print_message, print_text, write_file
 from urdfctl.cli.writing_all import write_all
-from urdfctl.config.file import config_for
-from urdfctl.config.settings import Settings
-from urdfctl.diagnostic import Severity
 from urdfctl.errors import UserError
-from urdfctl.lint.selection import Selection
 from urdfctl.migrate.engine import Migration, migrate
-from urdfctl.migrate.packages import Linted
 from urdfctl.migrate.report import as_json, as_markdown
 from urdfctl.migrate.scratch import Scratch
 from urdfctl.migrate.step import EntryKind
@@ -56,7 +48,7 @@ def run_migrate(options: MigrateOptions) -> int:
             workspace=scratch.root,
             package_paths=(*settings.package_paths, *scratch.others),
         )
-        result = migrate(scratch, wishes, settings, partial(lint_folders, scratch.folders), STEPS)
+        result = migrate(scratch, wishes, settings, Lint(scratch), STEPS)
         return _finish(result, scratch, options, wishes)
 
 
@@ -111,14 +103,6 @@ def _is_dirty(folder: str) -> bool:
     except OSError:
         return False
     return status.returncode == 0 and bool(status.stdout.strip())
-
-
-def lint_folders(folders: Sequence[str], settings: Settings) -> Linted:
-    """Lint what is in some folders now, with all rules."""
-    config = config_for(tuple(folders), settings.workspace)
-    files = discovered(folders, config)
-    request = LintRequest((), Selection(), (), Severity.ERROR, exit_zero=True, jobs=0, config=config)
-    return lint_files(files, (), settings, request).targets
 
 
 def _finish(result: Migration, scratch: Scratch, options: MigrateOptions, wishes: Wishes) -> int:

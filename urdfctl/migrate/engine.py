@@ -8,7 +8,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.fix.edits import Change, Shift, Splice, Taken, edited
+from urdfctl.load.loader import LoadedTarget
 from urdfctl.migrate.acceptance import Before, Objection, before, objections
+from urdfctl.migrate.memory import Memory
 from urdfctl.migrate.packages import Lint, Linted, Packages
 from urdfctl.migrate.report import ReportLine
 from urdfctl.migrate.scratch import Scratch, bytes_of
@@ -42,10 +44,10 @@ def migrate(scratch: Scratch, wishes: Wishes, settings: Settings, lint: Lint, st
     settings: without a distro.
     """
     source = lint(settings._replace(distro=wishes.source))
-    first, done = source, list[ReportLine]()
+    first, done, known = source, list[ReportLine](), Memory[LoadedTarget](scratch)
     for _ in range(MOST_PASSES):
         target = lint(settings._replace(distro=wishes.target))
-        packages = Packages(scratch, wishes, settings, source)
+        packages = Packages(scratch, wishes, settings, source, known)
         wanted = [step for step in steps if _is_wanted(step, packages)]
         state = before(source, target, packages.loaded())
         scratch.keep()
@@ -111,6 +113,8 @@ class _Trials:
     def _without_culprit(self, attempt: _Attempt, objection: Objection) -> tuple[_Attempt, list[Objection]] | None:
         """The attempt without the step that causes an objection, or without all that may; None if it stays."""
         candidates = _candidates(attempt, objection)
+        if not candidates:
+            return None
         choices = [[one] for one in candidates] + ([candidates] if len(candidates) > 1 else [])
         for choice in choices:
             if self.made >= MOST_ATTEMPTS:

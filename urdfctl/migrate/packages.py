@@ -10,6 +10,7 @@ from urdfctl.config.settings import Settings
 from urdfctl.lint.results import TargetResult
 from urdfctl.load.loader import LoadedTarget, Loader
 from urdfctl.load.target import Target
+from urdfctl.migrate.memory import Memory
 from urdfctl.migrate.scratch import Scratch
 from urdfctl.migrate.wishes import Wishes
 from urdfctl.source.budget import OverBudget
@@ -27,13 +28,17 @@ class Packages:
     wishes: what the user wants.
     settings: the settings of the run, with the distro to migrate from if the user names it.
     linted: the targets before the migration, with their results.
+    known: the targets that were read before.
     """
 
-    def __init__(self, scratch: Scratch, wishes: Wishes, settings: Settings, linted: Linted) -> None:
+    def __init__(
+        self, scratch: Scratch, wishes: Wishes, settings: Settings, linted: Linted, known: Memory[LoadedTarget]
+    ) -> None:
         self.scratch = scratch
         self.wishes = wishes
         self.settings = settings
         self.linted = linted
+        self._known = known
         self._sources: dict[str, SourceText] = {}
         self._loaded: dict[str | None, list[LoadedTarget]] = {}
 
@@ -96,10 +101,22 @@ class Packages:
         distro: read them for this distro; None for the distro to migrate from, or the one that the files indicate.
         """
         if distro not in self._loaded:
-            settings = self.settings._replace(distro=distro or self.wishes.source)
-            loader = Loader(settings)
-            self._loaded[distro] = [one for target in self.targets() if (one := _load(loader, target)) is not None]
+            loader = Loader(self.settings._replace(distro=distro or self.wishes.source))
+            found = (self._load(loader, target) for target in self.targets())
+            self._loaded[distro] = [one for one in found if one is not None]
         return self._loaded[distro]
+
+    def _load(self, loader: Loader, target: Target) -> LoadedTarget | None:
+        """The target, None if it exceeds the limits of reading."""
+        key = loader.settings.distro, target
+        loaded = self._known.get(key)
+        if loaded is None:
+            try:
+                loaded = loader.load(target)
+            except (OverBudget, MemoryError):
+                return None
+            self._known.put(key, loaded.sources, loaded)
+        return loaded
 
     def forget(self) -> None:
         """Forget what was read, because files were changed."""
@@ -114,11 +131,3 @@ class Packages:
 def _was_read(result: TargetResult) -> bool:
     """Whether a worker read a target within its limits."""
     return not {finding.code for finding in result.outcome.diagnostics} & {"UC000", "UC014"}
-
-
-def _load(loader: Loader, target: Target) -> LoadedTarget | None:
-    """The target, None if it exceeds the limits of reading."""
-    try:
-        return loader.load(target)
-    except (OverBudget, MemoryError):
-        return None

@@ -14,10 +14,21 @@ from urdfctl.source.files import folders_upwards
 from urdfctl.source.gitignore import GitIgnore
 from urdfctl.source.packages import package_around, package_folders, package_name
 from urdfctl.source.workspace import workspace_of
+from urdfctl.startup.records import NamedTuple
 
 _PRUNED = frozenset({".git", "build", "install", "log", "devel", "node_modules", "__pycache__"})
 _COPIED = 1 << 20
 """Larger files are linked: only texts are edited."""
+
+
+class Written(NamedTuple):
+    """The content that was written to a file; None if it was deleted.
+
+    is_new: whether the user does not have the file.
+    """
+
+    after: bytes | None
+    is_new: bool
 
 
 class Scratch:
@@ -27,6 +38,7 @@ class Scratch:
     folders: the copies of the folders to migrate.
     others: the folders of the workspace's other packages, which are not copied; without those that have the name of a
         package to migrate.
+    written: the files that differ from the user's, by their paths in the copy.
     """
 
     def __init__(self, paths: Sequence[str]) -> None:
@@ -44,6 +56,7 @@ class Scratch:
         others = (os.path.realpath(folder) for folder in package_folders(self._workspace))
         outside = (folder for folder in others if not any(_is_below(folder, copied) for copied in real))
         self.others = [folder for folder in outside if _name(folder) not in mine]
+        self.written: dict[str, Written] = {}
         self._originals: dict[str, bytes | None] = {}
         self._kept: dict[str, bytes | None] = {}
 
@@ -80,6 +93,10 @@ class Scratch:
         path = os.path.normpath(path)
         self._originals.setdefault(path, bytes_of(path))
         self._kept.setdefault(path, bytes_of(path))
+        original = self._originals[path]
+        self.written.pop(path, None)
+        if data != original:
+            self.written[path] = Written(data, is_new=original is None)
         if data is None:
             if os.path.lexists(path):
                 os.unlink(path)
