@@ -3,23 +3,26 @@
 from __future__ import annotations
 
 import json
+import os
 import signal
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from folder import Folder, environment
 
+from urdfctl.cli.journal import restore_unfinished
 from urdfctl.cli.migrate_lint import Lint
 from urdfctl.cli.writing_all import write_all
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Edit
 from urdfctl.fix.edits import Change
-from urdfctl.migrate.engine import migrate
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.engine import Migration, migrate
+from urdfctl.migrate.packages import Linted, Packages
 from urdfctl.migrate.scratch import Scratch
 from urdfctl.migrate.step import Proposal, Step
 from urdfctl.migrate.wishes import Part, Wishes
@@ -130,6 +133,45 @@ def test_a_file_that_a_program_changed_meanwhile_stops_the_whole_write(folder: F
     assert content(folder, ".") == {"a": b"1", "b": b"changed"}
 
 
+KILLED = """\
+import os, signal, sys
+left = int(sys.argv[1])
+def killing(real):
+    def call(*paths):
+        global left
+        left -= ".urdfctl-cache" not in str(paths[0])
+        if left < 0:
+            os.kill(os.getpid(), signal.SIGKILL)
+        real(*paths)
+    return call
+os.replace, os.unlink = killing(os.replace), killing(os.unlink)
+from urdfctl.cli.writing_all import write_all
+from urdfctl.fix.edits import Change
+wanted = [("a", b"1", b"2"), ("b", b"1", None), ("c", None, b"2"), ("d", b"1", b"2")]
+write_all([Change(os.path.abspath(name), before, after) for name, before, after in wanted])
+os.kill(os.getpid(), signal.SIGKILL)
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such signals")
+@pytest.mark.parametrize("renames", range(5))
+def test_what_a_run_left_that_was_killed_at_a_rename_is_restored_by_the_next_one(
+    folder: Folder, renames: int, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    cache = folder.path / ".urdfctl-cache"
+    monkeypatch.setenv("XDG_CACHE_HOME", str(cache))
+    before = {"a": b"1", "b": b"1", "d": b"1"}
+    folder.write(before)
+    ran = subprocess.run([sys.executable, "-c", KILLED, str(renames)], env=dict(os.environ), check=False)
+    assert ran.returncode == -signal.SIGKILL
+    is_finished = renames == 4
+    after = {"a": b"2", "c": b"2", "d": b"2"}
+    restore_unfinished()
+    assert not [path for path in cache.rglob("*") if path.is_file()]
+    assert content(folder, ".") == (after if is_finished else before)
+    assert capsys.readouterr().err.count("before a run that was killed") == (0 if is_finished else renames)
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such signals")
 @pytest.mark.parametrize("after", [0.2, 0.6, 1.0, 1.4])
 def test_a_run_that_is_killed_leaves_all_files_as_they_were_or_as_they_should_be(folder: Folder, after: float) -> None:
@@ -173,20 +215,85 @@ def test_errors_that_only_the_target_has_are_in_the_report(folder: Folder) -> No
     assert [entry["message"] for entry in left if "ghost" in entry["message"]]
 
 
+Propose = Callable[[Packages], Iterator[Proposal]]
+
+
+def result_of(folder: Path, *steps: tuple[str, Propose], lint: Callable[[Scratch], Any] = Lint) -> Migration:
+    """The migration of the package arm to jazzy by some steps, given by name and function."""
+    scratch = Scratch([str(folder / "arm")])
+    own = [Step(name, Part.URDF, "a change", propose) for name, propose in steps]
+    result = migrate(scratch, Wishes("jazzy"), Settings(workspace=scratch.root), lint(scratch), own)
+    scratch.close()
+    return result
+
+
+def replacing(*pairs: tuple[str, str], only_with: str = "", apart: bool = True) -> Propose:
+    """Return a function that proposes to replace texts in descriptions that contain another one: each, or all at once.
+
+    An empty text is inserted before the next one.
+    """
+
+    def propose(packages: Packages) -> Iterator[Proposal]:
+        for path in packages.files(".xacro", ".urdf"):
+            source = packages.read(path)
+            found = [source.data.find((old or pairs[-1][0]).encode()) for old, _ in pairs]
+            if min(found) < 0 or only_with.encode() not in source.data:
+                continue
+            spans = (SourceSpan(source, at, at + len(old)) for at, (old, _) in zip(found, pairs, strict=True))
+            edits = [Edit(span, new) for span, (_, new) in zip(spans, pairs, strict=True)]
+            yield from (Proposal(edits=(edit,)) for edit in edits) if apart else [Proposal(edits=tuple(edits))]
+
+    return propose
+
+
+BREAKING = replacing(('"position"', '"positon"'))
+RENAMING = replacing(("ign_ros2_control/IgnitionSystem", "gz_ros2_control/GazeboSimSystem"))
+
+
 def test_a_change_that_would_cause_a_finding_of_a_new_kind_is_left_out_and_reported(tmp_path: Path) -> None:
     Folder(tmp_path).write(FILES)
-
-    def breaking(packages: Packages) -> Iterator[Proposal]:
-        for path in packages.files(".xacro"):
-            source = packages.read(path)
-            start = source.data.find(b'"position"')
-            if start >= 0:
-                yield Proposal(edits=(Edit(SourceSpan(source, start, start + 10), '"positon"'),))
-
-    scratch = Scratch([str(tmp_path / "arm")])
-    step = Step("breaking", Part.URDF, "a fault", breaking)
-    settings = Settings(workspace=scratch.root)
-    result = migrate(scratch, Wishes("jazzy"), settings, Lint(scratch), [step])
-    scratch.close()
+    result = result_of(tmp_path, ("breaking", BREAKING))
     assert result.changes == ()
     assert "not changed by step 'breaking'" in result.lines[0].message
+
+
+def test_the_steps_that_must_be_left_out_of_many_files_are_found_at_once(tmp_path: Path) -> None:
+    Folder(tmp_path).write({**FILES, **{f"arm/urdf/other_{n}.urdf": ROBOT for n in range(6)}})
+    runs = []
+
+    class Counting(Lint):
+        def __call__(self, settings: Settings) -> Linted:
+            runs.append(settings.distro)
+            return super().__call__(settings)
+
+    result = result_of(tmp_path, ("breaking", BREAKING), ("renaming", RENAMING), lint=Counting)
+    assert [change.after for change in result.changes] == [MIGRATED.encode()] * 7
+    assert sum("step 'breaking'" in line.message for line in result.lines) == 7
+    assert runs.count("jazzy") <= 8
+
+
+def test_a_step_that_was_left_out_is_reported_although_it_proposes_nothing_later(tmp_path: Path) -> None:
+    Folder(tmp_path).write(FILES)
+    breaking = replacing(('"position"', '"positon"'), only_with="ign_ros2_control/Ignition")
+    result = result_of(tmp_path, ("breaking", breaking), ("renaming", RENAMING))
+    assert [change.after for change in result.changes] == [MIGRATED.encode()]
+    assert "not changed by step 'breaking'" in result.lines[0].message
+
+
+def test_edits_of_one_change_that_touch_are_all_made(tmp_path: Path) -> None:
+    Folder(tmp_path).write(FILES)
+    result = result_of(tmp_path, ("both", replacing(("", "<!-- new -->"), ("<!-- the hardware -->", ""), apart=False)))
+    assert [change.after for change in result.changes] == [ROBOT.replace("<!-- the hardware", "<!-- new").encode()]
+
+
+def test_changes_that_touch_each_other_are_made_one_after_the_other(tmp_path: Path) -> None:
+    Folder(tmp_path).write(FILES)
+    result = result_of(tmp_path, ("both", replacing(("the hardware", "it"), ("hardware -->", "-->"))))
+    assert [change.after for change in result.changes] == [ROBOT.replace("the hardware", "it").encode()]
+
+
+def test_a_change_that_cannot_be_made_because_its_edits_overlap_is_reported(tmp_path: Path) -> None:
+    Folder(tmp_path).write(FILES)
+    overlapping = replacing(("the hardware", "it"), ("hardware -->", "-->"), apart=False)
+    result = result_of(tmp_path, ("both", overlapping))
+    assert [line.message for line in result.lines] == ["not changed by step 'both': its changes overlap"]

@@ -99,6 +99,10 @@ def _request(words: Sequence[str], config: Config, options: LintOptions) -> Lint
 
 def lint(request: LintRequest, settings: Settings) -> int:
     """Lint, fix and report the files of a request, and return the exit status."""
+    if request.fixing is not None:
+        from urdfctl.cli.journal import restore_unfinished
+
+        restore_unfinished()
     paths, named_arguments = split_arguments(request.words)
     arguments = tuple(named_arguments.items())
     cache = _cache(paths, settings, request)

@@ -9,16 +9,18 @@ from collections.abc import Sequence
 from contextlib import closing
 
 from urdfctl.catalog.distros import ALL, ROS2, SIMULATORS
+from urdfctl.cli.journal import restore_unfinished
 from urdfctl.cli.migrate_lint import Lint
 from urdfctl.cli.migrate_options import MigrateOptions
 from urdfctl.cli.patch import patch
 from urdfctl.cli.words import configured, settings_from
-from urdfctl.cli.writing import print_bytes, print_message, print_text, write_file
+from urdfctl.cli.writing import encoded, print_bytes, print_message, print_text, write_file
 from urdfctl.cli.writing_all import write_all
 from urdfctl.errors import UserError
+from urdfctl.fix.edits import Change
 from urdfctl.migrate.engine import Migration, migrate
 from urdfctl.migrate.report import as_json, as_markdown
-from urdfctl.migrate.scratch import Scratch
+from urdfctl.migrate.scratch import Scratch, bytes_of
 from urdfctl.migrate.step import EntryKind
 from urdfctl.migrate.steps import STEPS
 from urdfctl.migrate.wishes import Part, Wishes
@@ -38,6 +40,7 @@ def run_migrate(options: MigrateOptions) -> int:
     paths = options.paths or [os.curdir]
     if sum([options.diff, options.in_place, options.output is not None]) > 1:
         raise UserError("--diff, --in-place and -o exclude each other")
+    restore_unfinished()
     with closing(Scratch(paths)) as scratch:
         real = [scratch.real(folder) for folder in scratch.folders]
         _check_destination(options, real)
@@ -109,21 +112,25 @@ def _finish(result: Migration, scratch: Scratch, options: MigrateOptions, wishes
     """Write the result where the user wants it, and return the exit status."""
     base = os.path.commonpath([scratch.real(folder) for folder in scratch.folders])
     is_written = options.in_place or options.output is not None
+    report = options.report or (os.path.join(options.output or base, REPORT) if is_written else None)
+    is_reported = report is not None and bool(result.changes or (options.report and result.lines))
+    render = as_json if report and report.endswith(".json") else as_markdown
+    text = encoded(render(result.lines, wishes.source, wishes.target, base)) if is_reported else b""
+    changes = result.changes
     if options.output is not None:
         _write_copy(scratch, options.output, base)
     elif options.in_place:
-        problems = write_all(result.changes)
+        if report is not None and is_reported and options.report is None:
+            changes = (*changes, Change(report, bytes_of(report), text))
+        problems = write_all(changes)
         for problem in problems:
             print_message(problem)
         if problems:
             return 2
     else:
-        print_bytes(patch(result.changes))
-    report = options.report or (os.path.join(options.output or base, REPORT) if is_written else None)
-    is_reported = report is not None and bool(result.changes or (options.report and result.lines))
-    if report is not None and is_reported:
-        render = as_json if report.endswith(".json") else as_markdown
-        write_file(report, render(result.lines, wishes.source, wishes.target, base), force=True)
+        print_bytes(patch(changes))
+    if report is not None and is_reported and changes is result.changes:
+        write_file(report, text, force=True)
     counts = {kind: sum(line.kind is kind for line in result.lines) for kind in EntryKind}
     verb = "changed" if is_written else "would change"
     files = f"{len(result.changes)} file{'s' * (len(result.changes) != 1)}"
@@ -135,11 +142,18 @@ def _finish(result: Migration, scratch: Scratch, options: MigrateOptions, wishes
 
 
 def _write_copy(scratch: Scratch, output: str, base: str) -> None:
-    """Write the migrated packages below a folder, in the same places as below `base`."""
-    for path in scratch.files():
-        target = os.path.join(output, os.path.relpath(scratch.real(path), base))
-        os.makedirs(os.path.dirname(target), exist_ok=True)
-        try:
+    """Write the migrated packages below a folder, in the same places as below `base`; as a whole if there is none."""
+    is_new = not os.path.lexists(output)
+    folder = f"{os.path.realpath(output)}.{os.getpid()}" if is_new else output
+    try:
+        os.makedirs(folder, exist_ok=True)
+        for path in scratch.files():
+            target = os.path.join(folder, os.path.relpath(scratch.real(path), base))
+            os.makedirs(os.path.dirname(target), exist_ok=True)
             shutil.copyfile(path, target)
-        except OSError as error:
-            raise UserError(f"'{target}' cannot be written: {error.strerror}") from None
+        if is_new:
+            os.rename(folder, output)
+    except OSError as error:
+        if is_new:
+            shutil.rmtree(folder, ignore_errors=True)
+        raise UserError(f"'{output}' cannot be written: {error.strerror}") from None

@@ -7,6 +7,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
+from urdfctl.cli.journal import journal
 from urdfctl.cli.writing import temporary_beside, write_beside
 from urdfctl.errors import UserError
 from urdfctl.fix.edits import Change
@@ -16,14 +17,16 @@ def write_all(changes: Sequence[Change]) -> list[str]:
     """Write, create and delete all files, or none: they were only tested together. Return what prevented it.
 
     All new contents are written to temporary files first, so that a run that is killed before the last step, which
-    only renames and takes no signal but SIGKILL, leaves the files as they were.
+    only renames and takes no signal but SIGKILL, leaves the files as they were. If it is killed then, the next run
+    that writes files restores them from a journal.
     """
     staged: list[tuple[Change, str | None]] = []
     try:
-        for change in changes:
-            staged.append((change, _staged(change)))  # noqa: PERF401 (what is staged is cleaned up if one fails)
-        with _undisturbed():
-            _commit(staged)
+        with journal(changes):
+            for change in changes:
+                staged.append((change, _staged(change)))  # noqa: PERF401 (what is staged is cleaned up if one fails)
+            with _undisturbed():
+                _commit(staged)
     except (UserError, OSError) as error:
         return [
             str(error) if isinstance(error, UserError) else f"'{error.filename}' cannot be written: {error.strerror}"

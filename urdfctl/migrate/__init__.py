@@ -14,9 +14,10 @@ A migration is made in a copy of the packages (`Scratch`), judged there, and wri
   sections of controller files with their types, whether a launch file loads them or not.
 - Entries: `Entry(EntryKind.DONE | DECIDED | FOR_YOU, message, place, authority=, option=)`. What a person must decide
   is `todo.for_you(place, text)`: a TODO comment in the line above, and its entry. UC708 finds the TODOs.
-- The engine (`engine.py`) applies the steps in the order of `steps.py` and lints the result for the target. A step is
-  left out of a file if otherwise a finding that it claims (`Proposal.fixes`) stays there, an error or warning of a new
-  kind appears, or the kinematics of a robot change without being listed in `Proposal.moves`.
+- The engine (`engine.py`) applies the steps in the order of `steps.py` (`attempt.py`) and lints the result for the
+  target; only what a change may concern is read and linted again (`memory.py`). `trials.py` searches which steps must
+  be left out: a step is left out of a file if otherwise a finding that it claims (`Proposal.fixes`) stays there, an
+  error or warning of a new kind appears, or the kinematics of a robot change without being listed in `Proposal.moves`.
 
 Steps are in `ros1/`, `classic/` and `distro/`; each of these lists its own in `STEPS`.
 """

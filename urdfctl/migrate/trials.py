@@ -1,0 +1,136 @@
+"""Find the steps that must be left out of a migration, by attempts to apply all steps."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Generator, Mapping, Sequence
+
+from urdfctl.config.settings import Settings
+from urdfctl.migrate.acceptance import Before, Objection
+from urdfctl.migrate.attempt import Attempt, Barred, Key, Noted
+from urdfctl.migrate.packages import Lint, Packages
+from urdfctl.migrate.step import Step
+
+MOST_ATTEMPTS = 24
+
+Kind = tuple[str, str]
+Search = Generator[Sequence[Key], bool, Sequence[Key]]
+"""Yields what to leave out next; is sent whether the objection is gone then; returns what to leave out for good."""
+
+
+class Trials:
+    """Attempts to apply all steps, each without those that the objections to the earlier ones bar.
+
+    earlier: the entries of the report about what was accepted before.
+    """
+
+    def __init__(
+        self,
+        packages: Packages,
+        steps: Sequence[Step],
+        state: Before,
+        lint: Lint,
+        settings: Settings,
+        earlier: Sequence[Noted] = (),
+    ) -> None:
+        self.packages, self.steps, self.state = packages, steps, state
+        self.lint, self.settings, self.earlier = lint, settings, earlier
+        self.made = 0
+
+    def best(self) -> tuple[Attempt, list[Objection]]:
+        """Return the last attempt, and the objections to it that no step is responsible for.
+
+        The steps that are responsible are searched for all objections at once.
+        """
+        searches: dict[Kind, _Suspects] = {}
+        attempt, found = self._attempt({})
+        while self.made < MOST_ATTEMPTS:
+            kinds = {objection.kind for objection in found}
+            for kind, suspects in searches.items():
+                suspects.judge(is_gone=kind not in kinds)
+            for objection in found:
+                known = searches.get(objection.kind)
+                if known is None or known.is_back:
+                    candidates = _candidates(attempt, objection)
+                    searches[objection.kind] = _Suspects(objection.message, candidates, known.choice if known else ())
+            barred = {key: suspects.why for suspects in searches.values() for key in suspects.choice}
+            if barred.keys() == attempt.barred.keys():
+                return attempt, found
+            attempt, found = self._attempt(barred)
+        return self._without_all(searches, attempt)
+
+    def _without_all(self, searches: Mapping[Kind, _Suspects], attempt: Attempt) -> tuple[Attempt, list[Objection]]:
+        """The attempt without all that may be responsible, or without anything if that does not help."""
+        everyone = {key: suspects.why for suspects in searches.values() for key in suspects.all}
+        last, found = self._attempt(everyone)
+        if all(objection.kind in searches for objection in found):
+            return last, found
+        why = "too many changes would cause findings of a new kind"
+        return self._attempt({**everyone, **dict.fromkeys((*attempt.touched, *last.touched), why)})
+
+    def _attempt(self, barred: Barred) -> tuple[Attempt, list[Objection]]:
+        self.made += 1
+        self.packages.scratch.reset()
+        self.packages.forget()
+        attempt = Attempt(self.packages, barred, self.earlier)
+        attempt.run(self.steps)
+        found = attempt.judged(self.state, self.lint, self.settings) if self.packages.scratch.changes() else []
+        return attempt, found
+
+
+class _Suspects:
+    """The search for the steps that are responsible for an objection.
+
+    choice: what to leave out next; empty if nothing helps.
+    all: everything that may be responsible; empty if nothing helps.
+    base: what was found to be responsible before the objection came back.
+    """
+
+    def __init__(self, why: str, candidates: Sequence[Key], base: Sequence[Key] = ()) -> None:
+        self.why, self._base = why, tuple(base)
+        self.is_done = self.is_back = False
+        self.all = (*self._base, *candidates)
+        self._search = _search(candidates)
+        self.choice: tuple[Key, ...] = ()
+        self._choose(lambda: next(self._search))
+
+    def judge(self, *, is_gone: bool) -> None:
+        """Choose what to leave out next, by whether the objection is gone without the last choice."""
+        if self.is_done:
+            self.is_back = not is_gone and bool(self.choice)
+        else:
+            self._choose(lambda: self._search.send(is_gone))
+
+    def _choose(self, resume: Callable[[], Sequence[Key]]) -> None:
+        try:
+            self.choice = (*self._base, *resume())
+        except StopIteration as end:
+            self.is_done = True
+            self.choice = self.all = (*self._base, *end.value) if end.value else ()
+
+
+def _search(candidates: Sequence[Key]) -> Search:
+    """Search the first candidate alone, then all of them, then the one among the first few that makes the difference.
+
+    Of the steps that changed a file, the last one is mostly responsible.
+    """
+    if not candidates:
+        return ()
+    if (yield candidates[:1]):
+        return candidates[:1]
+    if len(candidates) == 1 or not (yield candidates):
+        return ()
+    low, high = 1, len(candidates)
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (low, middle) if (yield candidates[:middle]) else (middle, high)
+    alone = candidates[high - 1 : high]
+    return alone if (yield alone) else candidates[:high]
+
+
+def _candidates(attempt: Attempt, objection: Objection) -> list[Key]:
+    """The steps that may be responsible for an objection: those that changed its own file first, the last one first."""
+    own, files = os.path.realpath(objection.file), {os.path.realpath(file) for file in objection.files}
+    touched = list(reversed(attempt.touched))
+    direct = [key for key in touched if key[1] == own]
+    return direct + [key for key in touched if key[1] in files and key not in direct]
