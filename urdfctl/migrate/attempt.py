@@ -63,15 +63,21 @@ class Attempt:
         self._claims: dict[str, frozenset[str]] = {}
         self._moved: frozenset[str] = frozenset()
 
-    def run(self, steps: Iterable[Step]) -> None:
-        """Apply steps, each until it proposes no more changes."""
-        for step in steps:
-            left: list[Proposal] = []
-            for _ in range(MOST_ROUNDS):
-                is_changed, left = self._round(step)
-                if not is_changed:
-                    break
-            self._note_left(step, left)
+    def copy(self, barred: Barred) -> Attempt:
+        """Return an attempt that applied the same steps so far, and will apply further ones without those barred."""
+        other = Attempt(self.packages, barred, self.noted)
+        other.touched = dict(self.touched)
+        other._claims, other._moved = dict(self._claims), self._moved
+        return other
+
+    def apply(self, step: Step) -> None:
+        """Apply a step until it proposes no more changes."""
+        left: list[Proposal] = []
+        for _ in range(MOST_ROUNDS):
+            is_changed, left = self._round(step)
+            if not is_changed:
+                break
+        self._note_left(step, left)
 
     def _round(self, step: Step) -> tuple[bool, list[Proposal]]:
         """Apply what a step proposes now; return whether that changed anything, and the proposals that clash."""

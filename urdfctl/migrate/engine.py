@@ -52,8 +52,8 @@ def migrate(scratch: Scratch, wishes: Wishes, settings: Settings, lint: Lint, st
         packages = Packages(scratch, wishes, settings, source, known)
         wanted = [step for step in steps if _is_wanted(step, packages)]
         state = before(source, target, packages.loaded())
-        scratch.keep()
-        attempt, found = Trials(packages, wanted, state, lint, settings, noted).best()
+        trials = Trials(packages, wanted, state, lint=lint, settings=settings, earlier=noted)
+        attempt, found = trials.best()
         noted = attempt.noted
         left_out = {**{key: why for key, why in left_out.items() if key not in attempt.touched}, **attempt.barred}
         if not attempt.barred or not attempt.touched:

@@ -6,7 +6,7 @@ import os
 import shutil
 import stat
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.errors import UserError
 from urdfctl.fix.edits import Change
@@ -58,7 +58,6 @@ class Scratch:
         self.others = [folder for folder in outside if _name(folder) not in mine]
         self.written: dict[str, Written] = {}
         self._originals: dict[str, bytes | None] = {}
-        self._kept: dict[str, bytes | None] = {}
 
     def close(self) -> None:
         """Delete the copy."""
@@ -92,7 +91,6 @@ class Scratch:
         """Write a file in the copy, or delete it if `data` is None."""
         path = os.path.normpath(path)
         self._originals.setdefault(path, bytes_of(path))
-        self._kept.setdefault(path, bytes_of(path))
         original = self._originals[path]
         self.written.pop(path, None)
         if data != original:
@@ -107,15 +105,11 @@ class Scratch:
         with open(path, "wb") as file:
             file.write(data)
 
-    def keep(self) -> None:
-        """Let `reset` return to what is written now."""
-        self._kept.clear()
-
-    def reset(self) -> None:
-        """Undo what was written since `keep`."""
-        for path, data in list(self._kept.items()):
-            self.write(path, data)
-        self._kept.clear()
+    def restore(self, written: Mapping[str, Written]) -> None:
+        """Return to an earlier state: a copy of what `written` was then."""
+        for path in {**self.written, **written}:
+            if self.written.get(path) != written.get(path):
+                self.write(path, written[path].after if path in written else self._originals[path])
 
     def changes(self) -> tuple[Change, ...]:
         """Return what was written, with real paths; `before` is None for a new file, `after` for a deleted one."""

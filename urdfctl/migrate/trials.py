@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Generator, Mapping, Sequence
+from itertools import takewhile
 
 from urdfctl.config.settings import Settings
 from urdfctl.migrate.acceptance import Before, Objection
 from urdfctl.migrate.attempt import Attempt, Barred, Key, Noted
 from urdfctl.migrate.packages import Lint, Packages
+from urdfctl.migrate.scratch import Written
 from urdfctl.migrate.step import Step
+from urdfctl.startup.records import NamedTuple
 
 MOST_ATTEMPTS = 24
 
@@ -34,7 +37,8 @@ class Trials:
         earlier: Sequence[Noted] = (),
     ) -> None:
         self.packages, self.steps, self.state = packages, steps, state
-        self.lint, self.settings, self.earlier = lint, settings, earlier
+        self.lint, self.settings = lint, settings
+        self._stages = [_Stage(Attempt(packages, {}, earlier), dict(packages.scratch.written))]
         self.made = 0
 
     def best(self) -> tuple[Attempt, list[Objection]]:
@@ -69,13 +73,32 @@ class Trials:
         return self._attempt({**everyone, **dict.fromkeys((*attempt.touched, *last.touched), why)})
 
     def _attempt(self, barred: Barred) -> tuple[Attempt, list[Objection]]:
+        """Apply all steps, beginning with the first one that the last attempt barred from other files."""
         self.made += 1
-        self.packages.scratch.reset()
+        scratch = self.packages.scratch
+        last = self._stages[-1].attempt.barred
+        is_same = (_files_of(step, last) == _files_of(step, barred) for step in self.steps)
+        index = min(sum(takewhile(bool, is_same)), len(self._stages) - 1)
+        del self._stages[index + 1 :]
+        scratch.restore(self._stages[index].written)
         self.packages.forget()
-        attempt = Attempt(self.packages, barred, self.earlier)
-        attempt.run(self.steps)
-        found = attempt.judged(self.state, self.lint, self.settings) if self.packages.scratch.changes() else []
+        attempt = self._stages[index].attempt.copy(barred)
+        for step in self.steps[index:]:
+            attempt.apply(step)
+            self._stages.append(_Stage(attempt.copy(barred), dict(scratch.written)))
+        found = attempt.judged(self.state, self.lint, self.settings) if scratch.written else []
         return attempt, found
+
+
+class _Stage(NamedTuple):
+    """An attempt before a step, and the state of the files."""
+
+    attempt: Attempt
+    written: Mapping[str, Written]
+
+
+def _files_of(step: Step, barred: Barred) -> set[str]:
+    return {file for name, file in barred if name == step.name}
 
 
 class _Suspects:
