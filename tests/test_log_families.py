@@ -68,6 +68,25 @@ FAMILIES = {
     "No transform from [wheel_left] to [base_link]": "no-transform-to-frame",
     "Unable to find uri[model://my_robot/meshes/a.stl]": "model-uri-not-found",
     "Unable to download model[model://my_robot]": "model-uri-not-found",
+    "[gz-1] Library [/opt/ros/humble/lib/libgz_ros2_control-system.so] does not export any plugins. The symbol "
+    "[GzPluginHook] is missing, or it is not externally visible.": "library-of-other-simulator",
+    "xacro: error: expected exactly one input file as argument": "xacro-not-one-file",
+    "[ros2_control_node-2]   what():  Resource temporarily unavailable": "no-more-resources",
+    "[create-3] [ERROR] [1.0] [x]: Must specify either -file, -param, -stdin or -topic": "spawner-without-model",
+    "[create-3] [ERROR] [1.0] [ros_gz_sim]: Request to create entity from service [/world/empty/create] timed out..": (
+        "spawn-service-missing"
+    ),
+    "[WARN] [1.0] [ros_gz_bridge]: Failed to create a bridge for topic [/scan] with ROS2 type "
+    "[sensor_msgs/msg/LaserScan] to topic [/scan] with Gazebo Transport type [ignition.msgs.LaserScan]": (
+        "bridge-not-created"
+    ),
+    "[rviz2-4] [INFO] [1.0] [rviz]: Message Filter dropping message: frame 'laser' at time 7.1 for reason 'discarding "
+    "message because the queue is full'": "message-dropped-by-filter",
+    "[move_group-1] [INFO] [1.0] [x]: Didn't receive robot state (joint angles) with recent timestamp within 1.000000 "
+    "seconds.": "moveit-no-robot-state",
+    "[rviz2-3] [ERROR] [1.0] [rviz2]: PluginlibFactory: The plugin for class 'moveit_rviz_plugin/MotionPlanning' "
+    "failed to load. Error: x": "rviz-plugin-not-loaded",
+    "[rviz2-3] qt.qpa.xcb: could not connect to display :0": "no-display",
 }
 """A line, and the id of its message."""
 
@@ -86,6 +105,9 @@ def test_a_line_of_each_family_is_explained_alone_and_in_a_long_log(line: str) -
         "[ERROR] [1.0] [x]: No 3D sensor plugin(s) defined for octomap updates",
         "[ERROR] [1.0]: No p gain specified for pid.  Namespace: /gazebo_ros_control/pid_gains/j1",
         "[WARN] [1.0] [x]: Resolution not specified for Octomap. Assuming resolution = 0.1 instead",
+        "[rviz2-4] [ERROR] [1.0] [x]: Action server: /recognize_objects not available",
+        "[gz-1] [Wrn] [Component.hh:144] Trying to serialize component with data type [x], which doesn't have `operator<<`.",
+        "[gzserver-2] [WARN] [1.0] [rcl]: Found remap rule '~/out:=odom'. This syntax is deprecated.",
     ],
 )
 def test_lines_that_look_bad_and_are_not_are_harmless(line: str) -> None:

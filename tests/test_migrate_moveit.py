@@ -43,7 +43,7 @@ def migrated(folder: Folder, files: dict[str, str], target: str = "humble") -> d
             "src/moveit/.setup_assistant": "moveit_setup_assistant_config:\n  URDF: {package: arm}\n",
             "src/moveit/config/arm.srdf": SRDF,
             "src/moveit/config/kinematics.yaml": KINEMATICS,
-        "src/moveit/config/joint_limits.yaml": "joint_limits: {}\n",
+            "src/moveit/config/joint_limits.yaml": "joint_limits: {}\n",
             **{f"src/moveit/{name}": text for name, text in files.items()},
         }
     )
