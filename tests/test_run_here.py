@@ -37,6 +37,22 @@ def test_a_job_that_takes_too_long_is_ended_and_the_next_one_is_done() -> None:
     assert quick == {"done": True}
 
 
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
+def test_an_interruption_that_is_lost_is_repeated() -> None:
+    """The interpreter prints and forgets what is raised in a callback of the garbage collector."""
+
+    class Forgetting:
+        def __del__(self) -> None:
+            endless({"endless": True})
+
+    def job(_: Json) -> Json:
+        Forgetting()
+        return endless({"endless": True})
+
+    [result] = run_all_here([{}], job, LIMITS)
+    assert result == WorkerFailure(LIMITS.too_slow)
+
+
 def test_a_job_that_raises_is_a_failure_of_its_own() -> None:
     [result] = run_all_here([{"text": "broken"}], failing, LIMITS)
     assert isinstance(result, WorkerFailure)

@@ -44,10 +44,15 @@ def _without_arguments(reason: str) -> type[OverBudget]:
     return TimeIsUp
 
 
+_AGAIN = 1.0
+"""Seconds after which work that is still not interrupted is interrupted again."""
+
+
 class Clock:
     """Raises OverBudget in the thread that entered it, after `limits.seconds` or when `stop` is called.
 
-    Python code is interrupted at its next bytecode. Without threads, nothing is interrupted.
+    Python code is interrupted at its next bytecode; again and again until it leaves, because what is raised in a callback
+    of the garbage collector is lost. Without threads, nothing is interrupted.
     """
 
     def __init__(self, limits: Limits) -> None:
@@ -59,22 +64,26 @@ class Clock:
 
     def __enter__(self) -> None:
         self._thread = threading.get_ident()
-        self._timer = threading.Timer(self._limits.seconds, self.stop)
-        self._timer.daemon = True
+        self._timer = self._started(self._limits.seconds)
+
+    def _started(self, seconds: float) -> threading.Timer | None:
+        timer = threading.Timer(seconds, self.stop)
+        timer.daemon = True
         try:
-            self._timer.start()
+            timer.start()
         except RuntimeError:  # a browser has no threads
-            self._timer = None
+            return None
+        return timer
 
     def __exit__(self, kind: type[BaseException] | None, _: BaseException | None, __: TracebackType | None) -> None:
-        if self._timer is not None:
-            self._timer.cancel()
         with self._lock:
             self._thread = None
+        if self._timer is not None:
+            self._timer.cancel()
 
     def stop(self) -> None:
         """Interrupt the thread that is between entering and leaving."""
         with self._lock:
             if self._thread is not None:
                 ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self._thread), ctypes.py_object(self._error))
-                self._thread = None
+                self._timer = self._started(_AGAIN)
