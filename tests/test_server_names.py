@@ -84,9 +84,13 @@ def place(text: str, name: str, number: int = 1) -> types.Position:
     return types.Position(text.count("\n", 0, offset), offset - text.rfind("\n", 0, offset) - 1)
 
 
-def question(folder: Folder, file: str, at: types.Position, typed: str | None = None) -> Question:
-    """A question about a place in a package whose files are open; one of them perhaps as it is being typed."""
-    folder.write({".git/HEAD": "", "package.xml": "<package format='3'><name>p</name></package>", **FILES})
+def question(folder: Folder, file: str, at: types.Position, typed: str | None = None, **written: str) -> Question:
+    """A question about a place in a package whose files are open; one of them perhaps as it is being typed.
+
+    written: other texts of files, by the names of their constants.
+    """
+    folder.write({".git/HEAD": "", "package.xml": "<package format='3'><name>p</name></package>"})
+    folder.write({**FILES, **{globals()[name]: text for name, text in written.items()}})
     folder.write({"urdfctl.toml": 'distro = "jazzy"\n'})
     workspace = Workspace(str(folder.path), Wishes())
     workspace.check()
@@ -163,7 +167,9 @@ def test_a_rename_that_is_not_sure_is_refused_with_the_reason(
             "neck",
             ["**joint** `neck`", "revolute, -1 to 1 rad, at most 2 rad/s, at most 5 N m", "controller `turn`"],
         ),
-        (YAML, "joints", ["**parameter** `joints`", "type: `string_array`"]),
+        (YAML, "joints", ["**parameter** `joints`", "type: `string_array`", "order of the values in a command"]),
+        (YAML, "neck", ["revolute, -1 to 1 rad", "controller `turn`: command interface position"]),
+        (URDF, '"position"/><s', ["**command interface** `neck/position`", "controller `turn` claims it"]),
         (XACRO, "${2 * radius}", ["`0.2` in the call of `wheel` in line 9", "`0.4` in the call of `wheel` in line 10"]),
     ],
 )
@@ -207,6 +213,54 @@ def test_values_are_shown_where_all_calls_agree(folder: Folder) -> None:
     text = MACROS.replace('effort="1"', 'effort="${3 * 4}"')
     asks = question(folder, XACRO, types.Position(0, 0), typed=text)
     assert [(hint.line, hint.value) for hint in hints_in(asks)] == [(6, "12")]
+
+
+IGNORED = ROBOT.replace("  <link name", "  <!-- urdfctl: ignore[UC116] later -->\n  <link name", 1)
+LIMITED = CONTROLLERS.replace("JointGroupPositionController", "GripperActionController").replace(
+    "joints: [neck]", "joint: neck\n    stall_timeout: 1.0"
+)
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "name", "words"),
+    [
+        (URDF, IGNORED, "UC116", ["**UC116** unknown-link (error)", "Runtime: rejects the part"]),
+        (YAML, LIMITED, "stall_timeout", ["type: `double`", "unit: s", "default: `1.0`"]),
+        (URDF, ROBOT.replace('<command_interface name="position"/>', ""), '"position"/>', ["no controller uses it"]),
+    ],
+)
+def test_pointing_at_a_code_tells_of_its_rule_and_at_a_number_its_unit(
+    folder: Folder, file: str, text: str, name: str, words: list[str]
+) -> None:
+    found = hover(question(folder, file, place(text, name), typed=text))
+    assert found is not None
+    assert [word for word in words if word not in found] == []
+
+
+def test_pointing_at_a_finding_tells_of_its_rule(folder: Folder) -> None:
+    question(folder, URDF, types.Position(0, 0))  # writes the files
+    text = ROBOT.replace('<parent link="base"/><child link="head"/>', '<parent link="basis"/><child link="head"/>')
+
+    async def use(editor: Editor) -> str:
+        await editor.open(URDF, text)
+        await editor.checked()
+        asked = types.HoverParams(editor.document(URDF), place(text, "basis"))
+        return str(await editor.client.text_document_hover_async(asked))
+
+    assert "**UC116** unknown-link" in in_editor(folder.path, use)
+
+
+def test_pointing_at_an_interface_tells_of_the_controllers_of_all_namespaces(folder: Folder) -> None:
+    spaces = [f"/{side}/controller_manager:{CONTROLLERS.partition(':')[2]}" for side in ("left", "right")]
+    yaml = "".join(space.replace("\nturn:", f"\n{space.split('/c')[0]}/turn:") for space in spaces)
+    sides = "".join(f"        Node(package='controller_manager', executable='ros2_control_node', namespace='{side}', "
+                    "parameters=[os.path.join(share, 'config', 'controllers.yaml')]),\n"
+                    for side in ("left", "right"))  # fmt: skip
+    launch = LAUNCH.replace("        Node(package='controller_manager', executable='sp", f"{sides}#")
+    found = hover(question(folder, URDF, place(ROBOT, '"position"/><s'), YAML=yaml, STARTS=launch))
+    assert found is not None
+    assert "controller `/left/turn` claims it" in found
+    assert "controller `/right/turn` claims it" in found
 
 
 @pytest.mark.parametrize("name", ["urdf/macros.xacro", "package.xml"])

@@ -178,6 +178,11 @@ class Controller(NamedTuple):
         """The name with its namespace; the name alone if the namespace is unknown."""
         return self.name if self.namespace is None else f"{self.namespace}/{self.name}"
 
+    @property
+    def in_namespace(self) -> str:
+        """The name, with its namespace unless that is unknown or the root."""
+        return f"{self.namespace}/{self.name}" if self.namespace else self.name
+
 
 class MoveItController(NamedTuple):
     """A controller that MoveIt sends trajectories to, in moveit_controllers.yaml or ROS 1's `controller_list`.

@@ -25,7 +25,7 @@ def rule_explanation(rule: Rule) -> str:
         f"{rule.code} {rule.name} ({rule.severity.value}; {in_words(rule.distros)})",
         rule.summary,
         *(textwrap.fill(paragraph, 100) for paragraph in rule.why.split("\n\n")),
-        "" if rule.of_smoke else _runtime(rule),
+        runtime_of(rule),
         textwrap.fill(f"Authority: {rule.authority}", 100),
     ]
     if rule.bad:
@@ -36,8 +36,13 @@ def rule_explanation(rule: Rule) -> str:
     return "\n\n".join(part for part in parts if part) + "\n"
 
 
-def _runtime(rule: Rule) -> str:
-    """Return what ROS or Gazebo does with the fault, and why the severity is not the usual one for that."""
+def runtime_of(rule: Rule) -> str:
+    """Return what ROS or Gazebo does with the fault, and why the severity is not the usual one for that.
+
+    Empty for a rule of the smoke test.
+    """
+    if rule.of_smoke:
+        return ""
     does = {
         Runtime.REFUSES: "rejects the part, or does not start or move it",
         Runtime.CRASHES: "ends with an error",

@@ -51,8 +51,8 @@ _AGAIN = 1.0
 class Clock:
     """Raises OverBudget in the thread that entered it, after `limits.seconds` or when `stop` is called.
 
-    Python code is interrupted at its next bytecode; again and again until it leaves, because what is raised in a callback
-    of the garbage collector is lost. Without threads, nothing is interrupted.
+    Python code is interrupted at its next bytecode, and again until it leaves: what is raised in a callback of the
+    garbage collector is lost. Without threads, nothing is interrupted.
     """
 
     def __init__(self, limits: Limits) -> None:

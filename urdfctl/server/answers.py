@@ -105,7 +105,8 @@ def _about_names(server: Window) -> None:
     @server.feature(types.TEXT_DOCUMENT_HOVER)
     def about(window: Window, params: types.HoverParams) -> types.Hover | None:
         question = window.question(params.text_document.uri, params.position)
-        text = hover(question) if question else None
+        found = window.findings.get(path_of(params.text_document.uri) or "", ())
+        text = hover(question, found) if question else None
         return types.Hover(types.MarkupContent(types.MarkupKind.Markdown, text)) if text else None
 
 

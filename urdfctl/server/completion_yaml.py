@@ -10,7 +10,7 @@ from urdfctl.catalog.map_parameters import expanded, matching
 from urdfctl.control.minimal import minimal_parameters
 from urdfctl.control.session import session_of
 from urdfctl.load.loader import LoadedTarget
-from urdfctl.server.hover import described_parameter
+from urdfctl.server.about_parameters import described_parameter
 from urdfctl.server.items import Item
 from urdfctl.server.names import CONTROLLER, JOINT, LINK, names_in
 from urdfctl.server.question import Question

@@ -20,7 +20,7 @@ from urdfctl.startup.records import NamedTuple
 from urdfctl.trace.address import text_in
 
 _MOVING = frozenset({"revolute", "continuous", "prismatic"})
-_INTERFACES = {"command_interface": Kind.COMMAND, "state_interface": Kind.STATE}
+INTERFACES = {"command_interface": Kind.COMMAND, "state_interface": Kind.STATE}
 
 
 _KINDS = {
@@ -265,7 +265,7 @@ def fitting_interfaces(question: Question) -> Iterator[str]:
     """Yield the interfaces that the joint at the place does not have yet; if controllers claim some, only these."""
     for here in elements_at(question):
         project, joint = here.robot.project, here.parent
-        kind = _INTERFACES.get(here.element.tagName)
+        kind = INTERFACES.get(here.element.tagName)
         if joint is None or kind is None or not project.distros:
             continue
         name = joint.attrs.get("name", "")

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from urdfctl.catalog.entries import Parameter
 from urdfctl.catalog.map_parameters import matching
+from urdfctl.control.hardware import Kind
 from urdfctl.control.session import Configured, session_of
+from urdfctl.diagnostic import Diagnostic
 from urdfctl.load.loader import LoadedTarget
+from urdfctl.model.project import Project
 from urdfctl.model.robot import Joint
+from urdfctl.server.about_parameters import described_parameter
+from urdfctl.server.about_rules import rules_at
+from urdfctl.server.fitting import INTERFACES, elements_at
 from urdfctl.server.names import JOINT, LINK, Name
 from urdfctl.server.navigation import NamesAround
 from urdfctl.server.question import Question
@@ -20,9 +26,10 @@ _MOST_VALUES = 6
 _MOST_USES = 12
 
 
-def hover(question: Question) -> str | None:
-    """Return what is known about a place, as Markdown; None if that is nothing."""
-    parts = [*_parameter(question), *_name(question), *_values(question)]
+def hover(question: Question, findings: Sequence[Diagnostic] = ()) -> str | None:
+    """Return what is known about a place, as Markdown; None if that is nothing. findings: those of the file."""
+    parts = [*_parameter(question), *_name(question), *_claims(question), *_values(question)]
+    parts += rules_at(question, findings)
     return "\n\n".join(dict.fromkeys(parts)) or None
 
 
@@ -35,9 +42,7 @@ def _name(question: Question) -> Iterator[str]:
         return
     for name in {(one.kind, one.text): one for one in around.all if one.span == around.at.span}.values():
         yield f"**{name.kind}** `{name.text}`{_scope(name)}"
-        robot = next((each for each in question.robots if _element(each, name) is not None), None)
-        if robot is not None:
-            yield from _of_robot(robot, name)
+        yield from _of_robots(question.robots, name)
 
 
 def _scope(name: Name) -> str:
@@ -51,15 +56,18 @@ def _element(robot: LoadedTarget, name: Name) -> Element | None:
     return next((one for one in children if one.tagName == name.kind and one.attrs.get("name") == name.text), None)
 
 
-def _of_robot(loaded: LoadedTarget, name: Name) -> Iterator[str]:
-    element, robot = _element(loaded, name), loaded.project.robot
-    if element is None or robot is None:
-        return
-    joint = next((one for one in robot.joints if one.name == name.text), None) if name.kind == JOINT else None
-    if joint is not None:
-        yield _joint(joint)
-    uses = uses_of(loaded.project, element)
-    lines = [f"- {use.kind} `{use.name}`: {use.how}" for use in uses[:_MOST_USES]]
+def _of_robots(robots: Sequence[LoadedTarget], name: Name) -> Iterator[str]:
+    """What is known of a joint or link in all robots that have it, which may be in several namespaces."""
+    uses: dict[str, None] = {}
+    for loaded in robots:
+        element, robot = _element(loaded, name), loaded.project.robot
+        if element is None or robot is None:
+            continue
+        joint = next((one for one in robot.joints if one.name == name.text), None) if name.kind == JOINT else None
+        if joint is not None:
+            yield _joint(joint)
+        uses.update({f"- {use.kind} `{use.name}`: {use.how}": None for use in uses_of(loaded.project, element)})
+    lines = list(uses)[:_MOST_USES]
     if len(uses) > _MOST_USES:
         lines.append(f"- and {len(uses) - _MOST_USES} more")
     if lines:
@@ -80,6 +88,33 @@ def _joint(joint: Joint) -> str:
     if joint.mimic is not None and joint.mimic.joint:
         words.append(f"follows `{joint.mimic.joint}`")
     return ", ".join(words)
+
+
+# -- interfaces ------------------------------------------------------------------------------------------------------
+
+
+def _claims(question: Question) -> Iterator[str]:
+    """Who uses the interface of `<command_interface name>` or `<state_interface name>` at the place."""
+    users: dict[str, dict[str, None]] = {}
+    for here in elements_at(question._replace(robots=question.shown)):
+        kind, name = INTERFACES.get(here.element.tagName), here.element.attrs.get("name", "")
+        if kind is None or here.parent is None or not question.is_in(here.element.at["name"].span):
+            continue
+        component = here.parent.attrs.get("name", "")
+        found = users.setdefault(f"**{kind.value} interface** `{component}/{name}`", {})
+        for robot in question.robots:
+            found.update(dict.fromkeys(_users(robot.project, kind, component, name)))
+    for heading, lines in users.items():
+        yield "\n".join([heading, *(lines or ["no controller uses it"])])
+
+
+def _users(project: Project, kind: Kind, component: str, name: str) -> Iterator[str]:
+    if project.controllers is None or not project.distros:
+        return
+    verb = "claims it" if kind is Kind.COMMAND else "reads it"
+    for each in session_of(project, project.distro or project.distros[-1]).controllers:
+        if any((claim.component, claim.interface) == (component, name) for claim in each.claimed(kind)):
+            yield f"- controller `{each.controller.in_namespace}` {verb}"
 
 
 # -- parameters of controllers ---------------------------------------------------------------------------------------
@@ -106,23 +141,6 @@ def _known(each: Configured, name: str) -> Parameter | None:
         return None
     found = matching(name, each.type.parameters)
     return each.type.parameters[found[0]] if found else None
-
-
-def described_parameter(parameter: Parameter, name: str, owner: str) -> str:
-    """Return what the catalogue knows about a parameter, as Markdown."""
-    lines = [f"**parameter** `{name}` of {owner}", f"type: `{parameter.type}`"]
-    if parameter.required:
-        lines.append("required")
-    elif parameter.default is not None:
-        lines.append(f"default: `{parameter.default}`")
-    lines += [f"{check}: `{limit}`" for check, limit in parameter.validators.items()]
-    if parameter.deprecated:
-        lines.append("deprecated" + (f"; use `{parameter.replacement}`" if parameter.replacement else ""))
-    if parameter.ignored:
-        lines.append("documented, but never read")
-    if parameter.note:
-        lines.append(parameter.note)
-    return "  \n".join(lines)
 
 
 # -- expressions -----------------------------------------------------------------------------------------------------

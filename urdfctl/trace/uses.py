@@ -60,17 +60,16 @@ def _controllers(project: Project, joint: str) -> Iterator[Use]:
     if project.controllers is None or not project.distros:
         return
     for each in session_of(project, project.distro or project.distros[-1]).controllers:
+        name = each.controller.in_namespace
         for kind in Kind:
             for claim in each.claimed(kind):
                 if claim.component == joint:
                     at = _parameter(each.controller.parameters, claim.parameter, joint)
-                    yield Use("controller", each.name, f"{kind.value} interface {claim.interface}".strip(), at)
+                    yield Use("controller", name, f"{kind.value} interface {claim.interface}".strip(), at)
         for parameter in each.controller.parameters.leaves:
             places = [at for text, at in parameter.value.strings if text == joint]
             if places or f".{joint}." in f".{parameter.name}.":
-                yield Use(
-                    "controller", each.name, f"parameter {parameter.name}", places[0] if places else parameter.key
-                )
+                yield Use("controller", name, f"parameter {parameter.name}", places[0] if places else parameter.key)
 
 
 def _parameter(parameters: Any, name: str | None, joint: str) -> Place | None:
