@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import json
+import shutil
+import subprocess
+import sys
 import threading
 
 import pytest
-from folder import CHECKOUT, Folder
+from folder import CHECKOUT, Folder, environment
 from sampling import sample
 from test_hostile_files import HIDDEN, TRIED
-from typer.testing import CliRunner
 
-from urdfctl.cli.app import app
-from urdfctl.run import pool
 from urdfctl.run.here import Clock, run_all_here
 from urdfctl.run.limits import Json, Limits, WorkerFailure
 from urdfctl.server.workspace import Wishes, Workspace
@@ -89,9 +89,89 @@ def test_a_hostile_file_in_an_editor_gets_the_findings_of_the_command_line(folde
     assert not (folder.path / "ran").exists()
 
 
-def test_without_other_processes_lint_finds_the_same(monkeypatch: pytest.MonkeyPatch, folder: Folder) -> None:
-    """As Python in a browser has none."""
-    words = ["lint", str(CHECKOUT / "samples"), "--format", "json", "--no-cache", "--exit-zero"]
-    expected = folder.run(*words).stdout
-    monkeypatch.setattr(pool, "HAS_PROCESSES", False)
-    assert CliRunner().invoke(app, words).stdout == expected
+BROWSER = """
+import sys
+sys.platform = "emscripten"
+sys.path[:1] = []
+
+class Missing:
+    def find_spec(self, name, path=None, target=None):
+        if name in {"fcntl", "grp", "pwd", "resource", "syslog", "termios", "pty", "tty", "_multiprocessing"}:
+            raise ModuleNotFoundError(f"a browser has no {name}", name=name)
+
+for name in ("fcntl", "grp", "pwd", "resource", "syslog", "termios", "pty", "tty"):
+    sys.modules.pop(name, None)
+sys.meta_path.insert(0, Missing())
+
+import multiprocessing, os, subprocess, threading
+
+def refuse(*_, **__):
+    raise AssertionError("a browser has no other processes")
+
+def without_threads(*_, **__):
+    raise RuntimeError("can't start new thread")
+
+for name in ("fork", "forkpty", "posix_spawn", "posix_spawnp", "system", "popen", "execv", "execve", "waitpid", "kill"):
+    setattr(os, name, refuse)
+subprocess.Popen.__init__ = subprocess.run = multiprocessing.Process.start = refuse
+threading.Thread.start = without_threads
+"""
+"""What is not there where Python runs in a browser, as Pyodide documents it."""
+RUN = "from urdfctl.__main__ import main; main()"
+RADU, MYBOT = str(CHECKOUT / "samples/radu/urdf/radu.urdf.xacro"), str(CHECKOUT / "samples/mybot/urdf/mybot.xacro")
+IN_A_BROWSER = {
+    "lint": ("lint", str(CHECKOUT / "samples"), "--format", "json", "--no-cache"),
+    "lint again": ("lint", str(CHECKOUT / "samples/broken/mybot")),
+    "fix": ("lint", str(CHECKOUT / "samples/broken/mybot"), "--diff"),
+    "explain a rule": ("explain", "UC201"),
+    "explain a message": ("explain", "No p gain specified for pid.", "--in", str(CHECKOUT / "samples/broken")),
+    "gen-controllers": ("gen-controllers", MYBOT, "--type", "effort", "--distro", "noetic"),
+    "gen-transmissions": ("gen-transmissions", MYBOT, "--type", "effort", "--distro", "noetic"),
+    "gen-all": ("gen-all", RADU, "--type", "velocity", "--distro", "humble", "-o", "made"),
+    "gen-check": ("gen-check", str(CHECKOUT / "samples/mybot")),
+}
+
+
+def texts(folder: Folder) -> dict[str, bytes]:
+    """What is in the files of a folder."""
+    return {str(path): path.read_bytes() for path in sorted(folder.path.rglob("*")) if path.is_file()}
+
+
+@pytest.mark.parametrize("name", IN_A_BROWSER)
+def test_where_there_are_no_processes_and_no_threads_the_result_is_the_same(folder: Folder, name: str) -> None:
+    words = IN_A_BROWSER[name]
+    ran = folder.run(*words)
+    made = texts(folder)
+    shutil.rmtree(folder.path / "made", ignore_errors=True)
+    ran_here = subprocess.run(
+        [sys.executable, "-c", BROWSER + RUN, *words],
+        cwd=folder.path,
+        env=environment({"PYTHONPATH": str(CHECKOUT)}),
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+    )
+    assert (ran_here.returncode, ran_here.stdout, ran_here.stderr) == (ran.returncode, ran.stdout, ran.stderr)
+    assert texts(folder) == made
+
+
+def test_where_there_are_no_processes_open_texts_are_linted(folder: Folder) -> None:
+    """The layer below the editor's server."""
+    folder.write({"arm.urdf": '<robot name="arm"><link name="base"/></robot>'})
+    code = (
+        "from urdfctl.server.workspace import Wishes, Workspace\n"
+        "here = Workspace(os.getcwd(), Wishes())\n"
+        "here.changed('arm.urdf', b'<robot name=\"arm\"><lnk name=\"base\"/></robot>')\n"
+        "print(sorted(found.message for all in here.check().findings.values() for found in all))\n"
+    )
+    ran = subprocess.run(
+        [sys.executable, "-c", BROWSER + code],
+        cwd=folder.path,
+        env=environment({"PYTHONPATH": str(CHECKOUT)}),
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+    )
+    assert "<lnk>" in ran.stdout, ran.stderr
