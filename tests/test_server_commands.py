@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import json
 import shutil
 from collections.abc import Awaitable, Callable
 from functools import partial
@@ -13,6 +14,7 @@ import pytest
 from editor import Editor, in_editor, path_of, types
 from folder import CHECKOUT, Folder
 
+from urdfctl.server.app import make_server
 from urdfctl.smoke.engines import installed
 from urdfctl.view.meshes import installed as meshes_are_read
 
@@ -394,3 +396,15 @@ def test_a_variant_that_is_none_of_the_files_is_refused(folder: Folder) -> None:
     results, _, messages = used(folder.path, "arm.xacro", use)
     assert results == [None, None, None]
     assert len(messages) == 3
+
+
+# -- the extension for VS Code ---------------------------------------------------------------------------------------
+
+
+def test_each_command_is_in_the_palette_of_vs_code_and_in_the_documentation() -> None:
+    manifest = json.loads((CHECKOUT / "editors/vscode/package.json").read_text(encoding="utf-8"))
+    palette = {each["command"] for each in manifest["contributes"]["commands"]}
+    documented = (CHECKOUT / "docs/editors.md").read_text(encoding="utf-8")
+    commands = set(make_server().protocol.fm.commands)
+    assert commands - palette == {"urdfctl.explain"}  # of a finding; in the palette it is that at the cursor
+    assert [command for command in commands if f"`{command}`" not in documented] == []

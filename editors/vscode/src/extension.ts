@@ -3,6 +3,7 @@ import { homedir } from "node:os";
 import * as vscode from "vscode";
 import { LanguageClient, type LanguageClientOptions } from "vscode-languageclient/node";
 
+import { FILE_COMMANDS, fileCommand, type Question, withFile } from "./commands";
 import { findUrdfctl, installCommand } from "./find";
 import { DOCUMENTS, wishes } from "./settings";
 import { type Robot, statusOf } from "./status";
@@ -19,7 +20,7 @@ let output: vscode.OutputChannel;
 export async function activate(context: vscode.ExtensionContext): Promise<void> {
   status = vscode.window.createStatusBarItem("urdfctl", vscode.StatusBarAlignment.Right, 100);
   status.name = "urdfctl";
-  status.command = "urdfctl.showOutput";
+  status.command = "urdfctl.menu";
   output = vscode.window.createOutputChannel("urdfctl");
   context.subscriptions.push(
     status,
@@ -27,6 +28,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     vscode.commands.registerCommand("urdfctl.restart", start),
     vscode.commands.registerCommand("urdfctl.showOutput", () => output.show()),
     vscode.commands.registerCommand("urdfctl.explainHere", explainHere),
+    vscode.commands.registerCommand("urdfctl.menu", menu),
     vscode.window.onDidChangeActiveTextEditor(showStatus),
     vscode.workspace.onDidChangeConfiguration(configured),
   );
@@ -63,6 +65,7 @@ async function start(): Promise<void> {
       showStatus();
     }
   });
+  started.onRequest("urdfctl/pick", pick);
   try {
     await started.start();
     client = started;
@@ -77,17 +80,40 @@ function options(): LanguageClientOptions {
   return {
     documentSelector: DOCUMENTS,
     outputChannel: output,
-    initializationOptions: wishes((name) => settings.get(name)),
-    middleware: {
-      executeCommand: async (command, args, next) => {
-        const result: unknown = await next(command, args);
-        if (command === EXPLAIN && typeof result === "string") {
-          await show(result);
-        }
-        return result;
-      },
-    },
+    initializationOptions: { ...wishes((name) => settings.get(name)), pick: true },
+    middleware: { executeCommand },
   };
+}
+
+/** Run a command of the server; those about a file get the open one. */
+async function executeCommand(
+  command: string,
+  given: unknown[],
+  next: (command: string, given: unknown[]) => vscode.ProviderResult<unknown>,
+): Promise<unknown> {
+  const words = withFile(command, given, vscode.window.activeTextEditor?.document.uri.toString());
+  if (!words) {
+    void vscode.window.showInformationMessage("Open a file of a robot first.");
+    return undefined;
+  }
+  if (fileCommand(command)?.needsSaving) {
+    await vscode.workspace.saveAll(false);
+  }
+  return next(command, words);
+}
+
+/** Answer a question of the server: the number of the choice, or null. */
+async function pick(question: Question): Promise<number | null> {
+  const chosen = await vscode.window.showQuickPick(question.choices, { title: question.title });
+  return chosen === undefined ? null : question.choices.indexOf(chosen);
+}
+
+async function menu(): Promise<void> {
+  const output = { label: "$(output) Show the output of the server", command: "urdfctl.showOutput" };
+  const chosen = await vscode.window.showQuickPick([...FILE_COMMANDS, output], { title: "urdfctl" });
+  if (chosen) {
+    await vscode.commands.executeCommand(chosen.command);
+  }
 }
 
 async function configured(event: vscode.ConfigurationChangeEvent): Promise<void> {
@@ -133,11 +159,6 @@ async function explainHere(): Promise<void> {
   }
   const code = typeof here.code === "object" ? here.code.value : here.code;
   await vscode.commands.executeCommand(EXPLAIN, String(code));
-}
-
-async function show(text: string): Promise<void> {
-  const document = await vscode.workspace.openTextDocument({ content: text, language: "markdown" });
-  await vscode.window.showTextDocument(document, { preview: true, viewColumn: vscode.ViewColumn.Beside });
 }
 
 function showStatus(): void {

@@ -10,6 +10,8 @@ export interface Robot {
   distro_from: string | null;
   simulator: string | null;
   files: string[];
+  /** Whether the user chose this variant. */
+  shown: boolean;
 }
 
 export interface Status {
@@ -23,19 +25,28 @@ export function statusOf(file: string | undefined, robots: readonly Robot[]): St
   if (here.length === 0) {
     return undefined;
   }
-  const [first] = here;
+  const chosen = here.find((robot) => robot.shown);
   const others = here.length > 1 ? ` +${here.length - 1}` : "";
-  const distros = [...new Set(here.map((robot) => robot.distro ?? "unknown distro"))];
+  const name = chosen ? [chosen.robot, ...differing(chosen, here)].join(" ") : `${here[0].robot}${others}`;
+  const distros = [...new Set((chosen ? [chosen] : here).map((robot) => robot.distro ?? "unknown distro"))];
   return {
-    text: `$(circuit-board) ${first.robot}${others} · ${distros.join(", ")}`,
+    text: `$(circuit-board) ${name} · ${distros.join(", ")}`,
     tooltip: here.map(described).join("\n\n"),
   };
+}
+
+/** The arguments of a robot in which its variants differ. */
+function differing(robot: Robot, among: readonly Robot[]): string[] {
+  const variants = among.filter((other) => other.file === robot.file);
+  return Object.entries(robot.arguments)
+    .filter(([name, value]) => variants.some((other) => other.arguments[name] !== value))
+    .map(([name, value]) => `${name}:=${value}`);
 }
 
 function described(robot: Robot): string {
   const given = Object.entries(robot.arguments).map(([name, value]) => `${name}:=${value}`);
   const lines = [
-    [robot.robot, ...given].join(" "),
+    [robot.robot, ...given].join(" ") + (robot.shown ? " (shown)" : ""),
     robot.launch ? `started by ${robot.launch}` : undefined,
     robot.distro ? `distro: ${robot.distro}${robot.distro_from ? ` (from ${robot.distro_from})` : ""}` : "distro: unknown",
     robot.simulator ? `simulator: ${robot.simulator}` : undefined,

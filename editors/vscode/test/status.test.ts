@@ -12,6 +12,7 @@ const ARM: Robot = {
   distro_from: "package.xml",
   simulator: "gz",
   files: ["/ws/arm.xacro", "/ws/macros.xacro"],
+  shown: false,
 };
 
 test("a file that no robot reads has no status", () => {
@@ -33,4 +34,13 @@ test("several robots with a file are counted, and so are their distros", () => {
   const status = statusOf("/ws/macros.xacro", [ARM, other]);
   assert.equal(status?.text, "$(circuit-board) arm +1 · jazzy, unknown distro");
   assert.match(status?.tooltip ?? "", /arm2\ndistro: unknown$/);
+});
+
+test("the variant that was chosen is shown, with the arguments that tell it from the others", () => {
+  const both = { side: "front", prefix: "left_" };
+  const left = { ...ARM, arguments: both };
+  const right = { ...ARM, arguments: { ...both, prefix: "right_" }, distro: "humble", shown: true };
+  const status = statusOf("/ws/macros.xacro", [left, right]);
+  assert.equal(status?.text, "$(circuit-board) arm prefix:=right_ · humble");
+  assert.match(status?.tooltip ?? "", /arm side:=front prefix:=right_ \(shown\)/);
 });
