@@ -231,7 +231,7 @@ def test_a_terminal_gets_colours(monkeypatch: pytest.MonkeyPatch, capsys: pytest
 def test_a_robot_that_takes_too_much_is_reported(tmp_path: Path) -> None:
     path = tmp_path / "robot.urdf"
     path.write_text("<robot name='r'>" + '<link name="a"/>' * 50_000 + "</robot>", encoding="utf-8")
-    [made] = smoke_all([Target(str(path))], Settings(timeout=0.05), Wanted())
+    [made] = smoke_all([Target(str(path))], [Settings(timeout=0.05)], Wanted())
     assert [finding.code for finding in made.linted.outcome.diagnostics] == ["UC014"]
 
 

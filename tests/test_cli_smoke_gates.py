@@ -122,3 +122,24 @@ def test_junit_has_the_time_of_each_controller_and_json_what_was_measured(tmp_pa
     assert (measured["joint"], measured["quantity"]) == ("lift", "position")
     assert measured["error"] == pytest.approx(curve["measured"][-1] - curve["commanded"][-1], abs=1e-4)
     assert abs(measured["error"]) <= measured["largest_error"] < 0.05
+
+
+def test_each_robot_is_tested_with_the_configuration_around_it(tmp_path: Path) -> None:
+    for distro in ("humble", "jazzy"):
+        (tmp_path / distro).mkdir()
+        write(tmp_path / distro, LIFT.replace('effort="500"', 'effort="20"'), GAINS % "mover")
+        (tmp_path / distro / "urdfctl.toml").write_text(f'distro = "{distro}"', encoding="utf-8")
+    paths = [str(tmp_path / distro / "robot.urdf") for distro in ("humble", "jazzy")]
+    done = CliRunner().invoke(app, ["smoke", *paths, "--engine", "none"])
+    for distro in ("humble", "jazzy"):
+        assert f"{distro}/robot.urdf ({distro} from urdfctl.toml" in done.stdout
+
+
+def test_a_file_is_ignored_where_its_own_configuration_says_so(weak: Path) -> None:
+    (weak / "urdfctl.toml").write_text('[per-file-ignores]\n"*" = ["UC915"]', encoding="utf-8")
+    assert smoke(weak).exit_code == 0
+    other = weak / "other"
+    other.mkdir()
+    (other / "robot.urdf").write_text("<robot name='other'><link name='base'/></robot>", encoding="utf-8")
+    (other / "urdfctl.toml").write_text("", encoding="utf-8")
+    assert smoke(weak, str(other / "robot.urdf"), "--select", "UC915").exit_code == 0

@@ -92,7 +92,7 @@ def test_a_robot_that_crashes_engines_ends_in_a_finding(tmp_path: Path, text: st
         (tmp_path / name).write_bytes(data)
     urdf = text if "<robot" in text else f'<robot name="r">{text}</robot>'
     files = {"robot.urdf": urdf, "controllers.yaml": Rover().yaml()} if "wheel" in text else {"robot.urdf": urdf}
-    [made] = smoke_all([target_of(tmp_path, files)], JAZZY, Wanted(engines=("pybullet",)), 1)
+    [made] = smoke_all([target_of(tmp_path, files)], [JAZZY], Wanted(engines=("pybullet",)), 1)
     assert code in codes(made)
     assert "UC000" not in codes(made)
 
@@ -100,10 +100,10 @@ def test_a_robot_that_crashes_engines_ends_in_a_finding(tmp_path: Path, text: st
 @needs_pybullet
 def test_a_robot_with_too_many_joints_for_one_engine_is_simulated_in_the_other(tmp_path: Path) -> None:
     target = target_of(tmp_path, {"robot.urdf": f'<robot name="r">{chain(128)}</robot>'})
-    [made] = smoke_all([target], JAZZY, Wanted(engines=("pybullet",)), 1)
+    [made] = smoke_all([target], [JAZZY], Wanted(engines=("pybullet",)), 1)
     assert codes(made) == ["UC921"]
     if "mujoco" in INSTALLED:
-        [made] = smoke_all([target], JAZZY, Wanted(engines=("pybullet",), instead=("mujoco",)), 1)
+        [made] = smoke_all([target], [JAZZY], Wanted(engines=("pybullet",), instead=("mujoco",)), 1)
         assert (codes(made), made.engine) == ([], "mujoco")
 
 
@@ -209,7 +209,7 @@ def test_a_worker_can_begin_with_a_job_alone(tmp_path: Path) -> None:
 @needs_pybullet
 def test_two_engines_move_a_robot_one_after_the_other(tmp_path: Path) -> None:
     target = target_of(tmp_path, {"robot.urdf": Rover().urdf(), "controllers.yaml": Rover().yaml()})
-    [made] = smoke_all([target], JAZZY, Wanted(engines=tuple(INSTALLED)), 1)
+    [made] = smoke_all([target], [JAZZY], Wanted(engines=tuple(INSTALLED)), 1)
     assert made.engine == " and ".join(INSTALLED)
     assert made.count(Verdict.PASSED) == 2
 

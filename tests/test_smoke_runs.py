@@ -87,7 +87,7 @@ def test_a_worker_that_is_ended_for_its_time_loses_nothing(tmp_path: Path, monke
     monkeypatch.setattr(runs, "WAITING", 0.0)
     monkeypatch.setattr(runs, "STARTING", 0.5)
     target = target_of(tmp_path, {"robot.urdf": ARM.urdf(interface="position"), "controllers.yaml": TWO})
-    [made] = smoke_all([target], Settings(distro="jazzy"), Wanted(engines=("pybullet",)))
+    [made] = smoke_all([target], [Settings(distro="jazzy")], Wanted(engines=("pybullet",)))
     assert reasons(made) == {
         "first": "passed: ",
         "second": "skipped: not tested: it takes longer than 0.5 s; 1 of 2 controllers tested",

@@ -8,6 +8,7 @@ import sys
 import time
 from collections.abc import Iterable, Sequence
 from datetime import datetime, timezone
+from itertools import groupby
 from typing import TypeVar
 
 from urdfctl.cli.progress import with_progress
@@ -40,10 +41,13 @@ def write_lint_page(
 
 
 def write_smoke_page(
-    path: str, report: SmokeReport, pairs: Sequence[tuple[Target, Smoked]], settings: Settings, began: float
+    path: str, report: SmokeReport, pairs: Sequence[tuple[tuple[Settings, Target], Smoked]], began: float
 ) -> None:
     """Write the page of a smoke run; began: when it started, as time.monotonic() tells it."""
-    write_file(path, smoke_page(report, _with_portraits(pairs, settings), _facts(began)), force=True)
+    shown = []
+    for settings, group in groupby(pairs, key=lambda pair: pair[0][0]):
+        shown += _with_portraits([(target, smoked) for (_, target), smoked in group], settings)
+    write_file(path, smoke_page(report, shown, _facts(began)), force=True)
 
 
 def _errors(result: TargetResult) -> int:

@@ -13,7 +13,7 @@ from urdfctl.cli.words import (
     baseline_of,
     check_jobs,
     codes,
-    configured,
+    configurations,
     outputs_of,
     settings_to_check,
     severity_named,
@@ -22,6 +22,7 @@ from urdfctl.cli.words import (
 from urdfctl.cli.writing import is_coloured, print_text, write_file
 from urdfctl.config.file import Config
 from urdfctl.config.settings import Settings
+from urdfctl.diagnostic import Severity
 from urdfctl.errors import UserError
 from urdfctl.lint.merging import merge, worst
 from urdfctl.lint.planning import PlannedTarget, of_shard, planned
@@ -52,10 +53,9 @@ def run_smoke(options: SmokeOptions) -> int:
     began = time.monotonic()
     _validate(options)
     words = options.paths or []
-    config = configured(words, options)
-    settings = settings_to_check(config, options, [*split_arguments(words)[0], *(options.controllers or ())])
+    given = [(config, _settings(config, options), paths) for config, paths in configurations(words, options)]
     selection = validate_selection(Selection(select=codes(options.select), ignore=codes(options.ignore)))
-    fail_on = severity_named(options.fail_on or config.fail_on or "error")
+    fail_on = _fail_on(options, [config for config, _, _ in given])
     baseline = baseline_of(options.baseline, options.write_baseline)
     outputs = outputs_of(options.formats, options.output_file, SMOKE_FORMATS)
     wanted = Wanted(
@@ -67,12 +67,15 @@ def run_smoke(options: SmokeOptions) -> int:
         tasks=read_tasks(options.tasks) if options.tasks is not None else None,
         live=_is_terminal() if options.progress is None else options.progress,
     )
-    plan = _plan(words, config, options)
+    arguments = tuple(split_arguments(words)[1].items())
+    plans = [_plan(paths, arguments, config, options) for config, _, paths in given]
+    plan = [entry for entries in plans for entry in entries]
+    own = [settings for (_, settings, _), entries in zip(given, plans, strict=True) for _ in entries]
     if not plan and options.shard is None:
         where = ", ".join(split_arguments(words)[0]) or "this folder"
         raise UserError(f"nothing to test in {where}: name a robot or a launch file")
     kept: list[int] = []
-    results = _results(plan, settings, wanted, options.jobs, kept)
+    results = _results(plan, own, wanted, options.jobs, kept)
     smoked = list(with_progress(results, len(plan), "testing"))
     _check_only(wanted.only, smoked)
     outcomes = [robot.linted.outcome for robot in smoked]
@@ -80,7 +83,8 @@ def run_smoke(options: SmokeOptions) -> int:
     findings = [
         finding
         for finding in everything
-        if selection.admits(finding.code) and not config.ignores(finding.at.file, finding.code)
+        if selection.admits(finding.code)
+        and not any(config.ignores(finding.at.file, finding.code) for config, _, _ in given)
     ]
     if baseline is not None:
         files = {file for robot in smoked for file in robot.linted.files}
@@ -96,8 +100,8 @@ def run_smoke(options: SmokeOptions) -> int:
     if options.report:
         from urdfctl.cli.run_page import write_smoke_page
 
-        targets = [plan[index].target for index in kept]
-        write_smoke_page(options.report, report, list(zip(targets, smoked, strict=True)), settings, began)
+        robots = [(own[index], plan[index].target) for index in kept]
+        write_smoke_page(options.report, report, list(zip(robots, smoked, strict=True)), began)
     if any(outcome.crashed for outcome in outcomes):
         return 3
     if report.is_interrupted:
@@ -139,10 +143,22 @@ def _validate(options: SmokeOptions) -> None:
             raise UserError(f"file does not exist: '{path}'{nearest_path(path)}")
 
 
-def _plan(words: Sequence[str], config: Config, options: SmokeOptions) -> list[PlannedTarget]:
-    paths, arguments = split_arguments(words)
+def _settings(config: Config, options: SmokeOptions) -> Settings:
+    named = [*split_arguments(options.paths or [])[0], *(options.controllers or ())]
+    return settings_to_check(config, options, named)
+
+
+def _fail_on(options: SmokeOptions, configs: Sequence[Config]) -> Severity:
+    """The least severity that fails the run: the option, or the least one of the configurations."""
+    names = [options.fail_on] if options.fail_on else [config.fail_on or "error" for config in configs]
+    return min(map(severity_named, names), key=lambda severity: severity.weight)
+
+
+def _plan(
+    paths: Sequence[str], arguments: tuple[tuple[str, str], ...], config: Config, options: SmokeOptions
+) -> list[PlannedTarget]:
     files = discovered(paths, config)
-    plan = planned(files, tuple(arguments.items()), config.robots)
+    plan = planned(files, arguments, config.robots)
     if options.shard is not None:
         from urdfctl.discover.shards import shard
 
@@ -151,16 +167,16 @@ def _plan(words: Sequence[str], config: Config, options: SmokeOptions) -> list[P
 
 
 def _results(
-    plan: Sequence[PlannedTarget], settings: Settings, wanted: Wanted, jobs: int, kept: list[int]
+    plan: Sequence[PlannedTarget], own: Sequence[Settings], wanted: Wanted, jobs: int, kept: list[int]
 ) -> Iterator[Smoked]:
-    """Yield the results to report; `kept` then holds their indices in the plan."""
+    """Yield the results to report; `kept` then holds their indices in the plan. own: the settings of each target."""
 
     def chosen(judged: list[Smoked]) -> list[int]:
         pairs = zip(judged, plan, strict=True)
         kept[:] = _reported([robot if entry.is_reported(robot.linted) else None for robot, entry in pairs])
         return kept
 
-    return smoke_all([entry.target for entry in plan], settings, wanted, jobs or None, chosen)
+    return smoke_all([entry.target for entry in plan], own, wanted, jobs or None, chosen)
 
 
 def _with_controllers(target: Target, controllers: Sequence[str]) -> Target:

@@ -56,6 +56,16 @@ def configured(words: Sequence[str], options: ReadingOptions) -> Config:
     return with_environ(config_of(options.config) or Config(options.config), os.environ)
 
 
+def configurations(words: Sequence[str], options: ReadingOptions) -> list[tuple[Config, list[str]]]:
+    """Return the configurations around some paths, each with those of the paths that it is the nearest one of."""
+    paths, _ = split_arguments(words)
+    found: dict[str | None, tuple[Config, list[str]]] = {}
+    for path in paths:
+        config = configured([path], options)
+        found.setdefault(config.file, (config, []))[1].append(path)
+    return list(found.values()) or [(configured([], options), [])]
+
+
 def settings_from(
     config: Config,
     options: ReadingOptions,

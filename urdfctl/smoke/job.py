@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from itertools import groupby
+from operator import itemgetter
 
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic
@@ -97,12 +99,12 @@ class PreparedRobot(NamedTuple):
 
 def smoke_all(
     targets: Sequence[Target],
-    settings: Settings,
+    settings: Sequence[Settings],
     wanted: Wanted,
     parallel: int | None = None,
     chosen: Callable[[list[Smoked]], Iterable[int]] | None = None,
 ) -> Iterator[Smoked]:
-    """Yield the smoke test of each target, in order.
+    """Yield the smoke test of each target, which is read with its own settings, in order.
 
     `chosen` is given all robots before any moves, and returns the indices of those to go on with.
     """
@@ -112,8 +114,9 @@ def smoke_all(
     indices = list(range(len(robots)) if chosen is None else chosen([robot.smoked for robot in robots]))
     kept = [robots[index] for index in indices]
     runs = [(n, engine) for n, robot in enumerate(kept) if robot.plan for engine in wanted.engines]
-    plans = [plan.within(settings.timeout)._replace(engine=engine) for n, engine in runs if (plan := kept[n].plan)]
-    simulations = Runs(settings, parallel, wanted.instead, live=wanted.live)
+    limits = settings[0] if settings else Settings()  # the options of the run, which are the same for all
+    plans = [plan.within(limits.timeout)._replace(engine=engine) for n, engine in runs if (plan := kept[n].plan)]
+    simulations = Runs(limits, parallel, wanted.instead, live=wanted.live)
     results = iter(zip(runs, simulations.results(plans), strict=True))
     pending = next(results, None)
     for n, robot in enumerate(kept):
@@ -146,7 +149,14 @@ def _check_tasks(robots: Sequence[PreparedRobot], wanted: Wanted) -> None:
 # -- the first worker: prepare a robot -------------------------------------------------------------------------------
 
 
-def _read_all(targets: Sequence[Target], settings: Settings, wanted: Wanted, parallel: int) -> Iterator[PreparedRobot]:
+def _read_all(
+    targets: Sequence[Target], settings: Sequence[Settings], wanted: Wanted, parallel: int
+) -> Iterator[PreparedRobot]:
+    for of_group, pairs in groupby(zip(settings, targets, strict=True), key=itemgetter(0)):
+        yield from _read([target for _, target in pairs], of_group, wanted, parallel)
+
+
+def _read(targets: Sequence[Target], settings: Settings, wanted: Wanted, parallel: int) -> Iterator[PreparedRobot]:
     results = run_on_targets(
         prepare_work,
         targets,
