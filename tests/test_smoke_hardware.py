@@ -9,14 +9,11 @@ from smoke_robots import ARMS, Arm, Rover
 from smoking import codes, smoked, target_of, verdicts, whole
 from smoking_engines import EACH_ENGINE
 
-from urdfctl.model.build_robot import robot_of
 from urdfctl.model.geometry import Pose
-from urdfctl.smoke.hardware import with_transmissions, within_ranges
+from urdfctl.rules.smoke.common import LIFT, geared
+from urdfctl.smoke.hardware import within_ranges
 from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
 from urdfctl.smoke.results import Smoked
-from urdfctl.smoke.tasks import Family, Task
-from urdfctl.source.span import SourceText
-from urdfctl.source.xml import parse
 
 FORWARD = """
 controller_manager:
@@ -77,23 +74,87 @@ def test_a_joint_starts_at_its_initial_value(tmp_path: Path, engine: str) -> Non
     assert [curve.commanded[0] for curve in made.curves] == pytest.approx([0.4, 0.4], abs=0.01)
 
 
+def driver(urdf: str) -> str:
+    return urdf.replace("mock_components/GenericSystem", "my_driver/Arm")
+
+
 @pytest.mark.parametrize("engine", EACH_ENGINE)
 @pytest.mark.parametrize(
-    ("ends", "what"),
+    ("reduction", "offset", "what"),
     [
-        ("<mechanical_reduction>-50</mechanical_reduction>", "the reduction of -50 of joint 'shoulder'"),
-        ("<mechanical_reduction>1</mechanical_reduction><offset>0.3</offset>", "the offset of 0.3 of joint 'shoulder'"),
+        ("50", "0", "the reduction of 50 of joint 'shoulder' acts in the hardware"),
+        ("-50", "0", "the reduction of -50 of joint 'shoulder' acts in the hardware: its motor turns the other way"),
+        ("1", "0.3", "the offset of 0.3 of joint 'shoulder' acts in the hardware"),
     ],
 )
-def test_a_transmission_is_reported_as_not_tested(tmp_path: Path, engine: str, ends: str, what: str) -> None:
-    transmission = (
-        '<transmission name="t"><plugin>transmission_interface/SimpleTransmission</plugin>'
-        f'<actuator name="m" role="actuator1"/><joint name="shoulder" role="joint1">{ends}</joint></transmission>'
-    )
-    urdf = Arm().urdf(interface="position").replace("</ros2_control>", f"{transmission}</ros2_control>")
-    (mover,) = run(tmp_path, urdf, FORWARD, engine).controllers
+def test_a_transmission_that_hardware_uses_is_reported_as_not_tested(
+    tmp_path: Path, engine: str, reduction: str, offset: str, what: str
+) -> None:
+    ends = f"{reduction}</mechanical_reduction><offset>{offset}</offset>"
+    urdf = geared(Arm().urdf(interface="position"), "shoulder", reduction)
+    made = run(tmp_path, driver(urdf).replace(f"{reduction}</mechanical_reduction>", ends), FORWARD, engine)
+    (mover,) = made.controllers
     assert mover.tested == ("started", "moved", "followed", "held")
-    assert mover.untested["transmission"] == f"{what} acts in the hardware"
+    assert mover.untested["transmission"] == what
+    assert codes(made) == []
+
+
+def test_a_transmission_that_simulated_hardware_ignores_is_said_once(tmp_path: Path) -> None:
+    urdf = geared(geared(Arm().urdf(interface="position"), "shoulder", "50"), "elbow", "30")
+    made = run(tmp_path, urdf, FORWARD)
+    (mover,) = made.controllers
+    assert (codes(made), mover.verdict.value) == (["UC972"], "skipped")
+    assert "transmission" not in mover.untested
+    [finding] = made.linted.outcome.diagnostics
+    assert finding.message == (
+        "mock_components ignores the reduction of 50 of joint 'shoulder', and of 1 more joint: it moves the joint itself"
+    )
+
+
+@pytest.mark.parametrize(
+    ("reduction", "simulated", "driven"), [("1", [], []), ("-1", ["UC972", "UC973"], []), ("0", ["UC972"], ["UC975"])]
+)
+def test_the_sign_of_a_reduction_counts_where_it_is_ignored_and_zero_where_it_is_used(
+    tmp_path: Path, reduction: str, simulated: list[str], driven: list[str]
+) -> None:
+    urdf = geared(Arm().urdf(interface="position"), "elbow", reduction)
+    assert codes(run(tmp_path, urdf, FORWARD)) == simulated
+    assert codes(run(tmp_path, driver(urdf), FORWARD)) == driven
+
+
+@pytest.mark.parametrize(("left", "right", "found"), [("30", "30", []), ("30", "-30", []), ("30", "33", ["UC974"])])
+def test_wheels_have_equal_gears_on_both_sides(tmp_path: Path, left: str, right: str, found: list[str]) -> None:
+    rover = Rover()
+    urdf = geared(geared(driver(rover.urdf()), "left_wheel", left), "right_wheel", right)
+    assert codes(run(tmp_path, urdf, rover.yaml())) == found
+    only_one = geared(driver(rover.urdf()), "left_wheel", left)
+    assert codes(run(tmp_path, only_one, rover.yaml())) == ["UC974"]
+
+
+@pytest.mark.parametrize(
+    ("plugin", "found"),
+    [
+        ('<gazebo><plugin name="c" filename="libgazebo_ros_control.so"/></gazebo>', ["UC972", "UC973"]),
+        (
+            '<gazebo><plugin name="c" filename="libgazebo_ros_control.so">'
+            "<robotSimType>my_sim/Sim</robotSimType></plugin></gazebo>",
+            [],
+        ),
+    ],
+)
+def test_gazebo_of_ros1_ignores_reductions_unless_another_class_simulates(
+    tmp_path: Path, plugin: str, found: list[str]
+) -> None:
+    end = "<hardwareInterface>hardware_interface/PositionJointInterface</hardwareInterface>"
+    geared_joint = (
+        '<transmission name="t"><type>transmission_interface/SimpleTransmission</type>'
+        f'<joint name="lift">{end}</joint><actuator name="m"><mechanicalReduction>-5</mechanicalReduction></actuator>'
+        "</transmission>"
+    )
+    lift = LIFT[: LIFT.index("<ros2_control")] + geared_joint + plugin + "</robot>"
+    yaml = "mover:\n  type: position_controllers/JointPositionController\n  joint: lift\n"
+    made = smoked(target_of(tmp_path, {"robot.urdf": lift, "controllers.yaml": yaml}), distro="noetic")
+    assert codes(made) == found
 
 
 @pytest.mark.parametrize("engine", EACH_ENGINE)
@@ -134,30 +195,10 @@ def test_the_limit_of_a_joint_is_at_most_the_greatest_command(
         assert (getattr(made, name), getattr(made, other)) == (expected, limit)
 
 
-def geared(reduction: str, offset: str, name: str = "j") -> list[tuple[str, str]]:
-    """Return what of a controller of joint 'j' is not simulated if a joint has a transmission."""
-    text = f"""
-        <robot name="r"><link name="a"/><ros2_control name="c" type="system"><transmission name="t">
-          <plugin>transmission_interface/SimpleTransmission</plugin><actuator name="m" role="m"/>
-          <joint name="{name}" role="j"><mechanical_reduction>{reduction}</mechanical_reduction>
-          <offset>{offset}</offset></joint>
-        </transmission></ros2_control></robot>
-    """
-    root = parse(SourceText("/robot.urdf", text.strip().encode())).documentElement
-    assert root is not None
-    [task] = with_transmissions(robot_of(root), [Task("arm", Family.TRAJECTORY, ("i", "j"), "position")])
-    return list(task.left_out)
-
-
-@pytest.mark.parametrize(
-    ("reduction", "offset", "what"),
-    [("50", "0.0", "the reduction of 50"), ("1.0", "0.5", "the offset of 0.5"), ("-1", "0.5", "the reduction of -1")],
-)
-def test_a_reduction_or_an_offset_is_named_as_not_simulated(reduction: str, offset: str, what: str) -> None:
-    assert geared(reduction, offset) == [("transmission", f"{what} of joint 'j' acts in the hardware")]
-    assert geared(reduction, offset, "another") == []
-
-
 @pytest.mark.parametrize(("reduction", "offset"), [("1", "0"), ("1.0", "0.0"), ("one", "none")])
-def test_a_transmission_that_changes_nothing_leaves_nothing_out(reduction: str, offset: str) -> None:
-    assert geared(reduction, offset) == []
+def test_a_transmission_that_changes_nothing_leaves_nothing_out(tmp_path: Path, reduction: str, offset: str) -> None:
+    urdf = geared(Arm().urdf(interface="position"), "shoulder", f"{reduction}</mechanical_reduction><offset>{offset}")
+    urdf = urdf.replace(f"{offset}</mechanical_reduction>", f"{offset}</offset>")
+    for robot in (urdf, driver(urdf)):
+        made = run(tmp_path, robot, FORWARD)
+        assert (codes(made), made.controllers[0].untested) == ([], {})

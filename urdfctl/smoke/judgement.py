@@ -17,7 +17,8 @@ from urdfctl.smoke.anchors import anchors_of, diagnostics_of, silenced, subjects
 from urdfctl.smoke.assignments import TaskFile
 from urdfctl.smoke.blame import place_of
 from urdfctl.smoke.candidates import cycle_of, result_of
-from urdfctl.smoke.hardware import with_transmissions, within_ranges
+from urdfctl.smoke.gears import gear_troubles, gears_of, with_gears
+from urdfctl.smoke.hardware import within_ranges
 from urdfctl.smoke.manager import NOT_MOVED, Cycle
 from urdfctl.smoke.mechanism import Mechanism, mechanism_of
 from urdfctl.smoke.overlaps import overlap_troubles
@@ -125,7 +126,9 @@ def judged(
         shapes = shapes_of(robot, find_mesh if commanded else None)
         mechanism = with_rims(mechanism, shapes)
         tasks = with_plain_drives(mechanism, shapes, tasks)
-        tasks = with_transmissions(robot, tasks)
+        gears = gears_of(project, cycle.distro)
+        tasks = with_gears(gears, tasks)
+        troubles += gear_troubles(gears, tasks)
         troubles += static_troubles(mechanism, tasks, robot, shapes)
         mechanism = within_ranges(mechanism)
         troubles += loop_troubles(mechanism, tasks, rate)

@@ -180,6 +180,17 @@ PLAIN_WHEELS = """
 """
 
 
+def geared(robot: str, joint: str, reduction: str) -> str:
+    """Return a robot with a transmission for a joint in its `<ros2_control>`."""
+    transmission = f"""<transmission name="{joint}_gear">
+          <plugin>transmission_interface/SimpleTransmission</plugin>
+          <actuator name="{joint}_motor" role="actuator1"/>
+          <joint name="{joint}" role="joint1"><mechanical_reduction>{reduction}</mechanical_reduction></joint>
+        </transmission>
+      """
+    return robot.replace("</ros2_control>", f"{transmission}</ros2_control>")
+
+
 def _wheel(name: str, place: str, parent: str = "base_link") -> str:
     return f"""
       <link name="{name}_link">

@@ -42,17 +42,21 @@ from urdfctl.rules.smoke.loop_underdamped import loop_underdamped
 from urdfctl.rules.smoke.loop_unstable import loop_unstable
 from urdfctl.rules.smoke.mimic_beyond_limits import mimic_beyond_limits
 from urdfctl.rules.smoke.mimic_not_kept import mimic_not_kept
+from urdfctl.rules.smoke.negative_reduction_ignored import negative_reduction_ignored
+from urdfctl.rules.smoke.reduction_of_zero import reduction_of_zero
 from urdfctl.rules.smoke.robot_not_spawned import robot_not_spawned
 from urdfctl.rules.smoke.robot_tips_over import robot_tips_over
 from urdfctl.rules.smoke.simulation_explodes import simulation_explodes
 from urdfctl.rules.smoke.steering_range_too_small import steering_range_too_small
 from urdfctl.rules.smoke.steering_turns_backwards import steering_turns_backwards
 from urdfctl.rules.smoke.task_not_performed import task_not_performed
+from urdfctl.rules.smoke.transmission_ignored import transmission_ignored
 from urdfctl.rules.smoke.verdict_depends_on_distro import verdict_depends_on_distro
 from urdfctl.rules.smoke.wheel_cannot_roll import wheel_cannot_roll
 from urdfctl.rules.smoke.wheel_in_the_wrong_place import wheel_in_the_wrong_place
 from urdfctl.rules.smoke.wheel_measures_differ import wheel_measures_differ
 from urdfctl.rules.smoke.wheel_off_the_ground import wheel_off_the_ground
+from urdfctl.rules.smoke.wheel_reductions_differ import wheel_reductions_differ
 from urdfctl.rules.smoke.wheel_sides_swapped import wheel_sides_swapped
 from urdfctl.rules.smoke.wheel_turns_backwards import wheel_turns_backwards
 from urdfctl.rules.smoke.wheels_mirrored import wheels_mirrored
@@ -109,4 +113,8 @@ RULES: tuple[Rule, ...] = (
     links_overlap,
     verdict_depends_on_distro,
     task_not_performed,
+    transmission_ignored,
+    negative_reduction_ignored,
+    wheel_reductions_differ,
+    reduction_of_zero,
 )

@@ -1,0 +1,155 @@
+"""The transmissions between motors and joints: which hardware uses them, and what is wrong with them.
+
+A transmission turns what a joint is commanded into what its motor is commanded, and back (transmission_interface's
+simple_transmission.hpp): motor = (joint - offset) * reduction. So a joint moves the same way with any reduction but 0,
+and only the hardware knows how its motor is mounted. Simulated hardware moves the joint itself.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+
+from urdfctl.catalog.catalog import Catalog
+from urdfctl.catalog.distros import generation
+from urdfctl.control.gazebo_ros1 import in_gazebo
+from urdfctl.diagnostic import Severity
+from urdfctl.model.parts import Text, leading_number
+from urdfctl.model.project import Project
+from urdfctl.model.ros2_control import ControlTransmission, Ros2Control
+from urdfctl.model.transmission import Transmission
+from urdfctl.rules.smoke.negative_reduction_ignored import negative_reduction_ignored
+from urdfctl.rules.smoke.reduction_of_zero import reduction_of_zero
+from urdfctl.rules.smoke.transmission_ignored import transmission_ignored
+from urdfctl.rules.smoke.wheel_reductions_differ import wheel_reductions_differ
+from urdfctl.smoke.results import ROBOT, Trouble, trouble_of
+from urdfctl.smoke.tasks import Task, driven_of
+from urdfctl.startup.records import NamedTuple
+
+SIMPLE = "transmission_interface/SimpleTransmission"
+_IGNORING = ("mock", "gz", "gazebo-classic")
+"""The simulators whose hardware in the catalogue moves joints without transmissions: neither gz_ros2_control's
+gz_system.cpp, nor gazebo_ros2_control's gazebo_system.cpp, nor mock_components' generic_system.cpp reads them."""
+_DIFFER = 0.01
+"""The reductions of wheels differ from this fraction on: the same gears give the same number."""
+
+
+class Gear(NamedTuple):
+    """The transmission of a joint.
+
+    `reduction` is the number of turns of the motor for one of the joint, and `offset` the position of the joint at the
+    motor's zero, in rad or m. `is_simple` is whether one motor moves one joint. `ignored_by` is the hardware that
+    ignores it, or empty.
+    """
+
+    joint: str
+    reduction: float
+    offset: float
+    is_simple: bool
+    ignored_by: str = ""
+
+    @property
+    def acts(self) -> bool:
+        """Whether motor and joint differ."""
+        return not self.is_simple or self.reduction != 1 or self.offset != 0
+
+    @property
+    def label(self) -> str:
+        """The number that makes motor and joint differ, in words."""
+        if not self.is_simple:
+            return "the coupling"
+        return f"the reduction of {self.reduction:g}" if self.reduction != 1 else f"the offset of {self.offset:g}"
+
+
+def gears_of(project: Project, distro: str) -> tuple[Gear, ...]:
+    """Return the transmissions that differ from a direct drive, in the form that a distro's ros_control reads."""
+    if project.robot is None:
+        return ()
+    gears = _of_ros1(project) if generation(distro) == 1 else _of_ros2(project.robot.ros2_controls, project, distro)
+    return tuple(gear for gear in gears if gear.acts)
+
+
+def _of_ros1(project: Project) -> Iterator[Gear]:
+    by = "gazebo_ros_control" if in_gazebo(project) is Severity.ERROR else ""
+    for transmission in project.robot.transmissions if project.robot else ():
+        kind = transmission.type.value if transmission.type else ""
+        if not transmission.is_pr2:
+            reductions = (text for end in transmission.actuators for text in end.reductions[:1])
+            yield from _gears(transmission, reductions, kind, by)
+
+
+def _of_ros2(controls: Sequence[Ros2Control], project: Project, distro: str) -> Iterator[Gear]:
+    for control in controls:
+        by = _ignoring(control, project.catalog, distro)
+        for transmission in control.transmissions:
+            kind = transmission.plugins[0].past_comments if transmission.plugins else ""
+            reductions = (text for end in transmission.joints for text in end.reductions[:1])
+            if not transmission.is_ros1:
+                yield from _gears(transmission, reductions, kind, by)
+
+
+def _ignoring(control: Ros2Control, catalog: Catalog, distro: str) -> str:
+    """The hardware of a component if it ignores transmissions, or an empty text."""
+    plugin = (control.plugin or "").strip()
+    known = catalog.hardware(plugin, distro) if plugin else None
+    return plugin.partition("/")[0] if known and known.simulator in _IGNORING else ""
+
+
+def _gears(
+    transmission: Transmission | ControlTransmission, reductions: Iterable[Text], kind: str, by: str
+) -> Iterator[Gear]:
+    reduction = next((_number(text, 1.0) for text in reductions), 1.0)
+    for joint in transmission.joints:
+        offset = next((_number(text, 0.0) for text in joint.offsets), 0.0)
+        if joint.name:
+            yield Gear(joint.name, reduction, offset, is_simple=kind == SIMPLE, ignored_by=by)
+
+
+def _number(text: Text, default: float) -> float:
+    number = leading_number(text.past_comments)
+    return default if number is None or not math.isfinite(number) else number
+
+
+# -- what is wrong with them, and what is not tested -----------------------------------------------------------------
+
+
+def gear_troubles(gears: Sequence[Gear], tasks: Sequence[Task]) -> Iterator[Trouble]:
+    """Yield the transmissions that the hardware cannot load, or ignores, and those of wheels that differ."""
+    owners = {joint: task.controller for task in reversed(tasks) for joint in task.joints}
+    ignored = [gear for gear in gears if gear.ignored_by]
+    for gear in gears:
+        subject, controller = f"joint:{gear.joint}", owners.get(gear.joint)
+        if gear.is_simple and gear.reduction == 0 and not gear.ignored_by:
+            yield trouble_of(reduction_of_zero, subject, controller, joint=gear.joint)
+        elif gear.is_simple and gear.reduction < 0 and gear.ignored_by:
+            fields = {"joint": gear.joint, "reduction": f"{gear.reduction:g}", "hardware": gear.ignored_by}
+            yield trouble_of(negative_reduction_ignored, subject, controller, (), **fields)
+    if ignored:
+        first, others = ignored[0], len({gear.joint for gear in ignored}) - 1
+        more = f", and of {others} more joint{'s' if others > 1 else ''}" if others else ""
+        fields = {"hardware": first.ignored_by, "what": first.label, "joint": first.joint, "more": more}
+        yield trouble_of(transmission_ignored, ROBOT, None, (), **fields)
+    for task in tasks:
+        yield from _of_wheels(task, {gear.joint: abs(gear.reduction) for gear in gears if gear.is_simple})
+
+
+def _of_wheels(task: Task, reductions: dict[str, float]) -> Iterator[Trouble]:
+    """The driven wheels of a base have the same gears, or none."""
+    given = {name: reductions.get(name, 1.0) for name in driven_of(task)}
+    least, most = (choose(given, key=given.__getitem__, default="") for choose in (min, max))
+    if given and given[most] - given[least] > _DIFFER * given[most] > 0:
+        fields = {"least": f"{given[least]:g}", "joint": least, "most": f"{given[most]:g}", "other": most}
+        yield trouble_of(wheel_reductions_differ, f"joint:{most}", task.controller, (), **fields)
+
+
+def with_gears(gears: Sequence[Gear], tasks: Sequence[Task]) -> tuple[Task, ...]:
+    """Return the tasks, in which transmissions that hardware uses count as not simulated."""
+    used = {gear.joint: gear for gear in gears if not gear.ignored_by}
+
+    def added(task: Task) -> Task:
+        gear = next((used[joint] for joint in task.joints if joint in used), None)
+        turns = ": its motor turns the other way" if gear and gear.is_simple and gear.reduction < 0 else ""
+        what = (("transmission", f"{gear.label} of joint '{gear.joint}' acts in the hardware{turns}"),) if gear else ()
+        return task._replace(left_out=(*task.left_out, *what))
+
+    return tuple(map(added, tasks))
