@@ -106,8 +106,8 @@ def test_a_transmission_that_simulated_hardware_ignores_is_said_once(tmp_path: P
     assert (codes(made), mover.verdict.value) == (["UC972"], "skipped")
     assert "transmission" not in mover.untested
     [finding] = made.linted.outcome.diagnostics
-    assert finding.message == (
-        "mock_components ignores the reduction of 50 of joint 'shoulder', and of 1 more joint: it moves the joint itself"
+    assert finding.message.startswith(
+        "mock_components ignores the reduction of 50 of joint 'shoulder', and of 1 more joint"
     )
 
 
@@ -131,20 +131,12 @@ def test_wheels_have_equal_gears_on_both_sides(tmp_path: Path, left: str, right:
     assert codes(run(tmp_path, only_one, rover.yaml())) == ["UC974"]
 
 
-@pytest.mark.parametrize(
-    ("plugin", "found"),
-    [
-        ('<gazebo><plugin name="c" filename="libgazebo_ros_control.so"/></gazebo>', ["UC972", "UC973"]),
-        (
-            '<gazebo><plugin name="c" filename="libgazebo_ros_control.so">'
-            "<robotSimType>my_sim/Sim</robotSimType></plugin></gazebo>",
-            [],
-        ),
-    ],
-)
+@pytest.mark.parametrize(("setting", "found"), [("", ["UC972", "UC973"]), ("my_sim/Sim", [])])
 def test_gazebo_of_ros1_ignores_reductions_unless_another_class_simulates(
-    tmp_path: Path, plugin: str, found: list[str]
+    tmp_path: Path, setting: str, found: list[str]
 ) -> None:
+    kind = f"<robotSimType>{setting}</robotSimType>" if setting else ""
+    plugin = f'<gazebo><plugin name="c" filename="libgazebo_ros_control.so">{kind}</plugin></gazebo>'
     end = "<hardwareInterface>hardware_interface/PositionJointInterface</hardwareInterface>"
     geared_joint = (
         '<transmission name="t"><type>transmission_interface/SimpleTransmission</type>'

@@ -12,6 +12,8 @@ from urdfctl.model.geometry import (
     Rotation,
     Vector,
     about,
+    dot,
+    minus,
     plus,
     product,
     scaled,
@@ -25,6 +27,7 @@ from urdfctl.smoke.mechanism import Mechanism
 from urdfctl.smoke.results import ROBOT, Trouble, trouble_of
 from urdfctl.smoke.shapes import Shape, Shapes
 from urdfctl.smoke.tasks import Task, driven_of
+from urdfctl.smoke.traction import traction_troubles
 from urdfctl.startup.records import NamedTuple
 
 TIPPED = 0.35
@@ -38,10 +41,14 @@ _FAR = 0.8
 
 
 class Resting(NamedTuple):
-    """A robot at rest: its rotation, and the height of each link's lowest point above the ground, in m."""
+    """A robot at rest: its rotation, and the height of each link's lowest point above the ground, in m.
+
+    `contacts` holds the places of the links that touch the ground from the centre of mass, in m.
+    """
 
     turn: Rotation
     heights: dict[str, float]
+    contacts: dict[str, Vector]
 
     @property
     def tilt(self) -> float:
@@ -62,7 +69,7 @@ class _Body(NamedTuple):
 
 def _reach(shape: Shape, pose: Pose, way: Vector) -> float:
     point = pose.at(shape.farthest(turned(transposed(pose.turn), way)))
-    return point[0] * way[0] + point[1] * way[1] + point[2] * way[2]
+    return dot(point, way)
 
 
 def resting(mechanism: Mechanism, shapes: Shapes) -> Resting | None:
@@ -79,9 +86,24 @@ def resting(mechanism: Mechanism, shapes: Shapes) -> Resting | None:
     down = turned(transposed(turn), (0.0, 0.0, -1.0))
     depth = max(_reach(shape, pose, down) for _, shape, pose in placed)
     heights: dict[str, float] = {}
+    contacts: dict[str, Vector] = {}
     for name, shape, pose in placed:
-        heights[name] = min(heights.get(name, math.inf), depth - _reach(shape, pose, down))
-    return Resting(turn, heights)
+        height = depth - _reach(shape, pose, down)
+        if height < min(heights.get(name, math.inf), TOUCHING):
+            contacts[name] = turned(turn, minus(_lowest(shape, pose, down), centre))
+        heights[name] = min(heights.get(name, math.inf), height)
+    return Resting(turn, heights, contacts)
+
+
+def _lowest(shape: Shape, pose: Pose, down: Vector) -> Vector:
+    """The middle of the part of a shape that touches the ground; `down` is the way down."""
+    reach = _reach(shape, pose, down)
+    corners = [pose.at(point) for point in shape.outline()]
+    low = [corner for corner in corners if dot(corner, down) > reach - TOUCHING]
+    if not low or shape.kind == "cylinder":
+        low = [pose.at(shape.farthest(turned(transposed(pose.turn), down)))]
+    x, y, z = (sum(values) / len(low) for values in zip(*low, strict=True))
+    return x, y, z
 
 
 def _settled(body: _Body) -> Rotation:
@@ -124,9 +146,11 @@ def ground_troubles(mechanism: Mechanism, shapes: Shapes, tasks: Sequence[Task])
         notes = ("check that it has enough wheels or casters",)
         yield trouble_of(robot_tips_over, ROBOT, None, notes, when=" at spawn", roll=roll, pitch=pitch)
         return
-    for hinge in hinges:
-        if at_rest.heights.get(hinge.child, 0.0) > TOUCHING:
-            yield _lifted(hinge.name, wheels[hinge.name])
+    lifted = [hinge for hinge in hinges if at_rest.heights.get(hinge.child, 0.0) > TOUCHING]
+    for hinge in lifted:
+        yield _lifted(hinge.name, wheels[hinge.name])
+    if not lifted:
+        yield from traction_troubles(mechanism, at_rest.contacts, tasks)
 
 
 def _lifted(joint: str, controller: str) -> Trouble:

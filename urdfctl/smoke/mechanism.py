@@ -22,6 +22,7 @@ from urdfctl.model.geometry import (
 from urdfctl.model.parts import Number, Tag
 from urdfctl.model.robot import Joint, Link, Robot
 from urdfctl.model.ros2_control import Part
+from urdfctl.smoke.surfaces import grips_of, weightless
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
@@ -35,8 +36,8 @@ class Body(NamedTuple):
     `mass` is in kg. `centre` is the centre of mass in the link's frame, in m. `inertia` is the inertia about it along
     the axes of that frame, in kg m². `radius` is how far its collision geometry reaches from the axis about which the
     link turns, in m, or None; `aside` is the place along that axis where it reaches farthest, and `width` the length of
-    that part, in m. `falls` is False if gravity is turned off for the link. `grip` is the friction
-    coefficient that `<gazebo>` gives, or None.
+    that part, in m. `falls` is False if gravity is turned off for the link. `grip` is the friction coefficient that
+    `<gazebo>` gives, or None.
     """
 
     name: str
@@ -217,8 +218,8 @@ def mechanism_of(robot: Robot) -> Mechanism | None:
     ordered = _ordered(roots[0], hinges)
     if len(ordered) != len(names) - 1 or {roots[0], *(hinge.child for hinge in ordered)} != set(names):
         return None
-    floating = set(_weightless(robot))
-    grips = dict(_grips(robot))
+    floating = set(weightless(robot))
+    grips = dict(grips_of(robot))
     bodies = {
         link.name: _body(link, falls=link.name not in floating)._replace(grip=grips.get(link.name))
         for link in robot.links
@@ -331,24 +332,6 @@ def _radius(role: str, shape: Tag | None) -> float | None:
     if role != "collision" or shape is None or shape.name not in ("cylinder", "sphere"):
         return None
     return _float(shape.attributes.get("radius", ""), math.nan)
-
-
-def _weightless(robot: Robot) -> Iterator[str]:
-    """The links whose gravity is turned off in Gazebo."""
-    for gazebo in robot.gazebos:
-        for tag in (*gazebo.tag.named("turnGravityOff"), *gazebo.tag.named("gravity")):
-            off = ("true", "1") if tag.name == "turnGravityOff" else ("false", "0")
-            if gazebo.reference and tag.text.strip().lower() in off:
-                yield gazebo.reference
-
-
-def _grips(robot: Robot) -> Iterator[tuple[str, float]]:
-    """The links with a friction coefficient, as an element's text or as its attribute `value`."""
-    for gazebo in robot.gazebos:
-        for tag in gazebo.tag.named("mu1"):
-            grip = _float(tag.attributes.get("value", tag.text), math.nan)
-            if gazebo.reference and math.isfinite(grip):
-                yield gazebo.reference, grip
 
 
 def origin_of(tag: Tag) -> Pose:

@@ -13,7 +13,7 @@ from urdfctl.rules.smoke.wheel_off_the_ground import wheel_off_the_ground
 from urdfctl.smoke.assignments import Assignment
 from urdfctl.smoke.checks import MIMIC, joint_troubles, together_troubles, within_span
 from urdfctl.smoke.driving import driven, rolled, wheels_of_drives
-from urdfctl.smoke.engines import STEP, Engine, Refused, Setup, open_engine
+from urdfctl.smoke.engines import GRIPS, SLIDES, STEP, Engine, Refused, Setup, open_engine
 from urdfctl.smoke.ground import TIPPED
 from urdfctl.smoke.groups import groups_of, is_motor
 from urdfctl.smoke.loads import gravity_load, moved_inertias
@@ -103,7 +103,7 @@ def _not_modelled(plan: Plan, task: Task, lying: str) -> dict[str, str]:
         standing = {"standing": lying} if lying and plan.fixed and not plan.mechanism.is_fixed else {}
         return {**standing, "contact": "links do not collide"}
     slipping = {"turning rate": "wheels slip; only the direction was tested"} if is_skidding(task.drive) else {}
-    return {**slipping, "friction": "a wheel grips unless <gazebo> gives less, and all other parts slide"}
+    return {**slipping, "friction": f"{GRIPS:g} for wheels and {SLIDES:g} for other parts, if <gazebo> gives none"}
 
 
 def _wheels(plan: Plan) -> Iterator[str]:

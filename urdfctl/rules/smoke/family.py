@@ -60,6 +60,7 @@ from urdfctl.rules.smoke.wheel_reductions_differ import wheel_reductions_differ
 from urdfctl.rules.smoke.wheel_sides_swapped import wheel_sides_swapped
 from urdfctl.rules.smoke.wheel_turns_backwards import wheel_turns_backwards
 from urdfctl.rules.smoke.wheels_mirrored import wheels_mirrored
+from urdfctl.rules.smoke.wheels_slip import wheels_slip
 from urdfctl.rules.smoke.wheels_too_weak import wheels_too_weak
 
 RULES: tuple[Rule, ...] = (
@@ -117,4 +118,5 @@ RULES: tuple[Rule, ...] = (
     negative_reduction_ignored,
     wheel_reductions_differ,
     reduction_of_zero,
+    wheels_slip,
 )

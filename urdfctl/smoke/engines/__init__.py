@@ -14,9 +14,15 @@ from urdfctl.startup.records import NamedTuple
 STEP = 0.001
 """The duration of one simulation step, in s."""
 SLIDES, GRIPS = 0.1, 1.0
-"""The friction of parts that slide on the ground, like casters, and of wheels."""
+"""The friction on the ground of parts that slide, like casters, and of wheels, if the description gives none. The
+ground has the friction 1, and the lower one of two surfaces counts, as in ODE."""
 _MODULES = {"pybullet": "bullet", "mujoco": "mujoco_engine"}
 NAMES = tuple(_MODULES)
+
+
+def friction_of(given: float | None, *, is_wheel: bool) -> float:
+    """Return the friction of a part on the ground, given that of the description."""
+    return min(GRIPS, given) if given is not None else GRIPS if is_wheel else SLIDES
 
 
 class Refused(Exception):
@@ -31,8 +37,8 @@ class Setup(NamedTuple):
     links of wheels.
     `resist` holds the friction of joints, in N m or N, and their damping, in N m s/rad or N s/m; the `stiff`
     joints are damped more strongly than a step of the engine bears. `skidding` holds the links of wheels that slip
-    sideways when the base turns, with their axes; `grips` the friction of links for which the description gives a lower
-    one than usual. `gui` shows a window.
+    sideways when the base turns, with their axes; `grips` the friction of links for which the description gives
+    one. `gui` shows a window.
     """
 
     urdf: str
@@ -49,8 +55,7 @@ class Setup(NamedTuple):
 
     def friction_of(self, link: str) -> float:
         """Return the friction of a link on the ground."""
-        usual = GRIPS if link in self.wheels else SLIDES
-        return min(usual, self.grips.get(link, usual))
+        return friction_of(self.grips.get(link), is_wheel=link in self.wheels)
 
 
 class Motor(NamedTuple):

@@ -165,9 +165,11 @@ def open_engine(setup: Setup) -> Mujoco:
             _set_free(mujoco, spec.body(setup.root))
             spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_PLANE, size=[0, 0, 1])
         for shape in spec.geoms:
-            shape.contype, shape.conaffinity = (2, 1) if shape.parent == spec.worldbody else (1, 2)
+            ground = shape.parent == spec.worldbody
+            shape.contype, shape.conaffinity = (2, 1) if ground else (1, 2)
             wheel = shape.parent.name in setup.wheels
-            shape.friction[0] = setup.friction_of(shape.parent.name)
+            # of two surfaces MuJoCo takes the greater friction
+            shape.friction[0] = 0.0 if ground else setup.friction_of(shape.parent.name)
             if wheel and shape.type == mujoco.mjtGeom.mjGEOM_CYLINDER:
                 shape.type = mujoco.mjtGeom.mjGEOM_SPHERE  # the edges of a cylinder shake the robot
         for mesh in spec.meshes:
