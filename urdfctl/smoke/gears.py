@@ -10,10 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 
-from urdfctl.catalog.catalog import Catalog
 from urdfctl.catalog.distros import generation
-from urdfctl.control.gazebo_ros1 import in_gazebo
-from urdfctl.diagnostic import Severity
 from urdfctl.model.parts import Text, leading_number
 from urdfctl.model.project import Project
 from urdfctl.model.ros2_control import ControlTransmission, Ros2Control
@@ -23,6 +20,7 @@ from urdfctl.rules.smoke.reduction_of_zero import reduction_of_zero
 from urdfctl.rules.smoke.transmission_ignored import transmission_ignored
 from urdfctl.rules.smoke.wheel_reductions_differ import wheel_reductions_differ
 from urdfctl.smoke.results import ROBOT, Trouble, trouble_of
+from urdfctl.smoke.simulated import GAZEBO_ROS1, in_gazebo_of_ros1, simulator_of
 from urdfctl.smoke.tasks import Task, driven_of
 from urdfctl.startup.records import NamedTuple
 
@@ -70,7 +68,7 @@ def gears_of(project: Project, distro: str) -> tuple[Gear, ...]:
 
 
 def _of_ros1(project: Project) -> Iterator[Gear]:
-    by = "gazebo_ros_control" if in_gazebo(project) is Severity.ERROR else ""
+    by = GAZEBO_ROS1 if in_gazebo_of_ros1(project) else ""
     for transmission in project.robot.transmissions if project.robot else ():
         kind = transmission.type.value if transmission.type else ""
         if not transmission.is_pr2:
@@ -80,19 +78,13 @@ def _of_ros1(project: Project) -> Iterator[Gear]:
 
 def _of_ros2(controls: Sequence[Ros2Control], project: Project, distro: str) -> Iterator[Gear]:
     for control in controls:
-        by = _ignoring(control, project.catalog, distro)
+        ignored = simulator_of(control, project.catalog, distro) in _IGNORING
+        by = (control.plugin or "").strip().partition("/")[0] if ignored else ""
         for transmission in control.transmissions:
             kind = transmission.plugins[0].past_comments if transmission.plugins else ""
             reductions = (text for end in transmission.joints for text in end.reductions[:1])
             if not transmission.is_ros1:
                 yield from _gears(transmission, reductions, kind, by)
-
-
-def _ignoring(control: Ros2Control, catalog: Catalog, distro: str) -> str:
-    """The hardware of a component if it ignores transmissions, or an empty text."""
-    plugin = (control.plugin or "").strip()
-    known = catalog.hardware(plugin, distro) if plugin else None
-    return plugin.partition("/")[0] if known and known.simulator in _IGNORING else ""
 
 
 def _gears(

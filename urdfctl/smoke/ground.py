@@ -43,12 +43,12 @@ _FAR = 0.8
 class Resting(NamedTuple):
     """A robot at rest: its rotation, and the height of each link's lowest point above the ground, in m.
 
-    `contacts` holds the places of the links that touch the ground from the centre of mass, in m.
+    `contacts` holds the points in which links touch the ground, from the centre of mass, in m.
     """
 
     turn: Rotation
     heights: dict[str, float]
-    contacts: dict[str, Vector]
+    contacts: dict[str, list[Vector]]
 
     @property
     def tilt(self) -> float:
@@ -86,24 +86,21 @@ def resting(mechanism: Mechanism, shapes: Shapes) -> Resting | None:
     down = turned(transposed(turn), (0.0, 0.0, -1.0))
     depth = max(_reach(shape, pose, down) for _, shape, pose in placed)
     heights: dict[str, float] = {}
-    contacts: dict[str, Vector] = {}
+    contacts: dict[str, list[Vector]] = {}
     for name, shape, pose in placed:
         height = depth - _reach(shape, pose, down)
-        if height < min(heights.get(name, math.inf), TOUCHING):
-            contacts[name] = turned(turn, minus(_lowest(shape, pose, down), centre))
+        if height <= TOUCHING:
+            points = [turned(turn, minus(point, centre)) for point in _lowest(shape, pose, down)]
+            contacts.setdefault(name, []).extend(points)
         heights[name] = min(heights.get(name, math.inf), height)
     return Resting(turn, heights, contacts)
 
 
-def _lowest(shape: Shape, pose: Pose, down: Vector) -> Vector:
-    """The middle of the part of a shape that touches the ground; `down` is the way down."""
+def _lowest(shape: Shape, pose: Pose, down: Vector) -> list[Vector]:
+    """The points of a shape that touch the ground; `down` is the way down."""
     reach = _reach(shape, pose, down)
-    corners = [pose.at(point) for point in shape.outline()]
-    low = [corner for corner in corners if dot(corner, down) > reach - TOUCHING]
-    if not low or shape.kind == "cylinder":
-        low = [pose.at(shape.farthest(turned(transposed(pose.turn), down)))]
-    x, y, z = (sum(values) / len(low) for values in zip(*low, strict=True))
-    return x, y, z
+    low = [corner for point in shape.outline() if dot(corner := pose.at(point), down) > reach - TOUCHING]
+    return low or [pose.at(shape.farthest(turned(transposed(pose.turn), down)))]
 
 
 def _settled(body: _Body) -> Rotation:

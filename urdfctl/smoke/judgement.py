@@ -11,6 +11,7 @@ from urdfctl.model.project import Project
 from urdfctl.model.stage import Stage
 from urdfctl.rules import rule_of
 from urdfctl.rules.reading.rule_crashed import rule_crashed
+from urdfctl.rules.smoke.loose_robot_tips_over import loose_robot_tips_over
 from urdfctl.rules.smoke.robot_not_spawned import robot_not_spawned
 from urdfctl.rules.smoke.verdict_depends_on_distro import verdict_depends_on_distro
 from urdfctl.smoke.anchors import anchors_of, diagnostics_of, silenced, subjects
@@ -25,9 +26,11 @@ from urdfctl.smoke.overlaps import overlap_troubles
 from urdfctl.smoke.plain import with_plain_drives
 from urdfctl.smoke.reading import tasks_of
 from urdfctl.smoke.results import ROBOT, ControllerResult, Smoked, Trouble, Verdict, trouble_of
-from urdfctl.smoke.shapes import shapes_of, with_rims
+from urdfctl.smoke.shapes import Shapes, shapes_of, with_rims
+from urdfctl.smoke.simulated import in_simulation
 from urdfctl.smoke.stability import loop_troubles
 from urdfctl.smoke.statics import static_troubles
+from urdfctl.smoke.support import Support, support_of
 from urdfctl.smoke.tasks import Task
 from urdfctl.source.span import Place
 from urdfctl.startup.records import NamedTuple
@@ -44,7 +47,8 @@ class Judgement(NamedTuple):
 
     `mechanism` is None if the robot cannot be simulated. `rate` is the update rate of the controllers, in Hz. `only`
     holds the names of the controllers that were asked for, none for all. `part_of` is the link of another file that
-    the description hangs on: it is not a robot then. `given` holds the user's tasks.
+    the description hangs on: it is not a robot then. `given` holds the user's tasks. `support` is what
+    a robot rests on that nothing fixes to the world.
     """
 
     seen: LintedTarget
@@ -56,6 +60,7 @@ class Judgement(NamedTuple):
     only: tuple[str, ...] = ()
     part_of: str = ""
     given: TaskFile | None = None
+    support: Support = Support()
 
     def wants(self, name: str | None) -> bool:
         """Return whether a controller was asked for. Findings of no controller are always reported."""
@@ -121,6 +126,7 @@ def judged(
     if cycle.spawned and robot and robot.links and mechanism is None:
         why = "its links must form one tree, in which each link but the root is the child of exactly one joint"
         troubles.append(trouble_of(robot_not_spawned, ROBOT, why=why))
+    support = Support()
     if robot and mechanism is not None:
         commanded = any(task.joints for task in tasks)
         shapes = shapes_of(robot, find_mesh if commanded else None)
@@ -133,6 +139,9 @@ def judged(
         mechanism = within_ranges(mechanism)
         troubles += loop_troubles(mechanism, tasks, rate)
         troubles += overlap_troubles(mechanism, shapes, _allowed(project))
+        support = _support(mechanism, shapes, tasks)
+        if support.tips and in_simulation(project, cycle.distro):
+            troubles.append(trouble_of(loose_robot_tips_over, ROBOT, when=support.tips))
     return Judgement(
         seen=seen,
         cycle=cycle,
@@ -143,6 +152,7 @@ def judged(
         only=tuple(only),
         part_of=elsewhere or "",
         given=given,
+        support=support,
     )
 
 
@@ -153,6 +163,13 @@ def _link_elsewhere(project: Project) -> str | None:
     missing = {joint.parent.name for joint in robot.joints if joint.parent} - links if robot else set()
     children = {joint.child.name for joint in robot.joints if joint.child} if robot else set()
     return missing.pop() if len(missing) == 1 and links == children else None
+
+
+def _support(mechanism: Mechanism, shapes: Shapes, tasks: Sequence[Task]) -> Support:
+    """What a robot rests on that nothing fixes to the world, and that does not drive."""
+    moved = {joint for task in tasks for joint in task.joints}
+    loose = moved and not mechanism.is_fixed and not any(task.base for task in tasks)
+    return support_of(mechanism, shapes, moved) if loose else Support()
 
 
 def _tasks(cycle: Cycle) -> tuple[Task, ...]:

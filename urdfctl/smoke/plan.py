@@ -26,7 +26,8 @@ class Plan(NamedTuple):
     controllers, in Hz. `fixed` is whether the root link is fixed to the world. `shapeless` is whether collision
     geometry was left out. `duration` is the time for which each controller moves, in s. `gui` shows a window. `budget`
     is the processor time that the engine may use, in s; then the remaining controllers are not tested. `standing` is
-    the text of the URDF with which a legged robot is put on the ground, or empty. `assignments` holds what the user
+    the text of the URDF with which a robot that nothing fixes to the world is put on the ground, or empty; `held` is
+    why it is held in the air instead. `assignments` holds what the user
     asks controllers to do instead of the usual motion.
     """
 
@@ -41,6 +42,7 @@ class Plan(NamedTuple):
     gui: bool = False
     budget: float = BUDGET
     standing: str = ""
+    held: str = ""
     assignments: tuple[Assignment, ...] = ()
 
     def within(self, seconds: float) -> Plan:

@@ -10,8 +10,6 @@ from urdfctl.smoke.judgement import Judgement
 from urdfctl.smoke.plan import MOTION, Plan
 from urdfctl.smoke.prepare import Prepared, names_of_wheels, prepared
 from urdfctl.smoke.results import ROBOT, Trouble, trouble_of
-from urdfctl.smoke.shapes import shapes_of
-from urdfctl.smoke.standing import feet_of
 from urdfctl.source.packages import Packages
 
 MOST_BODIES = 800
@@ -44,7 +42,7 @@ def plan_of(
         return prepared(robot, mechanism, find_mesh, wheels, standing=standing, damped=damped)
 
     ready = on_ground(standing=bool(drives))
-    legged = not drives and not mechanism.is_fixed and bool(feet_of(mechanism, shapes_of(robot, find_mesh)))
+    support = judgement.support
     plan = Plan(
         engine="",
         urdf=ready.urdf,
@@ -55,7 +53,8 @@ def plan_of(
         shapeless=bool(ready.left_out),
         duration=duration,
         gui=gui,
-        standing=on_ground(standing=True).urdf if legged else "",
+        standing=on_ground(standing=True).urdf if support.links and not support.why_not else "",
+        held=support.why_not,
         assignments=tuple(each for each in judgement.given.assignments if judgement.wants(each.controller))
         if judgement.given
         else (),

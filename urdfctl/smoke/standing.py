@@ -1,13 +1,12 @@
-"""Legged robots on the ground: whether they stand while their controllers hold their joints."""
+"""Robots on the ground that nothing fixes to the world: whether they stand while their joints are held."""
 
 from __future__ import annotations
 
 from urdfctl.smoke.engines import Refused, Setup, open_engine
-from urdfctl.smoke.ground import TIPPED, TOUCHING, resting
-from urdfctl.smoke.mechanism import Hinge, Mechanism
+from urdfctl.smoke.ground import TIPPED
+from urdfctl.smoke.mechanism import Hinge
 from urdfctl.smoke.motions import FREELY, Goal, Loop, effort_of
 from urdfctl.smoke.plan import Plan
-from urdfctl.smoke.shapes import Shapes
 from urdfctl.smoke.simulation import Exploded, OutOfTime, Simulation
 from urdfctl.smoke.tasks import Family, is_loop
 
@@ -15,25 +14,8 @@ STANDING = 1.0
 """The time for which a robot must stand, in s."""
 SUNK = 0.3
 """A robot that sinks by this fraction of the height of its root above its feet does not stand."""
-LEAST_FEET = 2
 NUDGED = 0.02
 """The joints begin this far from where they are held, in rad: legs that are exactly straight would not bend."""
-HELD_IN_THE_AIR = "the base is held in the air"
-
-
-def feet_of(mechanism: Mechanism, shapes: Shapes) -> tuple[str, ...]:
-    """Return the links on which a legged robot rests with its joints held; none if it has no legs, or unknown shapes.
-
-    Each foot is at the end of a leg of its own, which begins at the base and whose joints have limits.
-    """
-    at_rest = resting(mechanism, shapes) if shapes.complete and not mechanism.is_fixed else None
-    if at_rest is None or at_rest.tilt > TIPPED:
-        return ()
-    feet = [name for name, height in at_rest.heights.items() if height <= TOUCHING]
-    legs = {name: [hinge for hinge in mechanism.above(name) if hinge.moves] for name in feet}
-    if not all(legs.values()) or any(hinge.type == "continuous" for leg in legs.values() for hinge in leg):
-        return ()
-    return tuple(feet) if len({leg[-1].name for leg in legs.values()}) >= LEAST_FEET else ()
 
 
 def why_not_standing(plan: Plan, setup: Setup, began: float) -> str:

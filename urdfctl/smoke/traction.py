@@ -45,13 +45,16 @@ def _balanced(places: Sequence[Vector]) -> list[float]:
     return [1 / n + b * x + c * y for x, y in offsets]
 
 
-def traction_troubles(mechanism: Mechanism, contacts: Mapping[str, Vector], tasks: Sequence[Task]) -> Iterator[Trouble]:
+def traction_troubles(
+    mechanism: Mechanism, contacts: Mapping[str, Sequence[Vector]], tasks: Sequence[Task]
+) -> Iterator[Trouble]:
     """Yield the bases whose wheels slip: they cannot drag what slides, and accelerate the robot, without it.
 
-    `contacts` holds the places of the links that touch the ground from the centre of mass, in m.
+    `contacts` holds the points in which links touch the ground, from the centre of mass, in m.
     """
+    places = [_middle(points) for points in contacts.values()]
     weight = -GRAVITY[2] * sum(body.mass for body in mechanism.bodies.values())
-    loads = {name: share * weight for name, share in zip(contacts, shares_of(list(contacts.values())), strict=True)}
+    loads = {name: share * weight for name, share in zip(contacts, shares_of(places), strict=True)}
     for task in tasks:
         drive = task.drive
         hinges = [hinge for name in drive.wheels if (hinge := mechanism.hinge(name))] if drive else []
@@ -70,6 +73,11 @@ def traction_troubles(mechanism: Mechanism, contacts: Mapping[str, Vector], task
         low = [name for name in wheels if (grip := mechanism.bodies[name].grip) is not None and grip < 1]
         notes += [f"<gazebo> gives link '{name}' the friction {mechanism.bodies[name].grip:g}" for name in sorted(low)]
         yield trouble_of(wheels_slip, f"controller:{task.controller}", task.controller, tuple(notes), **fields)
+
+
+def _middle(points: Sequence[Vector]) -> Vector:
+    x, y, z = (sum(values) / len(points) for values in zip(*points, strict=True))
+    return x, y, z
 
 
 def _friction(mechanism: Mechanism, name: str, load: float, *, slides: bool = False) -> float:

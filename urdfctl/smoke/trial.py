@@ -22,7 +22,7 @@ from urdfctl.smoke.performing import performed
 from urdfctl.smoke.plan import Plan, Tried
 from urdfctl.smoke.results import ROBOT, Curve, Trouble, trouble_of
 from urdfctl.smoke.simulation import Exploded, OutOfTime, Simulation, Tipped
-from urdfctl.smoke.standing import HELD_IN_THE_AIR, why_not_standing
+from urdfctl.smoke.standing import why_not_standing
 from urdfctl.smoke.tasks import Drive, Family, Task, is_loop, is_skidding
 
 SETTLING = 0.5
@@ -33,6 +33,7 @@ MOST_STEPS = 10
 """The maximum number of simulation steps between two position commands."""
 TOGETHER = 0.05
 """The step that all loops are commanded together, in rad or m."""
+HELD = "its base was held in the air"
 MOST_DAMPED = 0.5
 """An explicit damping force may change a joint's velocity by this fraction in a step; from twice the velocity on the
 simulation would explode."""
@@ -149,7 +150,7 @@ class Trial:
         self.acts: dict[str, str] = {}
         self.times: dict[str, float] = {}
         self.curves: list[Curve] = []
-        self.lying = HELD_IN_THE_AIR
+        self.lying = plan.held or HELD
         self._bases: dict[Drive, tuple[str, bool]] = {}
 
     def result(self) -> Tried:

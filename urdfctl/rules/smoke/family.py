@@ -40,6 +40,7 @@ from urdfctl.rules.smoke.loop_too_soft import loop_too_soft
 from urdfctl.rules.smoke.loop_too_stiff_without_rotor import loop_too_stiff_without_rotor
 from urdfctl.rules.smoke.loop_underdamped import loop_underdamped
 from urdfctl.rules.smoke.loop_unstable import loop_unstable
+from urdfctl.rules.smoke.loose_robot_tips_over import loose_robot_tips_over
 from urdfctl.rules.smoke.mimic_beyond_limits import mimic_beyond_limits
 from urdfctl.rules.smoke.mimic_not_kept import mimic_not_kept
 from urdfctl.rules.smoke.negative_reduction_ignored import negative_reduction_ignored
@@ -119,4 +120,5 @@ RULES: tuple[Rule, ...] = (
     wheel_reductions_differ,
     reduction_of_zero,
     wheels_slip,
+    loose_robot_tips_over,
 )
