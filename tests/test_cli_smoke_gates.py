@@ -68,7 +68,7 @@ def test_a_known_finding_is_hidden(weak: Path) -> None:
     assert smoke(weak, "--write-baseline", known).exit_code == 0
     done = smoke(weak, "--baseline", known)
     assert (done.exit_code, "UC915" in done.stdout) == (0, False)
-    assert "known: joint 'lift' needs" in done.stdout
+    assert "hidden finding: joint 'lift' needs" in done.stdout
 
 
 @pytest.mark.parametrize(

@@ -208,7 +208,7 @@ MIMIC_COMMANDED = GRIPPER.replace(
 def test_an_unknown_distro_is_never_the_most_permissive_one(tmp_path: Path) -> None:
     made = smoked(target_of(tmp_path, files(GRIPPER_CONTROLLER, MIMIC_COMMANDED)))
     [finding] = made.linted.outcome.diagnostics
-    both = "humble, iron: becomes active; jazzy to rolling: cannot be activated: the hardware is rejected"
+    both = "it becomes active in humble, iron; it cannot be activated in jazzy to rolling: the hardware is rejected"
     assert (finding.code, finding.message.partition("unknown: ")[2]) == ("UC970", both)
     assert verdicts(made) == {"states": "warned activate", "gripper": "warned activate"}
     assert [result.reason for result in made.controllers] == [f"depends on the ROS distro: {both}"] * 2

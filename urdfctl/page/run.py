@@ -12,7 +12,7 @@ from urdfctl.page.chart import chart
 from urdfctl.page.drawing import drawing
 from urdfctl.report.common import Report, relative, shown, visible
 from urdfctl.report.pages import page
-from urdfctl.smoke.reports import SmokeReport, account, heading, how, steps, summary
+from urdfctl.smoke.reports import SmokeReport, heading, how, steps, summary, told_of
 from urdfctl.smoke.results import ControllerResult, Smoked, Verdict
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
@@ -135,8 +135,8 @@ def _tested(robot: Smoked, portrait: Portrait) -> dict[str, Any]:
                 "name": visible(result.name),
                 "type": visible(result.type or ""),
                 "verdict": result.verdict.value,
-                "stages": steps(result, robot.linted.ros),
-                "reason": visible(result.reason or account(result)),
+                "stages": steps(result, robot.linted.ros).removesuffix(":"),
+                "reason": visible(told_of(result)),
             }
             for result in sorted(robot.controllers, key=_rank)
         ],

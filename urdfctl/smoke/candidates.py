@@ -72,9 +72,11 @@ def _fates(cycles: Sequence[Cycle], name: str) -> dict[str, str]:
 
 
 def fates_in_words(fates: Mapping[str, str]) -> str:
-    """Return the fates of a controller by distro in words; distros of the same fate are joined."""
-    words = {fate: [distro for distro in fates if fates[distro] == fate] for fate in fates.values()}
-    return "; ".join(f"{in_words(distros)}: {fate}" for fate, distros in words.items())
+    """Return the fates of a controller by distro in words, the best one first; distros of the same fate are joined."""
+    ordered = sorted(dict.fromkeys(fates.values()), key=lambda fate: fate != _ACTIVE)
+    words = {fate: in_words(distro for distro in fates if fates[distro] == fate) for fate in ordered}
+    parts = [(*fate.partition(": "), distros) for fate, distros in words.items()]
+    return "; ".join(f"it {what} in {distros}{mark}{why}" for what, mark, why, distros in parts)
 
 
 def _dependent(ways: Sequence[Way], cycles: Sequence[Cycle]) -> Iterator[Trouble]:
@@ -86,7 +88,7 @@ def _dependent(ways: Sequence[Way], cycles: Sequence[Cycle]) -> Iterator[Trouble
     for words, (first, *others) in found.items():
         causes = [t for cycle in cycles for t in cycle.troubles if t.controller in (first, None)]
         causes = sorted(causes, key=lambda trouble: trouble.controller is None)
-        notes = list(dict.fromkeys(trouble.message for trouble in causes))[:1]
+        notes = [trouble.message for trouble in causes[:1] if trouble.message.partition(": ")[2] not in words]
         also = enumerated(f"'{name}'" for name in others)
         notes += [f"the same holds for {also}"] if also else []
         at = causes[0].subject if causes else f"controller:{first}"

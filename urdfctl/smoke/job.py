@@ -255,4 +255,6 @@ def _judged(controller: ControllerResult, result: Tried, troubles: Sequence[Trou
             controller = controller._replace(verdict=Verdict.PASSED, stage=Stage.DEACTIVATE, reason="")
         else:
             controller = controller._replace(reason=result.unjudged.get(controller.name, controller.reason))
+    elif controller.verdict is Verdict.WARNED and controller.name in result.moved and not controller.by_distro:
+        controller = controller._replace(stage=Stage.DEACTIVATE)
     return changed(controller, troubles)

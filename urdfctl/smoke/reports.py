@@ -77,9 +77,15 @@ def robot_pieces(robot: Smoked) -> Iterator[Piece]:
     for controller in robot.controllers:
         yield Piece(f"  {visible(controller.name).ljust(width)}  ")
         yield Piece(controller.verdict.value.ljust(8), _STYLES[controller.verdict])
-        told = controller.reason or account(controller)
-        reason = f"  {told}" if told else ""
+        told = told_of(controller)
+        reason = f"{' ' if controller.verdict is Verdict.FAILED else '  '}{told}" if told else ""
         yield Piece(f" {steps(controller, robot.linted.ros)}{visible(reason)}\n")
+
+
+def told_of(result: ControllerResult) -> str:
+    """Return the reason of a verdict, or what led to it; both for a warning, which does not stop the test."""
+    both = (result.reason, account(result)) if result.verdict is Verdict.WARNED else (result.reason or account(result),)
+    return "; ".join(part for part in both if part)
 
 
 def account(result: ControllerResult) -> str:
@@ -96,10 +102,10 @@ def heading(robot: Smoked) -> str:
 
 
 def how(robot: Smoked) -> str:
-    """Return the distro and what it is known from, the controller files and the engine of a test."""
-    parts = [_distro(robot), *(shown(path) for path in robot.linted.controllers)]
-    parts.append(f"{robot.engine}, {robot.seconds:.1f} s" if robot.engine else "not simulated")
-    return ", ".join(part for part in parts if part)
+    """Return the controller files, the distro and what it is known from, and the engine of a test."""
+    engine = f"{robot.engine}, {robot.seconds:.1f} s" if robot.engine else "not simulated"
+    parts = [", ".join(shown(path) for path in robot.linted.controllers), _distro(robot), engine]
+    return "; ".join(part for part in parts if part)
 
 
 def _distro(robot: Smoked) -> str:
@@ -110,17 +116,15 @@ def _distro(robot: Smoked) -> str:
         return linted.distro if named else f"{linted.distro} from {linted.distro_from}"
     if not robot.controllers or not robot.distro:
         return ""
-    moved = f", moved as in {robot.distro}" if robot.engine else ""
-    return f"ROS distro unknown ({in_words(linted.distros)}){moved}"
+    tested = f", tested as {robot.distro}" if robot.engine else ""
+    return f"ROS distro unknown: {in_words(linted.distros)}{tested}"
 
 
 def steps(result: ControllerResult, ros: int | None) -> str:
-    """Return the stages of a controller, with a mark before the one at which it failed. ROS 1 has no configuring."""
+    """Return the stages that a controller reached; it may fail at the last one. ROS 1 has no configuring."""
     reached = CONTROLLER_STAGES[: CONTROLLER_STAGES.index(result.stage) + 1]
-    names = [stage.value for stage in reached if ros != 1 or stage is not Stage.CONFIGURE]
-    if result.verdict is Verdict.FAILED:
-        names[-1] = f"!{names[-1]}"
-    return " > ".join(names)
+    stages = " > ".join(stage.value for stage in reached if ros != 1 or stage is not Stage.CONFIGURE)
+    return f"{stages} failed:" if result.verdict is Verdict.FAILED else stages
 
 
 def summary(report: SmokeReport) -> str:

@@ -132,7 +132,7 @@ class Smoked(NamedTuple):
             known = result.reason and any(message.endswith(result.reason) for message in hidden)
             if result.verdict is not Verdict.FAILED or not known:
                 return result
-            return result._replace(verdict=Verdict.WARNED, reason=f"known: {result.reason}")
+            return result._replace(verdict=Verdict.WARNED, reason=f"hidden finding: {result.reason}")
 
         return self._replace(controllers=tuple(map(shown, self.controllers))) if hidden else self
 
