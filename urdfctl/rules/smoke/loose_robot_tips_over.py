@@ -29,10 +29,7 @@ _SIMULATED = _LOOSE.replace("mock_components/GenericSystem", "gz_ros2_control/Ga
         ),
         "controllers.yaml": GRIPPER_CONTROLLER,
     },
-    good={
-        "robot.urdf": _SIMULATED.replace('<link name="palm">', f'<link name="palm">{_FOOT % 0}'),
-        "controllers.yaml": GRIPPER_CONTROLLER,
-    },
+    good={"robot.urdf": GRIPPER, "controllers.yaml": GRIPPER_CONTROLLER},
 )
 def loose_robot_tips_over(project: Project) -> Iterator[Finding]:
     """Robot that nothing fixes to the world tips over.
