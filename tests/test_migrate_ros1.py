@@ -248,6 +248,34 @@ arm_controller:
     assert "-10.0" in after
 
 
+def test_an_alias_becomes_the_value_of_its_anchor(folder: Folder) -> None:
+    before = """\
+arm_controller:
+  type: position_controllers/JointTrajectoryController
+  joints: &names [shoulder]
+  constraints:
+    shoulder: &close
+      goal: &near 0.02
+      trajectory: *near
+    elbow: *close
+"""
+    files = {"config/controllers.yaml": before, "urdf/arm.xacro": arm(transmission("PositionJointInterface"))}
+    after = migrated(folder, files, "--only", "urdf,yaml")["config/controllers.yaml"]
+    assert (
+        """\
+    joints: [shoulder]
+    constraints:
+      shoulder:
+        goal: 0.02
+        trajectory: 0.02
+      elbow:
+        goal: 0.02
+        trajectory: 0.02
+"""
+        in after
+    )
+
+
 def test_a_loop_around_effort_becomes_a_pid_controller_with_the_same_gains(folder: Folder) -> None:
     before = """\
 ctl:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from urdfctl.migrate.ros1.aliases import ALIASES
 from urdfctl.migrate.ros1.classic_plugins import PLUGINS
 from urdfctl.migrate.ros1.controllers_yaml import CONTROLLERS
 from urdfctl.migrate.ros1.launch_files import LAUNCH_FILES
@@ -12,6 +13,6 @@ from urdfctl.migrate.ros1.simulator_plugin import MIMIC_PLUGINS, SIMULATOR_PLUGI
 from urdfctl.migrate.ros1.transmissions import TRANSMISSIONS
 from urdfctl.migrate.step import Step
 
-ROBOT_STEPS: tuple[Step, ...] = (MIMIC_PLUGINS, TRANSMISSIONS, SIMULATOR_PLUGIN, PLUGINS, MOVEIT_FILES, CONTROLLERS)
+ROBOT_STEPS: tuple[Step, ...] = (MIMIC_PLUGINS, TRANSMISSIONS, SIMULATOR_PLUGIN, PLUGINS, MOVEIT_FILES, ALIASES, CONTROLLERS)
 PACKAGE_STEPS: tuple[Step, ...] = (MOVEIT_LAUNCH, LAUNCH_FILES, MANIFEST)
 STEPS: tuple[Step, ...] = (*ROBOT_STEPS, *PACKAGE_STEPS)

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfctl.source.yaml import Entry, Mapping, Node, Scalar
+from urdfctl.migrate.packages import Packages
+from urdfctl.source.span import SourceText
+from urdfctl.source.yaml import Entry, Mapping, Node, Scalar, read_yaml
 from urdfctl.startup.records import NamedTuple
 
 GAINS_OF_GAZEBO = "gazebo_ros_control"
+_OF_ROS2 = (b"ros__parameters", b"moveit_simple_controller_manager", b"moveit_ros_control_interface")
 
 
 class Item(NamedTuple):
@@ -27,6 +30,17 @@ class Item(NamedTuple):
     def name(self) -> str:
         """Its key."""
         return self.entry.key.text
+
+
+def controller_maps(packages: Packages) -> Iterator[tuple[SourceText, Node, list[Item]]]:
+    """Yield the controller files in the form of ROS 1: each with its map and the controllers and maps in it."""
+    for path in packages.files(".yaml", ".yml"):
+        source = packages.read(path)
+        documents = read_yaml(source).documents if b"type" in source.data else ()
+        if len(documents) == 1 and not any(mark in source.data for mark in _OF_ROS2):
+            items = list(items_of(documents[0]))
+            if any(item.type for item in items):
+                yield source, documents[0], items
 
 
 def items_of(root: Node) -> Iterator[Item]:

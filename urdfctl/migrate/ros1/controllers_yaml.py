@@ -11,29 +11,23 @@ from urdfctl.migrate.manager import RATE, manager_text
 from urdfctl.migrate.markup import attribute, child, content, elements, end_of, root_of
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.places import plugin_elements
-from urdfctl.migrate.ros1.controller_map import GAINS_OF_GAZEBO, Item, items_of
+from urdfctl.migrate.ros1.controller_map import GAINS_OF_GAZEBO, Item, controller_maps
 from urdfctl.migrate.ros1.controller_section import ControllerSection, section_of
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import todo_line
 from urdfctl.migrate.wishes import Part
 from urdfctl.source.span import Place, SourceSpan, SourceText
-from urdfctl.source.yaml import Mapping, Node, read_yaml
+from urdfctl.source.yaml import Mapping, Node
 
 _FORM = "rcl_yaml_param_parser: parameters are below ros__parameters of their node"
 _PID_GAINS = "gz_ros2_control src/gz_system.cpp: position_proportional_gain, one for all joints"
 _ANY = "/**"
 """Stands for any namespace in a parameter file (rclcpp parameter_map.cpp)."""
-_OF_ROS2 = (b"ros__parameters", b"moveit_simple_controller_manager", b"moveit_ros_control_interface")
 
 
 def _files(packages: Packages) -> Iterator[Proposal]:
-    for path in packages.files(".yaml", ".yml"):
-        source = packages.read(path)
-        documents = read_yaml(source).documents if b"type" in source.data else ()
-        if len(documents) == 1 and not any(mark in source.data for mark in _OF_ROS2):
-            items = list(items_of(documents[0]))
-            if any(item.type for item in items):
-                yield _File(packages, source, documents[0], items).proposal()
+    for source, root, items in controller_maps(packages):
+        yield _File(packages, source, root, items).proposal()
 
 
 class _File:
