@@ -166,6 +166,14 @@ def test_a_parameter_that_only_the_new_type_reads_is_dropped(folder: Folder) -> 
     assert after.endswith("    joint: finger\n    goal_tolerance: 0.1\n")
 
 
+def test_an_old_name_is_replaced_although_the_robot_is_said_to_be_for_a_distro_without_it(folder: Folder) -> None:
+    kind = "joint_trajectory_controller/JointTrajectoryController"
+    after = parameters_after(folder, kind, "open_loop_control: true\n", "--from", "kilted", "--to", "lyrical")
+    assert "interpolate_from_desired_state: true\n" in after
+    assert "open_loop_control" not in after
+    assert "allow_nonzero_velocity_at_trajectory_end" not in after  # its default did not change after kilted
+
+
 def test_names_change_as_whole_values_and_not_in_comments_or_other_words(folder: Folder) -> None:
     world = '<!-- ignition-gazebo-x-system --><sdf><plugin filename="libignition-gazebo-imu-system.so"/></sdf>\n'
     sensor = "<sensor><ignition_frame_id>f</ignition_frame_id></sensor>"

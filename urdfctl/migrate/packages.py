@@ -61,6 +61,10 @@ class Packages:
         """Return whether the migration leads from a distro before `since` to it or a later one."""
         return self.wishes.crosses(since, self.source)
 
+    def reaches(self, since: str) -> bool:
+        """Return whether the target is a distro or a later one, whichever the migration comes from."""
+        return ROS2.index(self.wishes.target) >= ROS2.index(since)
+
     @property
     def simulator(self) -> str | None:
         """The simulator after the migration: gz, gazebo-classic, mujoco or none; None if the robot has none now."""

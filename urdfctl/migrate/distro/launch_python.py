@@ -127,7 +127,7 @@ class _File:
 
     def _options(self, call: ast.Call) -> Iterator[Proposal]:
         executable = keyword(call, "executable")
-        if executable and text_of(executable.value) == "spawner.py" and self.packages.crosses("humble"):
+        if executable and text_of(executable.value) == "spawner.py" and self.packages.reaches("humble"):
             yield self._renamed(executable.value, "spawner.py", "spawner")
         for item in _arguments(call):
             if text_of(item) == "--stopped":

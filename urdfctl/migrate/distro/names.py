@@ -32,7 +32,7 @@ def part_of(path: str) -> Part | None:
 
 
 def _names_in(part: Part, packages: Packages) -> Iterator[Proposal]:
-    moves = [move for move in name_moves() if part.value in move.parts and packages.crosses(move.since)]
+    moves = [move for move in name_moves() if part.value in move.parts and packages.reaches(move.since)]
     if not moves:
         return
     own = {package_name(path) for path in packages.files("package.xml")}

@@ -50,9 +50,15 @@ class _Parameter:
 
 def _parameters(packages: Packages) -> Iterator[Proposal]:
     for section in sections(packages):
-        moves = [move for move in _moves_for(section.type, packages.wishes.target) if packages.crosses(move.since)]
+        known = _moves_for(section.type, packages.wishes.target)
+        moves = [move for move in known if _is_due(packages, move)]
         if moves and section.parameters.entries and packages.may_change(section.path):
             yield from _Moving(packages, section, moves).proposals()
+
+
+def _is_due(packages: Packages, move: Move) -> bool:
+    """Whether the target needs a move: an old name if it is there at all, a default only if it changes on the way."""
+    return packages.crosses(move.since) if move.is_default else packages.reaches(move.since)
 
 
 class _Moving:
