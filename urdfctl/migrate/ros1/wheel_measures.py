@@ -12,10 +12,13 @@ from urdfctl.migrate.packages import Packages
 
 
 def measured(packages: Packages, left: Sequence[str], right: Sequence[str], given: Sequence[str]) -> Iterator[str]:
-    """Yield the lines of a diff_drive_controller with the measures that are not given, from a robot with the wheels."""
-    for loaded in packages.loaded():
+    """Yield the lines of a diff_drive_controller with the measures that are not given, from a robot with the wheels.
+
+    A robot of which all parts are known comes first.
+    """
+    for loaded in sorted(packages.loaded(), key=lambda one: not one.project.complete):
         robot = loaded.project.robot
-        if robot is None or not {*left, *right} <= {*robot.joint_names} or not loaded.project.complete:
+        if robot is None or not {*left, *right} <= {*robot.joint_names}:
             continue
         joints = {joint.name: joint for joint in facts_of(robot).joints}
         sides = [_of(joints, names) for names in (left, right)]
