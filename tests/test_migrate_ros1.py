@@ -206,6 +206,14 @@ def test_a_plain_urdf_becomes_one_for_xacro_which_finds_its_controller_file(fold
     assert 'Command(["xacro ", FindPackageShare("arm"), "/urdf/arm.urdf"])' in after["launch/arm.launch.py"]
 
 
+def test_a_comment_that_humbles_plugin_cannot_pass_on_gets_other_punctuation(folder: Folder) -> None:
+    robot = arm(transmission("EffortJointInterface"), PLUGIN + "  <!-- TODO: tune, see #4 and http://a.b -->\n")
+    words = ("--to", "humble", "--simulator", "gazebo-classic")
+    after = migrated(folder, {"urdf/arm.xacro": robot, "config/c.yaml": EFFORT}, *words)
+    assert "  <!-- TODO - tune, see 4 and http://a.b -->\n" in after["urdf/arm.xacro"]
+    assert "libgazebo_ros2_control.so" in after["urdf/arm.xacro"]
+
+
 def test_controllers_get_sections_types_and_doubles_and_keep_their_comments(folder: Folder) -> None:
     before = """\
 # the controllers of the arm
@@ -318,7 +326,8 @@ def test_a_base_gets_the_measures_of_its_wheels(folder: Folder) -> None:
     )
     driven = "".join(transmission("VelocityJointInterface").replace("shoulder", side) for side in ("left", "right"))
     drive = "base:\n  type: diff_drive_controller/DiffDriveController\n  left_wheel: left\n  right_wheel: [right]\n"
-    files = {"config/base.yaml": drive, "urdf/arm.xacro": arm(driven, wheels)}
+    elsewhere = '  <xacro:include filename="$(find lidar)/urdf/lidar.xacro"/>\n'
+    files = {"config/base.yaml": drive, "urdf/arm.xacro": arm(driven, wheels + elsewhere)}
     after = migrated(folder, files, "--only", "yaml,urdf")["config/base.yaml"]
     assert "    left_wheel_names: [left]\n    right_wheel_names: [right]\n" in after
     assert "    wheel_separation: 0.4  # measured between the joints\n" in after
