@@ -13,6 +13,14 @@ from urdfctl.migrate.ros1.simulator_plugin import MIMIC_PLUGINS, SIMULATOR_PLUGI
 from urdfctl.migrate.ros1.transmissions import TRANSMISSIONS
 from urdfctl.migrate.step import Step
 
-ROBOT_STEPS: tuple[Step, ...] = (MIMIC_PLUGINS, TRANSMISSIONS, SIMULATOR_PLUGIN, PLUGINS, MOVEIT_FILES, ALIASES, CONTROLLERS)
+ROBOT_STEPS: tuple[Step, ...] = (
+    MIMIC_PLUGINS,
+    TRANSMISSIONS,
+    SIMULATOR_PLUGIN,
+    PLUGINS,
+    MOVEIT_FILES,
+    ALIASES,
+    CONTROLLERS,
+)
 PACKAGE_STEPS: tuple[Step, ...] = (MOVEIT_LAUNCH, LAUNCH_FILES, MANIFEST)
 STEPS: tuple[Step, ...] = (*ROBOT_STEPS, *PACKAGE_STEPS)
