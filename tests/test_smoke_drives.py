@@ -154,6 +154,8 @@ def test_wheels_that_turn_against_those_of_the_other_side_are_mirrored() -> None
     assert plain(PAIR, {"r": RIGHT}) == ["UC959 joint:r"]
     assert plain(PAIR, {"r": RIGHT}, "position") == []
     assert plain(PAIR, {"r": RIGHT}, type="revolute") == []
+    [trouble] = found(None, PAIR, {"r": RIGHT}, (Task("wheels", Family.FORWARD, ("l", "r"), "velocity"),))
+    assert "'l'" in trouble.message
     three = {**PAIR, "l2": (-0.3, 0.2, 0.0)}
     assert plain(three, {"l": RIGHT, "l2": RIGHT}) == ["UC959 joint:r"]
 
