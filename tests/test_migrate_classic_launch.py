@@ -123,3 +123,19 @@ def generate_launch_description():
     )
     assert 'launch_arguments={"gz_args": "-s empty.sdf"}' in shown
     assert 'arguments=["-topic", "robot_description", "-name", "base"]' in shown
+
+
+def test_arguments_that_gz_has_not_are_reported(folder: Folder) -> None:
+    launch = """\
+from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription
+from launch.launch_description_sources import PythonLaunchDescriptionSource
+from launch_ros.substitutions import FindPackageShare
+
+
+def generate_launch_description():
+    source = PythonLaunchDescriptionSource([FindPackageShare("gazebo_ros"), "/launch/gazebo.launch.py"])
+    return LaunchDescription([IncludeLaunchDescription(source, launch_arguments={"physics": "bullet"}.items())])
+"""
+    files = {"urdf/base.xacro": base(CONTROL), "config/controllers.yaml": CONTROLLERS, "launch/sim.launch.py": launch}
+    assert "gz has no argument physics: dropped" in migrated(folder, files)["MIGRATION.md"]

@@ -196,3 +196,17 @@ def test_a_wheel_slip_plugin_keeps_its_wheels(folder: Folder) -> None:
   </gazebo>
 """
     )
+
+
+def test_a_drive_keeps_its_comments_and_its_acceleration_and_the_report_names_what_is_dropped(folder: Folder) -> None:
+    settings = (
+        "<!-- the wheels -->\n<left_joint>left</left_joint>\n<right_joint>right</right_joint>\n"
+        "<wheel_diameter>0.2</wheel_diameter>\n<max_wheel_acceleration>5</max_wheel_acceleration>\n"
+        "<!-- of no use -->\n<max_wheel_torque>9</max_wheel_torque>"
+    )
+    shown = migrated(folder, {"urdf/base.xacro": base(plugin("gazebo_ros_diff_drive", settings))})
+    text = shown["urdf/base.xacro"]
+    assert "      <!-- the wheels -->\n      <left_joint>left</left_joint>\n" in text
+    assert "<max_linear_acceleration>0.5</max_linear_acceleration>" in text
+    assert "of no use" not in text
+    assert "does not have max_wheel_torque of 'gazebo_ros_diff_drive': dropped" in shown["MIGRATION.md"]

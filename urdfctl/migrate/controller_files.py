@@ -70,7 +70,7 @@ def type_names(packages: Packages) -> Iterator[TypeName]:
 def sections_near(known: Sequence[Section], source: SourceText) -> dict[str, set[str]]:
     """Return the controllers with parameters, with their files: those that a launch file names, or its package's."""
     package = package_around(os.path.dirname(source.path))
-    named = [one for one in known if os.path.basename(one.path).encode() in source.data]
+    named = [one for one in known if one.type and os.path.basename(one.path).encode() in source.data]
     beside = [one for one in known if package_around(os.path.dirname(one.path)) == package]
     chosen = [one for one in named if one in beside] or named or beside
     files: dict[str, set[str]] = {}

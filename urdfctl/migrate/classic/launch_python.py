@@ -11,7 +11,15 @@ from urdfctl.catalog.distros import since
 from urdfctl.diagnostic import Edit
 from urdfctl.generate.bringup import gz_names
 from urdfctl.migrate.bridge_file import bridge_file_of
-from urdfctl.migrate.classic.starting import EMPTY_WORLDS, FILES, SPAWN, create_options, flags, is_empty_world
+from urdfctl.migrate.classic.starting import (
+    ARGUMENTS,
+    EMPTY_WORLDS,
+    FILES,
+    SPAWN,
+    create_options,
+    flags,
+    is_empty_world,
+)
 from urdfctl.migrate.hardware import goes_to_gz, leaves_classic, simulated_by
 from urdfctl.migrate.install_rules import BRIDGE_FILE
 from urdfctl.migrate.packages import Packages
@@ -85,9 +93,27 @@ class _File:
         edits += self._names()
         if self.includes and (bridge := self._bridge()) is not None:
             edits += bridge
-        entry = Entry(EntryKind.DONE, "the launch file starts gz", self._place(), authority=_AUTHORITY)
+        entries = [Entry(EntryKind.DONE, "the launch file starts gz", self._place(), authority=_AUTHORITY)]
+        if dropped := sorted({name for call, scope, _ in self.includes for name in self._dropped(call, scope)}):
+            what = f"gz has no argument {', '.join(dropped)}: dropped"
+            entries.append(Entry(EntryKind.DONE, what, self._place(), authority=_AUTHORITY))
         distinct = list(dict.fromkeys(edits))
-        yield Proposal(tuple(edit for edit in distinct if not self._is_inside_other(edit, distinct)), entries=(entry,))
+        kept = (edit for edit in distinct if not self._is_inside_other(edit, distinct))
+        yield Proposal(tuple(kept), entries=tuple(entries))
+
+    def _pairs(self, call: ast.Call, scope: ast.AST) -> tuple[ast.expr | None, list[tuple[str, ast.expr]]]:
+        """The dict with the arguments of an included launch file, None if it is not known, and its items."""
+        given = keyword(call, "launch_arguments")
+        value = given.value if given else None
+        inner = value.func.value if isinstance(value, ast.Call) and isinstance(value.func, ast.Attribute) else value
+        known = self.file.value_of(inner, scope) if inner is not None else None
+        if not isinstance(known, ast.Dict):
+            return None, []
+        return known, [(text_of(key), item) for key, item in zip(known.keys, known.values, strict=True)]
+
+    def _dropped(self, call: ast.Call, scope: ast.AST) -> list[str]:
+        """The arguments of an included launch file that gz does not have."""
+        return [name for name, _ in self._pairs(call, scope)[1] if name not in ARGUMENTS]
 
     def _place(self) -> Place:
         first = self.includes[0][0] if self.includes else self.spawns[0][0]
@@ -113,12 +139,9 @@ class _File:
     def _arguments(self, call: ast.Call, scope: ast.AST, name: str) -> Iterator[Edit]:
         """The edit of the arguments of an included launch file."""
         given = keyword(call, "launch_arguments")
-        value = given.value if given else None
-        inner = value.func.value if isinstance(value, ast.Call) and isinstance(value.func, ast.Attribute) else value
-        known = self.file.value_of(inner, scope) if inner is not None else None
-        pairs = list(zip(known.keys, known.values, strict=True)) if isinstance(known, ast.Dict) else []
-        options = flags(name, {text_of(key): text_of(item) for key, item in pairs})
-        world = next((self.file.text(item) for key, item in pairs if text_of(key) == "world"), "")
+        known, pairs = self._pairs(call, scope)
+        options = flags(name, {key: text_of(item) for key, item in pairs})
+        world = next((self.file.text(item) for key, item in pairs if key == "world"), "")
         if "-g" in options:
             shown = f'"{options.strip()}"'
         elif is_empty_world(world.strip("'\"")):
@@ -126,7 +149,7 @@ class _File:
         else:
             shown = f'["{options}", {" ".join(world.split())}]'
         text = f'{{"{self.gz["argument"]}": {shown}}}'
-        if isinstance(known, ast.Dict):
+        if known is not None:
             yield Edit(self.file.span(known), text)
         elif given is not None:
             yield Edit(self.file.span(given.value), f"{text}.items()")
@@ -165,10 +188,11 @@ class _File:
             )
             imports = [edit for module, name in needed if (edit := self.file.imports(module, name)) is not None]
             path = f'PathJoinSubstitution([FindPackageShare("{found}"), "{BRIDGE_FILE}"])'
-            more = f'parameters=[{{"config_file": {path}}}]'
+            more = f'\n    parameters=[{{"config_file": {path}}}],\n'
         else:
             more = f'arguments=["/clock@rosgraph_msgs/msg/Clock[{self.gz["messages"]}.Clock"]'
-        text = f'Node(package="{self.gz["bridge"]}", executable="parameter_bridge", {more})'
+        package, program = f'package="{self.gz["bridge"]}",', 'executable="parameter_bridge",'
+        text = f"Node(\n    {package}\n    {program}{more})" if found else f"Node({package} {program} {more})"
         node = self.file.imports("launch_ros.actions", "Node")
         imports += [node] if node is not None else []
         merged = [Edit(imports[0].span, "".join(edit.text for edit in imports))] if imports else []
@@ -180,7 +204,10 @@ class _File:
         for call, scope in self.file.calls("LaunchDescription"):
             items = call.args[0] if call.args else None
             if isinstance(items, ast.List) and items.elts:
-                return self.file.appended(items, [text])
+                start = self.file.span(items.elts[-1]).start
+                line = self.file.source.data[self.file.source.data.rfind(b"\n", 0, start) + 1 : start].decode()
+                indent = line[: len(line) - len(line.lstrip())]
+                return self.file.appended(items, [text.replace("\n", f"\n{indent}")])
             edit = self._before_return(call, scope, text)
             if edit is not None:
                 return edit
@@ -193,9 +220,8 @@ class _File:
                 if value is call:
                     start = self.file.span(node).start
                     indent = " " * node.col_offset
-                    return Edit(
-                        SourceSpan(self.file.source, start, start), f"{node.value.id}.add_action({text})\n{indent}"
-                    )
+                    added = f"{node.value.id}.add_action({text})\n".replace("\n", f"\n{indent}")
+                    return Edit(SourceSpan(self.file.source, start, start), added)
         return None
 
     # -- to real hardware ----------------------------------------------------------------------------------------------

@@ -9,7 +9,7 @@ from urdfctl.diagnostic import Edit
 from urdfctl.migrate.classic.axles import axles
 from urdfctl.migrate.classic.choice import is_chosen, replaced
 from urdfctl.migrate.classic.sdf import OF_SDF
-from urdfctl.migrate.classic.systems import NO_SUCCESSOR, SYSTEMS, flush, library_of, system_text
+from urdfctl.migrate.classic.systems import NO_SUCCESSOR, SYSTEMS, dropped_settings, flush, library_of, system_text
 from urdfctl.migrate.hardware import (
     HARDWARE_OPTION,
     goes_to_gz,
@@ -129,8 +129,11 @@ def _systems(packages: Packages) -> Iterator[Proposal]:
             measures = list(axles(packages, element)) if system.has_axles else []
             text = system_text(element, system, step_of(element.source), measures)
             message = f"plugin '{library}' became '{system.filename}'"
-            entry = Entry(EntryKind.DONE, message, element.at, authority=_AUTHORITY)
-            yield Proposal(tuple(replaced(packages, element, text)), entries=(entry,))
+            entries = [Entry(EntryKind.DONE, message, element.at, authority=_AUTHORITY)]
+            if dropped := dropped_settings(element, system):
+                message = f"'{system.filename}' does not have {', '.join(dropped)} of '{library}': dropped"
+                entries.append(Entry(EntryKind.DONE, message, element.at, authority=_AUTHORITY))
+            yield Proposal(tuple(replaced(packages, element, text)), entries=tuple(entries))
         elif library in NO_SUCCESSOR and child(element, "urdfctl") is None:
             yield for_you(element.at, f"no system of gz replaces plugin '{library}': choose another way, and remove it")
 

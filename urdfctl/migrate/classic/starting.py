@@ -7,6 +7,8 @@ from typing import TypeVar
 
 FILES: Mapping[str, str] = {"gazebo.launch.py": "-r ", "gzserver.launch.py": "-r -s ", "gzclient.launch.py": "-g "}
 """The launch files of gazebo_ros, with the options of gz that do the same."""
+ARGUMENTS = ("world", "gui", "pause", "verbose", "server")
+"""The arguments of those launch files that gz has, too."""
 EMPTY_WORLDS = ("worlds/empty.world", "empty.world")
 SPAWN = "spawn_entity.py"
 _RENAMED = {"-entity": "-name", "-model": "-name"}

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.migrate.markup import child, children, content, indented, span_of
-from urdfctl.source.dom import Element
+from urdfctl.source.dom import COMMENT, Element, Text
 from urdfctl.startup.records import NamedTuple
 
 
@@ -128,6 +128,13 @@ NO_SUCCESSOR = (
 """Plugins of Gazebo Classic that no system of gz replaces one to one."""
 
 
+_ELSEWHERE = (
+    *("ros", "robotNamespace", "publish_odom", "publish_odom_tf", "publishOdomTF", "publishTf", "broadcastTF"),
+    *("num_wheel_pairs", "max_wheel_acceleration", "wheelAcceleration", "alwaysOn", "always_on", "legacyMode"),
+)
+"""Settings of Classic that are read in another way, or that gz needs not."""
+
+
 def library_of(filename: str) -> str:
     """Return the name of a library without `lib` and `.so`."""
     return filename.rpartition("/")[2].removeprefix("lib").removesuffix(".so")
@@ -136,7 +143,7 @@ def library_of(filename: str) -> str:
 def system_text(element: Element, system: System, step: str, more: Sequence[str] = ()) -> str:
     """Return the `<plugin>` of gz for one of Classic. `more` are further lines in it."""
     lines = [f'<plugin filename="{system.filename}" name="{system.name}">']
-    lines += (f"{step}<{name}>{value}</{name}>" for name, value in _settings(element, system))
+    lines += (f"{step}{line}" for line in _settings(element, system))
     lines += (f"{step}{line}" for line in more)
     kept = (one for one in element.elements() if one.tagName in system.kept)
     lines += (line for one in kept for line in indented(flush(one), step).splitlines())
@@ -150,21 +157,60 @@ def flush(element: Element) -> str:
     return "\n".join([lines[0], *(line[margin:] for line in lines[1:])])
 
 
-def _settings(element: Element, system: System) -> Iterator[tuple[str, str]]:
+def _settings(element: Element, system: System) -> Iterator[str]:
     once: set[str] = set()
     for setting in element.elements():
-        for new in system.settings.get(setting.tagName, "").split() if content(setting) else ():
-            way, _, name = new.rpartition(":")
-            if name not in once or name.endswith(("_joint", "joint_name")):
-                yield from ((name, value) for value in _values(content(setting), way))
-            once.add(name)
+        lines = list(_setting(setting, system, once)) if content(setting) else []
+        yield from [*comments_above(setting), *lines] if lines else []
     named: set[str] = set()
     for old, (setting_name, default) in system.topics.items():
         if setting_name not in named and (child(element, old) is not None or _is_last(old, system)):
             named.add(setting_name)
-            yield setting_name, topic_of(element, old, default)
+            yield f"<{setting_name}>{topic_of(element, old, default)}</{setting_name}>"
     if system.has_tf and _publishes_tf(element):
-        yield "tf_topic", "/tf"
+        yield "<tf_topic>/tf</tf_topic>"
+    yield from _acceleration(element) if "wheel_diameter" in system.settings else ()
+
+
+def _setting(setting: Element, system: System, once: set[str]) -> Iterator[str]:
+    """The lines of one setting of Classic, unless its name in gz is among those that are written once."""
+    for new in system.settings.get(setting.tagName, "").split():
+        way, _, name = new.rpartition(":")
+        if name not in once or name.endswith(("_joint", "joint_name")):
+            yield from (f"<{name}>{value}</{name}>" for value in _values(content(setting), way))
+        once.add(name)
+
+
+def _acceleration(element: Element) -> Iterator[str]:
+    """The limit of the acceleration in m/s^2, from that of the wheels in rad/s^2."""
+    found = [
+        next((content(one) for name in names if (one := child(element, name)) is not None), "")
+        for names in (("max_wheel_acceleration", "wheelAcceleration"), ("wheel_diameter", "wheelDiameter"))
+    ]
+    try:
+        limit = float(found[0]) * float(found[1]) / 2
+    except ValueError:
+        return
+    if limit:  # 0 means no limit
+        yield f"<max_linear_acceleration>{limit:.6g}</max_linear_acceleration>"
+        yield f"<min_linear_acceleration>{-limit:.6g}</min_linear_acceleration>"
+
+
+def comments_above(element: Element) -> list[str]:
+    """Return the comments between an element and the one before it, each as it is written."""
+    found: list[str] = []
+    node = element.previousSibling
+    while isinstance(node, Text):
+        if node.nodeType == COMMENT:
+            found.insert(0, f"<!--{node.data}-->")
+        node = node.previousSibling
+    return found
+
+
+def dropped_settings(element: Element, system: System) -> list[str]:
+    """Return the settings of Classic that a system of gz does not have, except those that say what is so anyway."""
+    known = (*system.settings, *system.topics, *system.kept, *_ELSEWHERE)
+    return [one.tagName for one in element.elements() if one.tagName not in known and ":" not in one.tagName]
 
 
 def _values(text: str, way: str) -> list[str]:

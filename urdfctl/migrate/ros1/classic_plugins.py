@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.classic.choice import is_chosen
 from urdfctl.migrate.classic.sdf import OF_SDF
-from urdfctl.migrate.classic.systems import library_of
+from urdfctl.migrate.classic.systems import comments_above, library_of
 from urdfctl.migrate.markup import attribute, child, content, indent_of, indented, parent_of, span_of, step_of
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.places import plugin_elements
@@ -102,6 +102,7 @@ def _settings(element: Element, successor: Successor) -> Iterator[str]:
     for one in element.elements():
         value = content(one)
         names = successor.settings.get(one.tagName, (one.tagName,) if one.tagName in _OF_ROS2 else ())
+        lines += comments_above(one) if names else []
         for name in names if one.tagName != "ros" else ():
             written.add(name)
             values = re.split(r"[\s,]+", value) if name in successor.lists else [value]
