@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import asyncio
 import json
+import os
 import shutil
+import subprocess
 from collections.abc import Awaitable, Callable
 from functools import partial
 from pathlib import Path
@@ -231,6 +233,26 @@ def test_a_smoke_test_shows_how_far_it_is_and_can_be_cancelled(folder: Folder) -
     assert kinds[-1] == "end"
     assert result is None or "interrupted" in result["summary"]
     assert "cancelled" in messages[-1] or "interrupted" in messages[-1]
+
+
+@pytest.mark.skipif(os.name != "posix", reason="processes are listed as POSIX lists them")
+def test_a_smoke_test_ends_with_the_server(folder: Folder) -> None:
+    async def use(editor: Editor, _: Pages) -> list[str]:
+        asking = asyncio.create_task(call(editor, "smoke", ROBOT))
+        while not (processes := children(editor.pid)):
+            await asyncio.sleep(0.05)
+        asking.add_done_callback(lambda task: task.exception())
+        return processes
+
+    processes, _, _ = used(sample(folder), ROBOT, use)
+    assert processes
+    assert not [process for process in processes if Path(f"/proc/{process}").exists()]
+
+
+def children(pid: int) -> list[str]:
+    """The numbers of the processes that a process started."""
+    listed = subprocess.run(["ps", "-e", "-o", "pid=,ppid="], capture_output=True, text=True, check=True).stdout
+    return [process for process, parent in map(str.split, listed.splitlines()) if parent == str(pid)]
 
 
 # -- migration -------------------------------------------------------------------------------------------------------

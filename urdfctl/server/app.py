@@ -88,8 +88,8 @@ def _follow_texts(server: Window) -> None:
                 ls.checking.change(partial(Workspace.saved, path=path) if is_known else Workspace.forget)
 
     @server.feature(types.SHUTDOWN)
-    def ended(ls: Window, *_: object) -> None:
-        ls.end()
+    async def ended(ls: Window, *_: object) -> None:
+        await ls.end()
 
 
 def _watch(server: Window) -> None:

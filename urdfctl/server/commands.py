@@ -96,9 +96,12 @@ async def _about(window: Window, words: tuple[Any, ...], do: About) -> Any:
         say(window, "no folder is linted", types.MessageType.Warning)
         return None
     try:
-        return await do(window, window.checking.workspace_of(path), path)
+        with window.running():
+            return await do(window, window.checking.workspace_of(path), path)
     except UserError as error:
         say(window, str(error), types.MessageType.Error)
+        return None
+    except asyncio.CancelledError:  # the server ends; pygls waits for an answer
         return None
 
 

@@ -45,6 +45,7 @@ async def run_command(
         stderr=asyncio.subprocess.PIPE,
         limit=_MOST_LINE,
         env={**os.environ, "NO_COLOR": "1"},
+        start_new_session=True,  # its workers end with it
     )
     stdout, stderr = process.stdout, process.stderr
     if stdout is None or stderr is None:
@@ -62,8 +63,7 @@ async def run_command(
         status = await process.wait()
     finally:
         watching.cancel()
-        if process.returncode is None:
-            process.kill()
+        _kill(process)
     return Ended(status, output, tuple(problems))
 
 
@@ -74,5 +74,14 @@ async def _end_when(cancelled: asyncio.Event, process: asyncio.subprocess.Proces
     else:
         process.send_signal(signal.SIGINT)
     await asyncio.sleep(_PATIENCE)
-    if process.returncode is None:
+    _kill(process)
+
+
+def _kill(process: asyncio.subprocess.Process) -> None:
+    """End a process that has not ended by itself, with its workers."""
+    if process.returncode is not None:
+        return
+    if sys.platform == "win32":
         process.kill()
+    else:
+        os.killpg(process.pid, signal.SIGKILL)

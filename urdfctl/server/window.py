@@ -5,7 +5,8 @@ from __future__ import annotations
 import asyncio
 import os
 import tempfile
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from functools import partial
 from typing import Any
 
@@ -39,6 +40,7 @@ class Window(LanguageServer):
         self._tested: dict[str, tuple[Diagnostic, ...]] = {}
         self._changes = 0
         self._temporary: tempfile.TemporaryDirectory[str] | None = None
+        self._commands: set[asyncio.Task[object] | None] = set()
         self.can_pick = False
         self._wishes = Wishes()
 
@@ -97,8 +99,22 @@ class Window(LanguageServer):
             self._temporary = tempfile.TemporaryDirectory(prefix="urdfctl-")
         return self._temporary.name
 
-    def end(self) -> None:
-        """Lint nothing more, and leave no temporary files."""
+    @contextmanager
+    def running(self) -> Iterator[None]:
+        """Within it, the current task is a command, which ends at the latest with the server."""
+        task = asyncio.current_task()
+        self._commands.add(task)
+        try:
+            yield
+        finally:
+            self._commands.discard(task)
+
+    async def end(self) -> None:
+        """End the commands that run, lint nothing more, and leave no temporary files."""
+        commands = [task for task in self._commands if task is not None]
+        for task in commands:
+            task.cancel()
+        await asyncio.gather(*commands, return_exceptions=True)
         if self.checking is not None:
             self.checking.end()
         if self._temporary is not None:
