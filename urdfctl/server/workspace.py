@@ -98,6 +98,7 @@ class Workspace:
         self._loaded: tuple[object, list[LoadedTarget]] | None = None
         self._edition = 0
         self._chosen: list[Target] = []
+        self._readers: tuple[LintRun | None, dict[str, list[tuple[Target, TargetResult]]]] = None, {}
         self._whole: dict[Target, LoadedTarget] = {}
         self._linter = LiveLinter(self.settings, self._selection, self.texts, is_outdated)
 
@@ -151,10 +152,12 @@ class Workspace:
 
     def _pairs_with(self, path: str) -> list[tuple[Target, TargetResult]]:
         """What was linted last and reads a file, with what it is: what says most first."""
-        real = os.path.realpath(path)
-        pairs = self._run.targets if self._run else []
-        found = [pair for pair in pairs if real in map(os.path.realpath, pair[1].files)]
-        return sorted(found, key=lambda pair: _weight(pair[1]), reverse=True)
+        run = self._run
+        if run is None:
+            return []
+        if self._readers[0] is not run:
+            self._readers = run, _readers(run)
+        return self._readers[1].get(os.path.realpath(path), [])
 
     def target_with(self, path: str) -> Target:
         """Return the target that says most about a file: the variant that was chosen, if one was."""
@@ -212,7 +215,7 @@ class Workspace:
 
     def reads(self, path: str) -> bool:
         """Return whether anything that was linted last reads a file."""
-        return any(path in map(os.path.realpath, result.files) for result in (self._run.results if self._run else ()))
+        return bool(self._pairs_with(path))
 
 
 _MOST_ROBOTS = 8
@@ -221,6 +224,19 @@ _MOST_ROBOTS = 8
 
 def _weight(result: TargetResult) -> tuple[object, ...]:
     return not result.library, result.complete, bool(result.controllers), result.launch is not None, len(result.files)
+
+
+def _readers(run: LintRun) -> dict[str, list[tuple[Target, TargetResult]]]:
+    """For each file, by its real path, what reads it: what says most first."""
+    real: dict[str, str] = {}
+    found: dict[str, list[tuple[Target, TargetResult]]] = {}
+    for pair in sorted(run.targets, key=lambda pair: _weight(pair[1]), reverse=True):
+        for file in pair[1].files:
+            if file not in real:
+                real[file] = os.path.realpath(file)
+        for file in {real[file] for file in pair[1].files}:
+            found.setdefault(file, []).append(pair)
+    return found
 
 
 _OF_PACKAGES = frozenset({"package.xml", "CMakeLists.txt", "setup.py", "urdfctl.toml", "pyproject.toml"})
