@@ -11,6 +11,8 @@ from folder import Folder
 from sampling import sample
 from test_hostile_files import HIDDEN, TRIED
 
+from urdfctl.server import workspace
+
 WHERE = [types.Position(0, 0), types.Position(0, 30), types.Position(3, 7), types.Position(10_000, 10_000)]
 ARM = """<robot name="arm">
   <link name="base"/>
@@ -134,3 +136,13 @@ def test_a_file_that_is_not_on_disk_is_typed_and_asked_about(folder: Folder, nam
         return await is_alive(editor, folder.path)
 
     assert in_editor(folder.path / "pull", use)
+
+
+def test_no_question_waits_for_a_robot_that_takes_long_to_read(folder: Folder, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(workspace, "_PATIENCE", 0.5)
+    folder.write({"slow.urdf": f"<robot name='r'>{'<a/>' * 500_000}</robot>", "quick.urdf": ARM})
+    here = workspace.Workspace(str(folder.path), workspace.Wishes())
+    [slow] = here.robots_with(str(folder.path / "slow.urdf"))
+    [quick] = here.robots_with(str(folder.path / "quick.urdf"))
+    assert slow.root is None
+    assert quick.root is not None

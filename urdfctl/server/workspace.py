@@ -17,7 +17,11 @@ from urdfctl.lint.results import TargetResult
 from urdfctl.lint.selection import Selection, selection_with
 from urdfctl.load.loader import LoadedTarget, Loader
 from urdfctl.load.target import Target
+from urdfctl.model.project import Project
+from urdfctl.run.here import Clock
+from urdfctl.run.limits import Limits
 from urdfctl.server.variants import Variant, variants_among
+from urdfctl.source.budget import OverBudget
 from urdfctl.source.packages import Packages, package_around
 from urdfctl.startup.records import NamedTuple
 
@@ -184,12 +188,21 @@ class Workspace:
 
     def _read(self, loader: Loader, target: Target) -> LoadedTarget:
         """The robot of a target; as it was last, or as it is on disk, while a text that is typed cannot be parsed."""
-        loaded = loader.load(target)
+        loaded = self._load(loader, target)
         if loaded.root is not None:
             self._whole[target] = loaded
         elif target not in self._whole:
-            self._whole[target] = Loader(self.settings).load(target)
+            self._whole[target] = self._load(Loader(self.settings), target) if self.texts else loaded
         return self._whole[target]
+
+    def _load(self, loader: Loader, target: Target) -> LoadedTarget:
+        """The robot of a target; nothing of it if that takes longer than the user would wait."""
+        seconds = min(self.settings.timeout, _PATIENCE)
+        try:
+            with Clock(Limits(seconds, self.settings.memory, self.settings.environ)):
+                return loader.load(target)
+        except OverBudget:
+            return LoadedTarget(Project(None, os.path.abspath(target.path), complete=False), None, {})
 
     def check(self, path: str | None = None) -> Checked:
         """Return the findings in the package around a file, or in the whole folder.
@@ -218,6 +231,8 @@ class Workspace:
         return bool(self._pairs_with(path))
 
 
+_PATIENCE = 5.0
+"""Seconds for reading one robot when an editor asks about it."""
 _MOST_ROBOTS = 8
 """So many robots with a file are looked at when an editor asks about a name in it."""
 
