@@ -40,6 +40,8 @@ class Editor:
         self.findings: dict[Path, list[types.Diagnostic]] = {}
         self.robots: list[Any] = []
         self.messages: list[str] = []
+        self.versions: list[int | None] = []
+        """The versions of the texts that the findings were sent for."""
         self._versions: dict[Path, int] = {}
         self._sent = 0
         self._near = asyncio.Event()
@@ -50,6 +52,7 @@ class Editor:
 
     def _take(self, params: types.PublishDiagnosticsParams) -> None:
         self.findings[path_of(params.uri)] = list(params.diagnostics)
+        self.versions.append(params.version)
 
     def _checked(self, params: Any) -> None:
         if params.changes == self._sent:
@@ -97,12 +100,15 @@ class Editor:
 
     async def type(self, name: str, text: str) -> None:
         """Replace the text of an open file, without saving it."""
+        await self.change(name, types.TextDocumentContentChangeWholeDocument(text))
+
+    async def change(self, name: str, change: types.TextDocumentContentChangeEvent) -> None:
+        """Change the text of an open file, as a whole or in part."""
         path = self.folder / name
         self._versions[path] += 1
         self._sends()
         version = types.VersionedTextDocumentIdentifier(uri=path.as_uri(), version=self._versions[path])
-        whole = types.TextDocumentContentChangeWholeDocument(text)
-        self.client.text_document_did_change(types.DidChangeTextDocumentParams(version, [whole]))
+        self.client.text_document_did_change(types.DidChangeTextDocumentParams(version, [change]))
 
     async def close(self, name: str) -> None:
         """Close a file without saving it."""

@@ -62,7 +62,10 @@ def _about_findings(server: Window) -> None:
     def actions(window: Window, params: types.CodeActionParams) -> list[types.CodeAction]:
         found = window.findings.get(path_of(params.text_document.uri) or "", ())
         wanted = [str(getattr(kind, "value", kind)) for kind in params.context.only or ()]
-        return actions_at(found, params.range, window.positions(), wanted)
+        actions = actions_at(found, params.range, window.positions(), wanted)
+        for action in actions:
+            action.edit = window.versioned(action.edit) if action.edit else None
+        return actions
 
     @server.command(EXPLAIN)
     async def explain(window: Window, code: str) -> str:
@@ -98,7 +101,8 @@ def _about_names(server: Window) -> None:
     def rename(window: Window, params: types.RenameParams) -> types.WorkspaceEdit | None:
         around = names(window, params)
         try:
-            return edit_of(renamed(around, params.new_name), window.positions()) if around else None
+            edits = renamed(around, params.new_name) if around else None
+            return window.versioned(edit_of(edits, window.positions())) if edits is not None else None
         except UserError as error:
             raise JsonRpcInvalidParams(str(error)) from None
 

@@ -67,11 +67,12 @@ def _follow_texts(server: Window) -> None:
 
     @server.feature(types.TEXT_DOCUMENT_DID_OPEN)
     def opened(ls: Window, params: types.DidOpenTextDocumentParams) -> None:
-        ls.text_changed(params.text_document.uri, params.text_document.text)
+        ls.text_changed(params.text_document.uri, params.text_document.text, params.text_document.version)
 
     @server.feature(types.TEXT_DOCUMENT_DID_CHANGE)
     def changed(ls: Window, params: types.DidChangeTextDocumentParams) -> None:
-        ls.text_changed(params.text_document.uri, ls.workspace.get_text_document(params.text_document.uri).source)
+        document = params.text_document
+        ls.text_changed(document.uri, ls.workspace.get_text_document(document.uri).source, document.version)
 
     @server.feature(types.TEXT_DOCUMENT_DID_CLOSE)
     def closed(ls: Window, params: types.DidCloseTextDocumentParams) -> None:

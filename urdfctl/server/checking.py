@@ -28,7 +28,7 @@ class Checking:
         self._changed = threading.Condition()
         self._changes: list[Callable[[Workspace], None]] = []
         self._near: str | None = None
-        self._made = 0
+        self._asked = self._made = 0
         self._is_stale = False
         self._ended = False
         self.workspaces = open_workspaces(self._is_outdated)
@@ -39,15 +39,17 @@ class Checking:
         self._is_stale = True
         self._thread.start()
 
-    def change(self, change: Callable[[Workspace], None], near: str | None = None) -> None:
-        """Make a change in each folder before the next linting.
+    def change(self, change: Callable[[Workspace], None], near: str | None = None) -> int:
+        """Make a change in each folder before the next linting; return how many changes there are with it.
 
         near: the file that the user looks at; its package is linted first.
         """
         with self._changed:
             self._changes.append(change)
+            self._asked += 1
             self._near = near or self._near
             self._changed.notify()
+            return self._asked
 
     def workspace_of(self, path: str) -> Workspace:
         """Return the folder that a file belongs to: that around it, otherwise the first one that reads the file."""

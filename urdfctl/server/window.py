@@ -20,8 +20,9 @@ from urdfctl.lint.results import TargetResult
 from urdfctl.server.checking import Checking
 from urdfctl.server.diagnostics import shown_diagnostic
 from urdfctl.server.folders import FoundByFolder
-from urdfctl.server.positions import Positions, path_of, uri_of
+from urdfctl.server.positions import Positions, path_of
 from urdfctl.server.question import Question
+from urdfctl.server.versions import Versions, versioned
 from urdfctl.server.workspace import Checked, Wishes, Workspace
 from urdfctl.source.files import MAX_BYTES, first_bytes
 from urdfctl.source.span import SourceText
@@ -39,6 +40,7 @@ class Window(LanguageServer):
         self._found = FoundByFolder(())
         self._tested: dict[str, tuple[Diagnostic, ...]] = {}
         self._changes = 0
+        self._versions = Versions()
         self._temporary: tempfile.TemporaryDirectory[str] | None = None
         self._commands: set[asyncio.Task[object] | None] = set()
         self.can_pick = False
@@ -60,10 +62,10 @@ class Window(LanguageServer):
         if not checking.workspaces:
             self._show(set(self.findings))
             return
-        self.checking = checking
+        self.checking, self._versions = checking, Versions()
         checking.start()
         for uri, document in dict(self.workspace.text_documents).items():
-            self.text_changed(uri, document.source)
+            self.text_changed(uri, document.source, document.version)
 
     def _opened(self, is_outdated: Callable[[], bool]) -> list[Workspace]:
         """The folders whose configuration is valid."""
@@ -79,7 +81,7 @@ class Window(LanguageServer):
         """Begin again: the configuration file changed, or the editor's settings or folders did."""
         self.begin(self._folders if folders is None else folders, self._wishes if wishes is None else wishes)
 
-    def text_changed(self, uri: str, text: str | None) -> None:
+    def text_changed(self, uri: str, text: str | None, version: int | None = None) -> None:
         """Lint with an open file's text; None if it was closed."""
         path = path_of(uri)
         if path is None:
@@ -91,7 +93,8 @@ class Window(LanguageServer):
             return
         data = None if text is None else text.encode("utf-8", "surrogatepass")
         if self.checking is not None:
-            self.checking.change(lambda workspace: workspace.changed(path, data), near=path)
+            changes = self.checking.change(lambda workspace: workspace.changed(path, data), near=path)
+            self._versions.take(uri, changes, version)
 
     def temporary_folder(self) -> str:
         """Return a folder for files that are shown; it is deleted when the server ends."""
@@ -208,7 +211,14 @@ class Window(LanguageServer):
     def _send(self, path: str, found: tuple[Diagnostic, ...], positions: Positions) -> None:
         self.findings[path] = found
         shown = [shown_diagnostic(finding, positions) for finding in found]
-        self.text_document_publish_diagnostics(types.PublishDiagnosticsParams(uri_of(path), shown))
+        version = self._versions.after(path, self._changes)
+        self.text_document_publish_diagnostics(
+            types.PublishDiagnosticsParams(self._versions.uri_of(path), shown, version)
+        )
+
+    def versioned(self, edit: types.WorkspaceEdit) -> types.WorkspaceEdit:
+        """Return an edit that is only for the open texts as they are, if the editor understands that."""
+        return versioned(edit, self.workspace.text_documents, self.client_capabilities)
 
 
 def _on_disk(path: str) -> bytes | None:
