@@ -283,6 +283,17 @@ def test_each_kind_of_controller_moves_its_joints(tmp_path: Path, kind: str, par
 
 
 @needs_pybullet
+@pytest.mark.parametrize("interfaces", ["position, velocity", "velocity, position", "position, velocity, acceleration"])
+def test_a_trajectory_of_positions_and_velocities_commands_positions(tmp_path: Path, interfaces: str) -> None:
+    claimed = "".join(f'<command_interface name="{name}"/>' for name in interfaces.split(", "))
+    urdf = Arm().urdf(interface="position").replace('<command_interface name="position"/>', claimed)
+    yaml = Arm().yaml(interface=interfaces).partition("    gains:")[0]
+    made = whole(target_of(tmp_path, {"robot.urdf": urdf, "controllers.yaml": yaml}), distro="jazzy")
+    assert codes(made) == []
+    assert verdicts(made)["mover"] == "passed deactivate"
+
+
+@needs_pybullet
 def test_a_velocity_loop_of_the_wrong_sign_is_found(tmp_path: Path) -> None:
     parameters = PID.format("effort", "velocity", "p: -0.2")
     assert set(codes(by(tmp_path, "pid_controller/PidController", parameters, "effort"))) & {"UC935", "UC936"}

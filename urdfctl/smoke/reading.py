@@ -95,7 +95,11 @@ def _task_of(configured: Configured, below: Mapping[str, tuple[Task, Configured]
     if not configured.claims.complete:
         return _not_simulated(name, "not all of its parameters are known")
     moving = [claim for claim in claims if claim.parameter not in _LIMITING]
-    ends = {claim.component: _end_of(claim, below) for claim in moving}
+    ends: dict[str, End | None] = {}
+    for claim in moving:
+        known = ends.get(claim.component)
+        if known is None or known.interface != "position":  # other interfaces only accompany a commanded position
+            ends[claim.component] = _end_of(claim, below)
     if why := _why_not(ends):
         return _not_simulated(name, why)
     return _moving(configured, family, class_name, {component: end for component, end in ends.items() if end})
