@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 
+import pytest
 from folder import Folder
 
 XACRO = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">\n{}\n</robot>\n'
@@ -246,6 +247,16 @@ def test_a_missing_prefix_is_one_error_with_one_fix_for_the_whole_file(folder: F
     fixed = (folder.path / "r.xacro").read_text()
     assert fixed.count("<xacro:") + fixed.count("</xacro:") == 4
     assert codes(folder, "r.xacro") == []
+
+
+@pytest.mark.parametrize(("distro", "severity"), [(None, "warning"), ("melodic", None), ("noetic", "error")])
+def test_a_missing_prefix_is_no_error_where_an_earlier_distro_of_ros1_may_run(
+    folder: Folder, distro: str | None, severity: str | None
+) -> None:
+    manifest = "<package><name>p</name><buildtool_depend>catkin</buildtool_depend></package>"
+    folder.write({"r.xacro": XACRO.format(UNPREFIXED), "package.xml": manifest})
+    found = [code for code in codes(folder, "r.xacro", *(("--distro", distro) if distro else ())) if "UC018" in code]
+    assert found == ([f"{severity} UC018"] if severity else [])
 
 
 def test_missing_prefixes_are_told_in_each_file(folder: Folder) -> None:

@@ -46,13 +46,15 @@ def xacro_prefix_missing(project: Project) -> Iterator[Finding]:
 
     Since noetic, xacro silently copies tags without the prefix. The tag stays in the robot, and programs that read the
     robot ignore it. The wheel or inertia that the macro defines is missing. If xacro fails because of it, this is an
-    error. The rest of the robot is checked as if the prefix were there, as xacro read it until melodic.
+    error, unless the distro may be an earlier one. The rest of the robot is checked as if the prefix were there, as xacro read it until melodic.
     """
+    distros = set(project.distros)
     for problem in project.of_kind(ProblemKind.PREFIX_MISSING):
         edits = tuple(edit for at in (problem.at, *problem.also) for edit in _prefixed(at))
         fix = Fix(problem.hint, (*_declared(problem.at.source), *edits))
-        is_lost = "macro call" in problem.message and set(project.distros) <= set(_REQUIRED)
-        severity = Severity.ERROR if problem.follows or is_lost else None
+        is_lost = "macro call" in problem.message and distros <= set(_REQUIRED)
+        fails = problem.follows and (distros <= set(_REQUIRED) or not distros.isdisjoint(ROS2))
+        severity = Severity.ERROR if fails or is_lost else None
         yield Finding(problem.at, problem.message, notes=consequences_of(problem), fix=fix, severity=severity)
 
 
