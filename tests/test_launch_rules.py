@@ -106,6 +106,8 @@ def test_of_ros_1_what_a_launch_file_loads_is_all_there_is(folder: Folder) -> No
         ("UC601", "warning", "controller 'hand' is spawned, but no file declares it; declared: 'arm'"),
     ]
     assert found(folder, ros1(node.format("arm"), controllers=controllers), "UC601") == []
+    both = [("UC601", "warning", "controller 'arms' is spawned, but no file declares it; declared: 'arm'")]
+    assert found(folder, ros1(node.format("arms arm"), controllers=controllers), "UC601") == both
 
 
 def test_a_spawner_that_only_other_arguments_start_makes_a_warning(folder: Folder) -> None:

@@ -42,7 +42,7 @@ def spawned_controller_unknown(project: Project) -> Iterator[Finding]:
         if spawn.option("-t", "--controller-type") is None:
             for name, at in spawn.names:
                 if not any(_is_meant(name, spawn, controller) for controller in declared):
-                    yield _finding(name, at, spawn, controllers, launch.ros)
+                    yield _finding(name, at, spawn, controllers, launch)
 
 
 def _of_empty_files(launch: Launch, controllers: Controllers) -> Iterator[Finding]:
@@ -73,7 +73,7 @@ def _is_meant(name: str, spawn: Spawn, controller: Controller) -> bool:
     return unknown or f"{spawn.namespace}/{name}" == controller.full_name
 
 
-def _finding(name: str, at: Place, spawn: Spawn, controllers: Controllers, ros: int) -> Finding:
+def _finding(name: str, at: Place, spawn: Spawn, controllers: Controllers, launch: Launch) -> Finding:
     severity = None if spawn.sure else Severity.WARNING
     declared = [controller for controller in controllers.controllers if controller.declared_at is not None]
     elsewhere = next((controller for controller in declared if controller.name == name), None)
@@ -81,9 +81,10 @@ def _finding(name: str, at: Place, spawn: Spawn, controllers: Controllers, ros: 
         message = f"controller '{name}' is spawned in namespace '{spawn.namespace or '/'}', but declared in "
         message += f"'{elsewhere.namespace or '/'}'"
         return Finding(at, message, (Note("it is declared here", elsewhere.declared_at),), severity=severity)
-    meant = nearest(name, [controller.name for controller in declared])
+    taken = {other.rpartition("/")[2] for each in launch.spawns for other, _ in each.names}
+    meant = nearest(name, [controller.name for controller in declared if controller.name not in taken])
     if meant is None:
-        severity = Severity.WARNING if ros != ROS_2 else severity  # another launch file may load its parameters
+        severity = Severity.WARNING if launch.ros != ROS_2 else severity  # another launch file may load its parameters
         names = in_words(sorted({controller.name for controller in declared}))
         message = f"controller '{name}' is spawned, but no file declares it; declared: {names}"
         return Finding(at, message, severity=severity)
