@@ -106,7 +106,7 @@ def test_a_line_of_each_family_is_explained_alone_and_in_a_long_log(line: str) -
         "[ERROR] [1.0]: No p gain specified for pid.  Namespace: /gazebo_ros_control/pid_gains/j1",
         "[WARN] [1.0] [x]: Resolution not specified for Octomap. Assuming resolution = 0.1 instead",
         "[rviz2-4] [ERROR] [1.0] [x]: Action server: /recognize_objects not available",
-        "[gz-1] [Wrn] [Component.hh:144] Trying to serialize component with data type [x], which doesn't have `operator<<`.",
+        "[gz-1] [Wrn] [Component.hh:144] Trying to serialize component with data type [N3sdf3v135WorldE]",
         "[gzserver-2] [WARN] [1.0] [rcl]: Found remap rule '~/out:=odom'. This syntax is deprecated.",
     ],
 )

@@ -79,7 +79,12 @@ def _incomplete(project: Project, reader: Reader) -> Iterator[Finding]:
             return  # its section is in a file that is not linted
         message = f"section '{controller.name}:' is missing; controller type '{kind}' requires {_names(lacks)}"
     else:
-        message = f"controller '{controller.name}' is missing {_names(lacks)}, which type '{kind}' requires"
+        why = (
+            f", which type '{kind}' requires"
+            if any(lack.refused for lack in lacks)
+            else "; parameters that need it are ignored"
+        )
+        message = f"controller '{controller.name}' is missing {_names(lacks)}{why}"
     yield Finding(reader.at, message, severity=severity)
 
 
