@@ -129,7 +129,7 @@ def test_limits_of_joints_are_doubles(folder: Folder) -> None:
 
 def test_the_launch_files_are_made_by_moveit_and_find_their_description(folder: Folder) -> None:
     launch = '<launch>\n  <node pkg="moveit_ros_move_group" type="move_group" name="move_group"/>\n</launch>\n'
-    after = migrated(folder, {"launch/move_group.launch": launch, "launch/demo.launch": launch})
+    after = migrated(folder, {"launch/move_group.launch": launch})
     assert (
         after["launch/move_group.launch.py"]
         == """\
@@ -143,6 +143,22 @@ def generate_launch_description():
 """
     )
     assert "launch/move_group.launch" not in after
-    assert "launch/demo.launch" in after
     assert "install(FILES .setup_assistant DESTINATION share/${PROJECT_NAME})" in after["CMakeLists.txt"]
     assert "<exec_depend>moveit_configs_utils</exec_depend>" in after["package.xml"]
+
+
+def test_a_launch_file_that_includes_those_of_moveit_includes_the_new_ones(folder: Folder) -> None:
+    launch = '<launch>\n  <node pkg="moveit_ros_move_group" type="move_group" name="move_group"/>\n</launch>\n'
+    demo = """\
+<launch>
+  <include file="$(dirname)/planning_context.launch"><arg name="load_robot_description" value="true"/></include>
+  <include file="$(find arm_moveit)/launch/move_group.launch"/>
+</launch>
+"""
+    files = {"launch/move_group.launch": launch, "launch/planning_context.launch": launch, "launch/demo.launch": demo}
+    after = migrated(folder, files)
+    text = " ".join(after["launch/demo.launch.py"].split())
+    assert 'AnyLaunchDescriptionSource([ThisLaunchFileDir(), "/rsp.launch.py"])' in text
+    assert '[FindPackageShare("arm_moveit"), "/launch/move_group.launch.py"]' in text
+    assert "load_robot_description" not in text
+    assert "launch/demo.launch" not in after

@@ -14,6 +14,7 @@ from urdfctl.migrate.launch.python_form import python_file
 from urdfctl.migrate.launch.xml_form import xml_file
 from urdfctl.migrate.markup import elements, root_of
 from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.ros1.moveit_launch import packages_of_moveit
 from urdfctl.migrate.ros1.roslaunch import Reading
 from urdfctl.migrate.ros1.roslaunch_nodes import Target
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
@@ -21,7 +22,7 @@ from urdfctl.migrate.todo import todo_line
 from urdfctl.migrate.wishes import Part
 from urdfctl.model.build_launch import is_of_ros2
 from urdfctl.source.dom import Element
-from urdfctl.source.packages import package_name
+from urdfctl.source.packages import package_around, package_name
 
 _AUTHORITY = "docs.ros.org, Migrating launch files from ROS 1 to ROS 2"
 _MOVEIT = "moveit.picknik.ai, moveit_configs_utils: launch files are made by MoveItConfigsBuilder"
@@ -39,7 +40,9 @@ def _launch_files(packages: Packages) -> Iterator[Proposal]:
 
 
 def _migrated(packages: Packages, path: str, root: Element) -> Iterator[Proposal]:
-    if _is_of_moveit(path, root):
+    folder = package_around(os.path.dirname(path))
+    own = package_name(os.path.join(folder, "package.xml")) if folder else None
+    if _is_of_moveit(path, root) and own not in set(packages_of_moveit(packages)):
         text = "write the launch files of MoveIt anew with MoveItConfigsBuilder, or its Setup Assistant"
         manifest = os.path.join(os.path.dirname(os.path.dirname(path)), "package.xml")
         yield Proposal(entries=(Entry(EntryKind.FOR_YOU, text, file=manifest, authority=_MOVEIT),))
@@ -47,7 +50,7 @@ def _migrated(packages: Packages, path: str, root: Element) -> Iterator[Proposal
     new = _new_path(path, packages.wishes.launch)
     if os.path.exists(new):
         return
-    reading = Reading(_target(packages, path))
+    reading = Reading(_target(packages, path)._replace(own_package=own or ""))
     actions = reading.actions(root)
     name = os.path.basename(path)
     text = (xml_file if packages.wishes.launch == "xml" else python_file)(actions, f"Migrated from {name}.")
@@ -95,6 +98,7 @@ def _target(packages: Packages, path: str) -> Target:
         gz=gz_names(wishes.target),
         bridge=bridge_file_of(packages, path) or "",
         placed=frozenset(joints_with_position(packages)),
+        moveit=frozenset(packages_of_moveit(packages)),
     )
 
 

@@ -23,6 +23,11 @@ _MADE: Mapping[str, tuple[str, str]] = {
     "warehouse.launch": ("warehouse_db", "generate_warehouse_db_launch"),
 }
 """By launch file of ROS 1: the one of ROS 2 without its ending, and the function that makes it."""
+MADE_BY_MOVEIT: Mapping[str, str] = {
+    **{old: new for old, (new, _) in _MADE.items()},
+    "default_warehouse_db.launch": "warehouse_db",
+}
+"""By launch file of ROS 1: the one of ROS 2 that other launch files include, without its ending."""
 _LOADED = (
     "planning_pipeline.launch.xml",
     "controller_manager.launch.xml",
@@ -89,6 +94,14 @@ def _install(packages: Packages, folder: str) -> tuple[Edit, ...]:
     end = len(source.data)
     rule = f"install(FILES {_MARK} DESTINATION ${{CATKIN_PACKAGE_SHARE_DESTINATION}})\n"
     return (Edit(SourceSpan(source, end, end), f"\n{rule}"),)
+
+
+def packages_of_moveit(packages: Packages) -> Iterator[str]:
+    """Yield the names of the packages whose launch files were written anew."""
+    for mark in packages.files(_MARK):
+        folder = os.path.dirname(mark)
+        if os.path.exists(os.path.join(folder, "launch", "move_group.launch.py")):
+            yield package_name(os.path.join(folder, "package.xml")) or ""
 
 
 MOVEIT_LAUNCH = Step(

@@ -18,6 +18,7 @@ from urdfctl.migrate.launch.actions import (
     plain,
     words_of,
 )
+from urdfctl.migrate.ros1.moveit_launch import MADE_BY_MOVEIT
 from urdfctl.migrate.ros1.roslaunch_nodes import EMPTY_WORLDS, Notes, migrated_node, simulator_actions
 from urdfctl.source.dom import COMMENT, Element
 from urdfctl.source.dom import Text as Characters
@@ -97,10 +98,22 @@ class Reading(Notes):
         if packages and packages[0] in _OF_WORLD:
             yield from simulator_actions(self, dict(given))
             return
-        action = Action("include", value=self._new_path(element, file), pairs=given)
+        made = self._made_by_moveit(file)
+        if made:
+            action = Action("include", value=(*file[:-1], PartOfText("text", made)))
+        else:
+            action = Action("include", value=self._new_path(element, file), pairs=given)
         if "ns" in element.attrs:
             action = Action("group", value=parsed(element.attrs["ns"]), inner=(action,))
         yield action
+
+    def _made_by_moveit(self, file: Text) -> str:
+        """The end of the path of an included launch file that MoveIt makes, with other arguments; empty for others."""
+        package = next((part.text for part in file if part.kind == "find"), self.target.own_package)
+        if package not in self.target.moveit or not file or file[-1].kind != "text":
+            return ""
+        folder, slash, name = file[-1].text.rpartition("/")
+        return f"{folder}{slash}{MADE_BY_MOVEIT[name]}.launch.py" if name in MADE_BY_MOVEIT else ""
 
     def _new_path(self, element: Element, file: Text) -> Text:
         """The path of an included file: that of the migrated one."""

@@ -35,6 +35,8 @@ class Target(NamedTuple):
     has_manager: whether the file already starts a controller manager.
     bridge: the package with the file for the bridge of the robot's topics; empty if there is none.
     placed: the joints whose position at the start is in the description.
+    moveit: the packages whose launch files MoveIt makes.
+    own_package: the package of the launch file; empty if it has none.
     """
 
     distro: str
@@ -49,6 +51,8 @@ class Target(NamedTuple):
     has_manager: bool = False
     bridge: str = ""
     placed: frozenset[str] = frozenset()
+    moveit: frozenset[str] = frozenset()
+    own_package: str = ""
 
     @property
     def simulated(self) -> bool:
