@@ -210,3 +210,22 @@ def test_a_drive_keeps_its_comments_and_its_acceleration_and_the_report_names_wh
     assert "<max_linear_acceleration>0.5</max_linear_acceleration>" in text
     assert "of no use" not in text
     assert "does not have max_wheel_torque of 'gazebo_ros_diff_drive': dropped" in shown["MIGRATION.md"]
+
+
+def test_a_plugin_of_the_users_own_is_left_to_a_person(folder: Folder) -> None:
+    shown = after(folder, plugin("my_gripper", "<force>9</force>"))
+    assert (
+        "<!-- TODO(urdfctl): plugin 'my_gripper' is built for Gazebo Classic: port it to gz, or remove it -->" in shown
+    )
+    assert '<plugin name="it" filename="libmy_gripper.so">' in shown
+
+
+def test_a_plugin_for_gz_is_not_taken_for_one_of_gazebo_classic(folder: Folder) -> None:
+    mine = plugin("my_system", "<force>9</force>").replace('name="it"', 'name="mine::System"')
+    assert "TODO" not in after(folder, plugin("gazebo_ros_diff_drive", WHEELS[2]) + mine)
+
+
+def test_a_plugin_that_ros_1_left_in_a_package_for_ros_2_is_removed(folder: Folder) -> None:
+    drive = plugin("gazebo_ros_diff_drive", WHEELS[2])
+    left = plugin("gazebo_ros_control", "<robotNamespace>/</robotNamespace>")
+    assert after(folder, drive + left) == after(folder, drive)

@@ -8,7 +8,9 @@ from collections.abc import Iterator
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.classic.axles import axles
 from urdfctl.migrate.classic.choice import is_chosen, replaced
+from urdfctl.migrate.classic.loose_sensors import LOOSE
 from urdfctl.migrate.classic.sdf import OF_SDF
+from urdfctl.migrate.classic.sensors import SENSORS
 from urdfctl.migrate.classic.systems import NO_SUCCESSOR, SYSTEMS, dropped_settings, flush, library_of, system_text
 from urdfctl.migrate.hardware import (
     HARDWARE_OPTION,
@@ -38,9 +40,11 @@ from urdfctl.source.dom import Element
 from urdfctl.source.span import Place, SourceSpan
 
 CONTROL = "gazebo_ros2_control"
+_OF_ROS1 = "gazebo_ros_control"
 _HARDWARE = "gazebo_ros2_control/GazeboSystem"
 _OLD_HARDWARE = (_HARDWARE, "gazebo_ros2_control/GazeboSystemInterface")
 _WITH_LOOP = rb"(?<![\w.])((?:position|velocity)_pid)(?=[\"'\s\],])"
+_OF_GZ = ("gz-", "gz_", "ign_", "ign-", "ignition-")
 _KEPT = ("parameters", "ros", "hold_joints", "controller_manager_name")
 _AUTHORITY = "gazebosim.org, Migrating Gazebo Classic ROS 2 packages"
 _CONTROL = "gz_ros2_control doc/index.rst; rosdistro#41224: gazebo_ros2_control ends with iron"
@@ -51,15 +55,15 @@ def _control(packages: Packages) -> Iterator[Proposal]:
     if not leaves_classic(packages):
         return
     for element in plugin_elements(packages):
-        if library_of(attribute(element, "filename")) != CONTROL or is_chosen(element) or _has_both(element):
+        library = library_of(attribute(element, "filename"))
+        if library == _OF_ROS1 and not packages.is_ros1:
+            yield _removed(element, "the plugin for ros_control is removed: ROS 2 does not have it")
+        if library != CONTROL or is_chosen(element) or _has_both(element):
             continue
         host = host_plugin(packages)
         if host is None:
-            around = parent_of(element)
-            alone = around is not None and len(around.elements()) == 1
-            edit = removal(around if around is not None and alone else element)
             message = f"the plugin of Gazebo Classic is removed: simulator '{simulated_by(packages)}' needs none"
-            yield Proposal((edit,), entries=(Entry(EntryKind.DONE, message, element.at, authority=_CONTROL),))
+            yield _removed(element, message)
             continue
         text = f'<plugin filename="{host.filenames[0]}" name="{host.names[0]}">\n'
         kept = (one for one in element.elements() if one.tagName in _KEPT or one.tagName.startswith("xacro:"))
@@ -69,6 +73,14 @@ def _control(packages: Packages) -> Iterator[Proposal]:
             EntryKind.DONE, f"the plugin for ros2_control became '{host.names[0]}'", element.at, authority=_CONTROL
         )
         yield Proposal(tuple(replaced(packages, element, text)), entries=(entry,))
+
+
+def _removed(element: Element, message: str) -> Proposal:
+    """The proposal to remove a plugin, and the element around it if nothing else is in it."""
+    around = parent_of(element)
+    alone = around is not None and len(around.elements()) == 1
+    edit = removal(around if around is not None and alone else element)
+    return Proposal((edit,), entries=(Entry(EntryKind.DONE, message, element.at, authority=_CONTROL),))
 
 
 def _has_both(element: Element) -> bool:
@@ -122,7 +134,12 @@ def _systems(packages: Packages) -> Iterator[Proposal]:
     for element in plugin_elements(packages, *OF_SDF):
         library = library_of(attribute(element, "filename"))
         around = parent_of(element)
-        if is_chosen(element) or (around is not None and around.tagName in {"sensor", "world"}):
+        if is_chosen(element) or (around is not None and around.tagName in {"world", "gui"}):
+            continue
+        if _is_own(element, library) and not packages.wishes.keep_classic:
+            what = f"plugin '{library}' is built for Gazebo Classic: port it to gz, or remove it"
+            yield for_you(element.at, what, authority=_AUTHORITY)
+        if around is not None and around.tagName == "sensor":
             continue
         if library in SYSTEMS:
             system = SYSTEMS[library]
@@ -136,6 +153,14 @@ def _systems(packages: Packages) -> Iterator[Proposal]:
             yield Proposal(tuple(replaced(packages, element, text)), entries=tuple(entries))
         elif library in NO_SUCCESSOR and child(element, "urdfctl") is None:
             yield for_you(element.at, f"no system of gz replaces plugin '{library}': choose another way, and remove it")
+
+
+def _is_own(element: Element, library: str) -> bool:
+    """Whether a plugin is none of gazebo_ros_pkgs, and is for Gazebo Classic: gz names the class of each plugin."""
+    filename, name = attribute(element, "filename"), attribute(element, "name")
+    known = (CONTROL, _OF_ROS1, *SYSTEMS, *SENSORS, *LOOSE, *NO_SUCCESSOR)
+    is_for_classic = filename.endswith(".so") and not library.startswith(_OF_GZ) and "::" not in name
+    return is_for_classic and library not in known and "$" not in filename and "mimic_joint" not in library
 
 
 CONTROL_PLUGIN = Step(
