@@ -490,6 +490,9 @@ def test_robot_state_publisher_gets_the_parameters_of_ros_2(folder: Folder) -> N
     text = migrated(folder, {"urdf/arm.xacro": robot, "launch/arm.launch": SPAWNED})["launch/arm.launch.py"]
     assert '"publish_frequency": 50' in text
     assert '"frame_prefix": "left/"' in text
+    empty = SPAWNED.replace('value="left"', 'value=""')
+    files = {"urdf/arm.xacro": robot, "launch/arm.launch": empty}
+    assert "frame_prefix" not in migrated(folder, files)["launch/arm.launch.py"]
     assert "use_tf_static" not in text
 
 

@@ -288,12 +288,11 @@ def _server_only(gui: Text) -> Text:
 def _state_publisher(element: Element) -> Action:
     """robot_state_publisher with the parameters that ROS 2 has (robot_state_publisher README)."""
     node = _plain(element, "robot_state_publisher", "robot_state_publisher")
-    known = {"publish_frequency": "", "ignore_timestamp": "", "tf_prefix": "/", "frame_prefix": ""}
-    names = {"tf_prefix": "frame_prefix"}
-    given = ((name, value) for name, value in node.pairs if name in known)
-    return node._replace(
-        pairs=tuple((names.get(name, name), joined(value, literal(known[name]))) for name, value in given)
-    )
+    known = ("publish_frequency", "ignore_timestamp", "frame_prefix")
+    pairs = [(name, value) for name, value in node.pairs if name in known]
+    prefixes = [value for name, value in node.pairs if name == "tf_prefix" and value]
+    pairs += [("frame_prefix", joined(value, literal("/"))) for value in prefixes]
+    return node._replace(pairs=tuple(pairs))
 
 
 def _joint_states(element: Element) -> Action:
