@@ -1,4 +1,4 @@
-"""The plain reading of `lint`'s words, without typer, agrees with typer's."""
+"""The plain reading of the words of `lint` and `smoke`, without typer, agrees with typer's."""
 
 from __future__ import annotations
 
@@ -8,28 +8,30 @@ from typing import Any
 import pytest
 import typer.main
 
-from urdfctl.cli import lint_table
 from urdfctl.cli.app import app
-from urdfctl.cli.fast_path import lint_options, plain_options, table
-from urdfctl.cli.options import LintOptions
+from urdfctl.cli.fast_path import COMMANDS, options_of, plain_options, table_of, table_text
+from urdfctl.cli.options import LintOptions, SmokeOptions
 from urdfctl.cli.words import codes, split_arguments
 
-LINT = typer.main.get_command(app).commands["lint"]  # type: ignore[attr-defined]
+TYPED = typer.main.get_command(app).commands  # type: ignore[attr-defined]
 
 
-def test_the_table_is_generated_from_the_options_that_typer_reads() -> None:
-    assert Path(lint_table.__file__).read_text(encoding="utf-8") == table()
+@pytest.mark.parametrize("command", COMMANDS)
+def test_the_table_is_generated_from_the_options_that_typer_reads(command: str) -> None:
+    assert Path(str(table_of(command).__file__)).read_text(encoding="utf-8") == table_text(command)
 
 
 def test_both_paths_give_an_object_with_the_same_attributes() -> None:
-    options = lint_options(["robot.xacro", "--distro", "noetic", "--select", "UC2", "--fix"])
+    options = options_of("lint", ["robot.xacro", "--distro", "noetic", "--select", "UC2", "--fix"])
     expected = LintOptions(paths=["robot.xacro"], distro="noetic", select=["UC2"], fix=True)
     assert vars(options) == vars(expected)
+    options = options_of("smoke", ["robot.xacro", "--engine=none", "--controllers", "c.yaml", "--gui"])
+    assert vars(options) == vars(SmokeOptions(paths=["robot.xacro"], engine="none", controllers=["c.yaml"], gui=True))
 
 
-def by_typer(words: list[str]) -> dict[str, Any]:
+def by_typer(words: list[str], command: str = "lint") -> dict[str, Any]:
     """What typer makes of some words, without what it fills in by itself."""
-    context = LINT.make_context("lint", list(words))
+    context = TYPED[command].make_context(command, list(words))
     given = {
         name: value
         for name, value in context.params.items()
@@ -60,7 +62,21 @@ def by_typer(words: list[str]) -> dict[str, Any]:
     ],
 )
 def test_both_make_the_same_of_plain_words(words: list[str]) -> None:
-    assert plain_options(words) == by_typer(words)
+    assert plain_options(words, table_of("lint")) == by_typer(words)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["robot.xacro", "prefix:=left_", "--controllers", "a.yaml", "--controllers=b.yaml"],
+        ["--engine", "none", "--duration", "1.5", "--timeout=3", "--only", "a,b", "--tasks", "t.yaml"],
+        ["--format", "text", "--format", "json=a.json", "-o", "report.txt", "--report", "page.html"],
+        ["-q", "--statistics", "--exit-zero", "--allow-empty", "--progress", "--gui"],
+        ["--select", "UC9", "--ignore", "UC910", "--fail-on", "warning", "--baseline", "b.json", "--jobs", "2"],
+    ],
+)
+def test_both_make_the_same_of_plain_words_of_a_smoke_test(words: list[str]) -> None:
+    assert plain_options(words, table_of("smoke")) == by_typer(words, "smoke")
 
 
 @pytest.mark.parametrize(
@@ -82,7 +98,12 @@ def test_both_make_the_same_of_plain_words(words: list[str]) -> None:
     ],
 )
 def test_what_is_not_plain_is_left_to_typer(words: list[str]) -> None:
-    assert plain_options(words) is None
+    assert plain_options(words, table_of("lint")) is None
+
+
+@pytest.mark.parametrize("words", [["--help"], ["--no-progress"], ["--fix"], ["--engine"], ["--duration", "long"]])
+def test_what_is_not_plain_in_a_smoke_test_is_left_to_typer(words: list[str]) -> None:
+    assert plain_options(words, table_of("smoke")) is None
 
 
 def test_arguments_are_told_from_paths_as_xacro_does() -> None:

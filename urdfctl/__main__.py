@@ -52,15 +52,18 @@ def _leave(status: int) -> None:
 
 
 def _run(words: list[str]) -> int:
-    if words[:1] == ["lint"]:
-        from urdfctl.cli.fast_path import lint_options
+    from urdfctl.cli.fast_path import COMMANDS, options_of
 
-        options = lint_options(words[1:])
-        if options is not None:
-            gc.disable()  # the process is short-lived, and its workers have their own memory limit
-            from urdfctl.cli.lint_command import run_lint
+    options = options_of(words[0], words[1:]) if words and words[0] in COMMANDS else None
+    if options is not None:
+        gc.disable()  # the process is short-lived, and its workers have their own memory limit
+        if words[0] == "smoke":
+            from urdfctl.cli.smoke_command import run_smoke
 
-            return run_lint(options)
+            return run_smoke(options)
+        from urdfctl.cli.lint_command import run_lint
+
+        return run_lint(options)
     if words in (["--version"], ["-V"]):  # a common call in scripts, without the import of typer
         from urdfctl import __version__
 

@@ -1,38 +1,44 @@
-"""Read the words of `urdfctl lint` without typer, whose import takes a third of a run.
+"""Read the words of `urdfctl lint` and `urdfctl smoke` without typer, whose import takes a third of a run.
 
 For anything but plain options with values (`--help`, an unknown option, a missing value) this returns None: typer then
-reads the words again and reports what is wrong. `lint_table.py` is generated from the options that typer reads.
+reads the words again and reports what is wrong. `lint_table.py` and `smoke_table.py` are generated from the options
+that typer reads.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from importlib import import_module
+from types import ModuleType
 
-from urdfctl.cli.lint_table import DEFAULTS, FLAGS, REPEATABLE, VALUES
-from urdfctl.startup.hints import TYPE_CHECKING, Any
+from urdfctl.startup.hints import Any
 
-if TYPE_CHECKING:
-    from urdfctl.cli.options import LintOptions
-
+COMMANDS = ("lint", "smoke")
 _TYPES: dict[str, Callable[[str], Any]] = {"str": str, "int": int, "float": float}
 
 
 class _Options:
-    """The attributes of LintOptions, without its import."""
+    """The attributes of LintOptions or SmokeOptions, without its import."""
 
 
-def lint_options(words: Sequence[str]) -> LintOptions | None:
-    """Return the options that the words of a lint command set; None if typer has to read them."""
-    given = plain_options(words)
+def options_of(command: str, words: Sequence[str]) -> Any | None:
+    """Return the options that the words of one of `COMMANDS` set; None if typer has to read them."""
+    table = table_of(command)
+    given = plain_options(words, table)
     if given is None:
         return None
     options: Any = _Options()
-    options.__dict__.update(DEFAULTS)
+    options.__dict__.update(table.DEFAULTS)
     options.__dict__.update(given)
-    return options  # type: ignore[no-any-return]
+    return options
 
 
-def plain_options(words: Sequence[str]) -> dict[str, Any] | None:
+def table_of(command: str) -> ModuleType:
+    """Return the generated table of a command's options."""
+    return import_module(f"urdfctl.cli.{command}_table")
+
+
+def plain_options(words: Sequence[str], table: ModuleType) -> dict[str, Any] | None:
     """Return the options that the words set, by name; None if typer has to read them."""
     options: dict[str, Any] = {}
     paths: list[str] = []
@@ -42,22 +48,22 @@ def plain_options(words: Sequence[str]) -> dict[str, Any] | None:
             paths.append(word)
             continue
         flag, mark, value = word.partition("=")
-        if flag in FLAGS and not mark:
-            options[FLAGS[flag]] = True
-        elif flag in VALUES or flag in REPEATABLE:
+        if flag in table.FLAGS and not mark:
+            options[table.FLAGS[flag]] = True
+        elif flag in table.VALUES or flag in table.REPEATABLE:
             given = value if mark else next(rest, None)
-            if given is None or (not mark and given.startswith("-")) or not _set(options, flag, given):
+            if given is None or (not mark and given.startswith("-")) or not _set(options, flag, given, table):
                 return None
         else:
             return None
     return {"paths": paths, **options}
 
 
-def _set(options: dict[str, Any], flag: str, given: str) -> bool:
-    if flag in REPEATABLE:
-        options.setdefault(REPEATABLE[flag], []).append(given)
+def _set(options: dict[str, Any], flag: str, given: str, table: ModuleType) -> bool:
+    if flag in table.REPEATABLE:
+        options.setdefault(table.REPEATABLE[flag], []).append(given)
         return True
-    name, type_name = VALUES[flag]
+    name, type_name = table.VALUES[flag]
     try:
         options[name] = _TYPES[type_name](given)
     except ValueError:
@@ -65,20 +71,20 @@ def _set(options: dict[str, Any], flag: str, given: str) -> bool:
     return True
 
 
-def table() -> str:
-    """Return the text of lint_table.py."""
+def table_text(command: str) -> str:
+    """Return the text of the table of one of `COMMANDS`."""
     import inspect
 
     from typer.main import get_command
 
+    from urdfctl.cli import options
     from urdfctl.cli.app import app
-    from urdfctl.cli.options import LintOptions
 
     flags: dict[str, str] = {}
     values: dict[str, tuple[str, str]] = {}
     repeatable: dict[str, str] = {}
-    lint: Any = get_command(app).commands["lint"]  # type: ignore[attr-defined]
-    for parameter in lint.params:
+    typed: Any = get_command(app).commands[command]  # type: ignore[attr-defined]
+    for parameter in typed.params:
         for flag in parameter.opts if parameter.param_type_name == "option" and parameter.name != "help" else ():
             if parameter.is_flag:
                 flags[flag] = parameter.name
@@ -86,10 +92,11 @@ def table() -> str:
                 repeatable[flag] = parameter.name
             else:
                 values[flag] = parameter.name, type(parameter.type("7")).__name__
-    defaults = {name: found.default for name, found in inspect.signature(LintOptions).parameters.items()}
+    signature = inspect.signature(getattr(options, f"{command.title()}Options"))
+    defaults = {name: found.default for name, found in signature.parameters.items()}
     return (
-        '"""The options of `lint`, as fast_path.py needs them.\n\n'
-        "Generated from options.py: python -m urdfctl.cli.fast_path > urdfctl/cli/lint_table.py\n"
+        f'"""The options of `{command}`, as fast_path.py needs them.\n\n'
+        f"Generated from options.py: python -m urdfctl.cli.fast_path {command} > urdfctl/cli/{command}_table.py\n"
         '"""\n\nfrom __future__ import annotations\n\n'
         f"FLAGS = {_dict(flags)}\nREPEATABLE = {_dict(repeatable)}\nVALUES = {_dict(values)}\n"
         f"DEFAULTS: dict[str, object] = {_dict(defaults)}\n"
@@ -107,4 +114,4 @@ def _quoted(value: object) -> str:
 if __name__ == "__main__":
     import sys
 
-    sys.stdout.write(table())
+    sys.stdout.write(table_text(sys.argv[1] if len(sys.argv) > 1 else COMMANDS[0]))

@@ -1,6 +1,6 @@
 """The options of `lint`, as fast_path.py needs them.
 
-Generated from options.py: python -m urdfctl.cli.fast_path > urdfctl/cli/lint_table.py
+Generated from options.py: python -m urdfctl.cli.fast_path lint > urdfctl/cli/lint_table.py
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Options of the commands, each declared once. typer makes the command line from these classes.
 
 Annotations are evaluated here, because typer evaluates those of inherited options in the wrong module.
-`lint` also has a path around typer; `python -m urdfctl.cli.fast_path` generates its table from LintOptions.
+`lint` and `smoke` also have a path around typer; `python -m urdfctl.cli.fast_path lint` generates a table of options.
 """
 
 from dataclasses import dataclass

@@ -46,7 +46,12 @@ def scaled(a: Vector, factor: float) -> Vector:
 
 
 def dot(a: Sequence[float], b: Sequence[float]) -> float:
-    """Return the scalar product."""
+    """Return the scalar product of two vectors of three parts."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def inner(a: Sequence[float], b: Sequence[float]) -> float:
+    """Return the scalar product of two rows of any length."""
     return sum(x * y for x, y in zip(a, b, strict=True))
 
 
@@ -63,13 +68,18 @@ def unit(a: Vector) -> Vector:
 
 def turned(turn: Rotation, a: Vector) -> Vector:
     """Return a vector after a rotation."""
-    return dot(turn[0], a), dot(turn[1], a), dot(turn[2], a)
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = turn
+    x, y, z = a
+    return xx * x + xy * y + xz * z, yx * x + yy * y + yz * z, zx * x + zy * y + zz * z
 
 
 def product(a: Rotation, b: Rotation) -> Rotation:
     """Return the rotation that applies b, then a."""
-    columns = tuple(zip(*b, strict=True))
-    return tuple(tuple(dot(row, column) for column in columns) for row in a)  # type: ignore[return-value]
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = b
+    first, second, third = (
+        (x * xx + y * yx + z * zx, x * xy + y * yy + z * zy, x * xz + y * yz + z * zz) for x, y, z in a
+    )
+    return first, second, third
 
 
 def transposed(a: Rotation) -> Rotation:

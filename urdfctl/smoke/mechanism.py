@@ -116,7 +116,7 @@ class Hinge(NamedTuple):
         """Return the pose of the child in the parent's frame at a position."""
         if self.type == "prismatic":
             return self.pose.then(Pose(scaled(self.axis, position), UPRIGHT))
-        return self.pose.then(Pose(ZERO, about(self.axis, position)))
+        return Pose(self.pose.place, product(self.pose.turn, about(self.axis, position)))
 
 
 class Mechanism(NamedTuple):

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Protocol
 
 from urdfctl.smoke.engines import Engine
 from urdfctl.smoke.mechanism import Hinge
 from urdfctl.smoke.tasks import Drive, Family, Gains, Task
+from urdfctl.startup.hints import Protocol
 from urdfctl.startup.records import NamedTuple
 
 FREELY = 1e4

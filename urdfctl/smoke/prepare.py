@@ -10,7 +10,6 @@ import math
 import os
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping
-from html import escape
 
 from urdfctl.model.geometry import Pose, Rotation, Vector, scaled
 from urdfctl.model.parts import Tag
@@ -93,7 +92,9 @@ def mechanism_urdf(
 
 def quoted(text: str) -> str:
     """Return a text as an attribute's value. `xml.sax.saxutils.quoteattr` would import urllib and more."""
-    return f'"{escape(text)}"'
+    for mark, entity in (("&", "&amp;"), ("<", "&lt;"), (">", "&gt;"), ('"', "&quot;")):
+        text = text.replace(mark, entity)
+    return f'"{text}"'
 
 
 def _shape(collision: Tag, find_mesh: Callable[[str], str | None]) -> tuple[str, str]:

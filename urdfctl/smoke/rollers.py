@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
-from urdfctl.model.geometry import Square, dot
+from urdfctl.model.geometry import Square, inner
 from urdfctl.rules.smoke.does_not_drive_forward import does_not_drive_forward
 from urdfctl.rules.smoke.does_not_turn_left import does_not_turn_left
 from urdfctl.smoke.checks import STRAIGHT, STRAIGHT_YAW
@@ -93,12 +93,12 @@ def _gripping(wheel: Wheel, x: float, y: float, *, omni: bool) -> tuple[float, f
 
 def _least_squares(rows: Sequence[Sequence[float]], values: Sequence[float]) -> list[float] | None:
     columns = list(zip(*rows, strict=True))
-    normal: Square = [[dot(a, b) for b in columns] for a in columns]
+    normal: Square = [[inner(a, b) for b in columns] for a in columns]
     (a, b, c), (d, e, f), (g, h, i) = normal
     if abs(a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)) < _SINGULAR:
         return None
-    right = [dot(column, values) for column in columns]
-    return [dot(row, right) for row in inverted(normal)]
+    right = [inner(column, values) for column in columns]
+    return [inner(row, right) for row in inverted(normal)]
 
 
 def roller_troubles(task: Task, wanted: Twist, actual: Twist) -> Iterator[Trouble]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from collections.abc import Iterator, Sequence
 
 from urdfctl.config.settings import Settings
@@ -46,6 +45,10 @@ class Runs:
         If an engine crashes, the plan is tried once more without meshes; then, as if it is rejected, in other engines.
         Before a robot fails, the first of these engines is asked too.
         """
+        if not plans:
+            return
+        import tempfile
+
         with tempfile.TemporaryDirectory(prefix="urdfctl-") as folder:
             first = self._run(plans, self._parallel, folder)
             for plan, result in zip(plans, first, strict=True):

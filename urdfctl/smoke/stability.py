@@ -10,7 +10,7 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 
-from urdfctl.model.geometry import Square, Vector, cross, dot, minus, product, transposed, turned
+from urdfctl.model.geometry import Square, Vector, cross, dot, inner, minus, product, transposed, turned
 from urdfctl.rules.smoke.loop_too_soft import loop_too_soft
 from urdfctl.rules.smoke.loop_too_stiff_without_rotor import loop_too_stiff_without_rotor
 from urdfctl.rules.smoke.loop_underdamped import loop_underdamped
@@ -186,7 +186,7 @@ def _identity(size: int) -> Square:
 
 def _times(a: Square, b: Square) -> Square:
     columns = list(zip(*b, strict=True))
-    return [[dot(row, column) for column in columns] for row in a]
+    return [[inner(row, column) for column in columns] for row in a]
 
 
 def inverted(matrix: Square) -> Square:

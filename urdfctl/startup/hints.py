@@ -8,5 +8,6 @@ from __future__ import annotations
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any as Any  # noqa: PLC0414 (so that it is exported)
+    from typing import Protocol as Protocol  # noqa: PLC0414
 else:
-    Any = object
+    Any = Protocol = object

@@ -6,9 +6,9 @@ import math
 from collections.abc import Mapping, Sequence
 from importlib import import_module
 from importlib.util import find_spec
-from typing import Protocol
 
 from urdfctl.model.geometry import Vector
+from urdfctl.startup.hints import Protocol
 from urdfctl.startup.records import NamedTuple
 
 STEP = 0.001

@@ -1,0 +1,80 @@
+"""The options of `smoke`, as fast_path.py needs them.
+
+Generated from options.py: python -m urdfctl.cli.fast_path smoke > urdfctl/cli/smoke_table.py
+"""
+
+from __future__ import annotations
+
+FLAGS = {
+    "--trust": "trust",
+    "--progress": "progress",
+    "--gui": "gui",
+    "-q": "quiet",
+    "--quiet": "quiet",
+    "--statistics": "statistics",
+    "--exit-zero": "exit_zero",
+    "--allow-empty": "allow_empty",
+}
+REPEATABLE = {
+    "--package-path": "package_path",
+    "--env": "env",
+    "--controllers": "controllers",
+    "--only": "only",
+    "--format": "formats",
+    "--select": "select",
+    "--ignore": "ignore",
+}
+VALUES = {
+    "--workspace": ("workspace", "str"),
+    "--timeout": ("timeout", "float"),
+    "--memory": ("memory", "int"),
+    "--config": ("config", "str"),
+    "--distro": ("distro", "str"),
+    "--simulator": ("simulator", "str"),
+    "--start": ("start", "str"),
+    "--jobs": ("jobs", "int"),
+    "--shard": ("shard", "str"),
+    "--engine": ("engine", "str"),
+    "--tasks": ("tasks", "str"),
+    "--duration": ("duration", "float"),
+    "-o": ("output_file", "str"),
+    "--output-file": ("output_file", "str"),
+    "--report": ("report", "str"),
+    "--fail-on": ("fail_on", "str"),
+    "--baseline": ("baseline", "str"),
+    "--write-baseline": ("write_baseline", "str"),
+}
+DEFAULTS: dict[str, object] = {
+    "workspace": None,
+    "package_path": None,
+    "env": None,
+    "trust": False,
+    "timeout": 30.0,
+    "memory": 2048,
+    "config": None,
+    "distro": None,
+    "simulator": None,
+    "paths": None,
+    "start": None,
+    "jobs": 0,
+    "shard": None,
+    "controllers": None,
+    "only": None,
+    "engine": "auto",
+    "tasks": None,
+    "duration": 2.0,
+    "progress": None,
+    "gui": False,
+    "formats": None,
+    "output_file": None,
+    "quiet": False,
+    "statistics": False,
+    "report": None,
+    "select": None,
+    "ignore": None,
+    "fail_on": None,
+    "baseline": None,
+    "write_baseline": None,
+    "exit_zero": False,
+    "allow_empty": False,
+}
