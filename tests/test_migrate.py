@@ -23,10 +23,11 @@ from urdfctl.diagnostic import Edit
 from urdfctl.fix.edits import Change
 from urdfctl.migrate.engine import Migration, migrate
 from urdfctl.migrate.packages import Linted, Packages
+from urdfctl.migrate.report import ReportLine, as_markdown
 from urdfctl.migrate.scratch import Scratch
-from urdfctl.migrate.step import Proposal, Step
+from urdfctl.migrate.step import Entry, EntryKind, Proposal, Step
 from urdfctl.migrate.wishes import Part, Wishes
-from urdfctl.source.span import SourceSpan
+from urdfctl.source.span import Place, SourceSpan
 
 MANIFEST = '<package format="3"><name>arm</name></package>\n'
 ROBOT = """\
@@ -218,11 +219,13 @@ def test_errors_that_only_the_target_has_are_in_the_report(folder: Folder) -> No
 Propose = Callable[[Packages], Iterator[Proposal]]
 
 
-def result_of(folder: Path, *steps: tuple[str, Propose], lint: Callable[[Scratch], Any] = Lint) -> Migration:
-    """The migration of the package arm to jazzy by some steps, given by name and function."""
+def result_of(
+    folder: Path, *steps: tuple[str, Propose], lint: Callable[[Scratch], Any] = Lint, distro: str = "jazzy"
+) -> Migration:
+    """The migration of the package arm by some steps, given by name and function."""
     scratch = Scratch([str(folder / "arm")])
     own = [Step(name, Part.URDF, "a change", propose) for name, propose in steps]
-    result = migrate(scratch, Wishes("jazzy"), Settings(workspace=scratch.root), lint(scratch), own)
+    result = migrate(scratch, Wishes(distro), Settings(workspace=scratch.root), lint(scratch), own)
     scratch.close()
     return result
 
@@ -297,3 +300,50 @@ def test_a_change_that_cannot_be_made_because_its_edits_overlap_is_reported(tmp_
     overlapping = replacing(("the hardware", "it"), ("hardware -->", "-->"), apart=False)
     result = result_of(tmp_path, ("both", overlapping))
     assert [line.message for line in result.lines] == ["not changed by step 'both': its changes overlap"]
+
+
+def test_what_is_left_to_a_person_is_a_todo_at_its_line_and_at_the_line_of_a_new_file(tmp_path: Path) -> None:
+    Folder(tmp_path).write(FILES)
+
+    def asking(packages: Packages) -> Iterator[Proposal]:
+        for path in packages.files(".xacro"):
+            source = packages.read(path)
+            at = source.data.find(b"<ros2_control")
+            yield Proposal(entries=(Entry(EntryKind.FOR_YOU, "think", Place(source, at, end=at + 1)),))
+        new = str(Path(packages.scratch.folders[0]) / "new.yaml")
+        if not Path(new).exists():
+            text = "a: 1\n# TODO(urdfctl): look\n"
+            yield Proposal(created=((new, text),), entries=(Entry(EntryKind.FOR_YOU, "look", file=new),))
+
+    result = result_of(tmp_path, ("asking", asking))
+    todo = "  <!-- TODO(urdfctl): think -->\n  <ros2_control name="
+    assert result.changes[1].after == ROBOT.replace("  <ros2_control name=", todo).encode()
+    assert [(line.message, line.line) for line in result.lines] == [("think", 10), ("look", 2)]
+
+
+def test_the_report_says_once_what_is_the_same_in_several_places() -> None:
+    lines = [ReportLine(EntryKind.DONE, "it changed", file=f"/w/{name}", line=3) for name in ("a", "b")]
+    report = as_markdown([*lines, ReportLine(EntryKind.DONE, "more", file="/w/a")], "humble", "jazzy", "/w")
+    assert "- it changed.\n  - `a:3`\n  - `b:3`\n" in report
+    assert "- `a`: more.\n" in report
+
+
+def test_what_lint_fixes_for_the_target_alone_does_not_keep_a_step_from_being_applied(folder: Folder) -> None:
+    classic = ROBOT.replace("ign_ros2_control/IgnitionSystem", "gazebo_ros2_control/GazeboSystem")
+    text = classic.replace("<!-- the hardware -->", "<!-- the hardware: simulated -->")
+    plugin = '<plugin name="a" filename="libgazebo_own.so"><parameters>/opt/arm/c.yaml</parameters></plugin>'
+    folder.write({**FILES, "arm/urdf/arm.urdf.xacro": text.replace("</robot>", f"<gazebo>{plugin}</gazebo></robot>")})
+
+    def loading(packages: Packages) -> Iterator[Proposal]:
+        for path in packages.files(".xacro"):
+            source = packages.read(path)
+            at = source.data.find(plugin.encode())
+            new = plugin.replace("libgazebo_own.so", "libgazebo_ros2_control.so")
+            if at >= 0:
+                yield Proposal(edits=(Edit(SourceSpan(source, at, at + len(plugin)), new),))
+
+    result = result_of(folder.path, ("loading", loading), distro="humble")
+    [change] = result.changes
+    assert b"libgazebo_ros2_control.so" in (change.after or b"")
+    assert b"<!-- the hardware:simulated -->" in (change.after or b"")
+    assert [line.message.partition(":")[0] for line in result.lines] == ["fixed UC359"]

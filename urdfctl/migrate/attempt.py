@@ -11,6 +11,7 @@ from urdfctl.migrate.acceptance import Before, Objection, objections
 from urdfctl.migrate.packages import Lint, Linted, Packages
 from urdfctl.migrate.scratch import bytes_of
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Step
+from urdfctl.migrate.todo import with_todos
 
 MOST_ROUNDS = 12
 
@@ -81,7 +82,8 @@ class Attempt:
 
     def _round(self, step: Step) -> tuple[bool, list[Proposal]]:
         """Apply what a step proposes now; return whether that changed anything, and the proposals that clash."""
-        pending = [proposal for proposal in step.propose(self.packages) if self._is_admitted(step, proposal)]
+        proposals = map(with_todos, step.propose(self.packages))
+        pending = [proposal for proposal in proposals if self._is_admitted(step, proposal)]
         is_changed = False
         while pending and not is_changed:
             taken = Taken()

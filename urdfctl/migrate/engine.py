@@ -8,16 +8,21 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic, Severity
 from urdfctl.fix.edits import Change
+from urdfctl.lint.grouping import grouped
 from urdfctl.load.loader import LoadedTarget
-from urdfctl.migrate.acceptance import Objection, before
+from urdfctl.migrate.acceptance import Before, Objection, before
 from urdfctl.migrate.attempt import Attempt, Key, Noted
+from urdfctl.migrate.fixes import fixes_of_lint
 from urdfctl.migrate.memory import Memory
 from urdfctl.migrate.packages import Lint, Linted, Packages
 from urdfctl.migrate.report import ReportLine
 from urdfctl.migrate.scratch import Scratch, bytes_of
 from urdfctl.migrate.step import EntryKind, Step
+from urdfctl.migrate.todo import without_blanks
 from urdfctl.migrate.trials import Trials
 from urdfctl.migrate.wishes import Wishes
+from urdfctl.source.span import SourceText
+from urdfctl.source.todo import todos_in
 from urdfctl.startup.records import NamedTuple
 
 MOST_PASSES = 3
@@ -52,6 +57,8 @@ def migrate(scratch: Scratch, wishes: Wishes, settings: Settings, lint: Lint, st
         packages = Packages(scratch, wishes, settings, source, known)
         wanted = [step for step in steps if _is_wanted(step, packages)]
         state = before(source, target, packages.loaded())
+        if not wishes.only:
+            wanted.append(_fixing(lint, settings._replace(distro=wishes.target), first, state))
         trials = Trials(packages, wanted, state, lint=lint, settings=settings, earlier=noted)
         attempt, found = trials.best()
         noted = attempt.noted
@@ -68,15 +75,38 @@ def migrate(scratch: Scratch, wishes: Wishes, settings: Settings, lint: Lint, st
 
 def _done(scratch: Scratch, noted: Iterable[Noted]) -> Iterator[ReportLine]:
     """Yield the report's lines on what was applied, with real paths and the lines of the migrated files."""
+    todos: dict[str, list[tuple[str, int]]] = {}
     for one in noted:
         entry, file = one.entry, scratch.real(one.file) if one.file else ""
-        line = _line(one.file, one.offset) if entry.at and os.path.exists(one.file) else 0
+        line = 0
+        if os.path.isfile(one.file):
+            own = todos.setdefault(one.file, _todos(one.file))
+            line = _line(one.file, one.offset) if entry.at else _taken(own, entry.message)
         message, more = scratch.shown(entry.message), (entry.authority, entry.option)
         yield ReportLine(entry.kind, message, one.step, file, line, *more)
 
 
 def _line(path: str, offset: int) -> int:
     return (bytes_of(path) or b"")[:offset].count(b"\n") + 1
+
+
+def _todos(path: str) -> list[tuple[str, int]]:
+    """The texts of the TODOs in a file, with their lines."""
+    source = SourceText(path, bytes_of(path) or b"")
+    return [(text, source.position(place.span.start).line) for text, place in todos_in(source)]
+
+
+def _taken(todos: list[tuple[str, int]], message: str) -> int:
+    """The line of the first TODO with a text, which is not taken again; 0 if there is none."""
+    found = next((todo for todo in todos if _plain(todo[0]) == _plain(message)), None)
+    if found is None:
+        return 0
+    todos.remove(found)
+    return found[1]
+
+
+def _plain(text: str) -> bytes:
+    return without_blanks(text.replace("- -", "--").encode("utf-8", "replace"))
 
 
 def _not_done(scratch: Scratch, left_out: Mapping[Key, str], found: Iterable[Objection]) -> Iterator[ReportLine]:
@@ -89,9 +119,13 @@ def _not_done(scratch: Scratch, left_out: Mapping[Key, str], found: Iterable[Obj
 
 
 def _left(scratch: Scratch, source: Linted, attempt: Attempt) -> Iterator[ReportLine]:
-    """Yield a line for each error that lint finds for the target, and did not find for the distro to migrate from."""
+    """Yield a line for each error that lint finds for the target, and did not find for the distro to migrate from.
+
+    Equal ones of a file are one line.
+    """
     known, errors = _errors(source), _errors(attempt.linted)
-    for finding in (errors[key] for key in errors if key not in known and scratch.has(errors[key].at.file)):
+    new = [finding for key, finding in errors.items() if key not in known and scratch.has(finding.at.file)]
+    for finding in grouped(new):
         message = scratch.shown(f"lint finds {finding.code}: {finding.message}")
         yield ReportLine(EntryKind.FOR_YOU, message, "", scratch.real(finding.at.file), finding.at.line)
 
@@ -99,7 +133,22 @@ def _left(scratch: Scratch, source: Linted, attempt: Attempt) -> Iterator[Report
 def _errors(linted: Linted) -> dict[tuple[str, str, str], Diagnostic]:
     """The errors, by what identifies them although their lines move."""
     found = (finding for _, result in linted for finding in result.outcome.diagnostics)
-    return {(one.code, one.at.file, one.message): one for one in found if one.severity is Severity.ERROR}
+    return {_identity(one): one for one in found if one.severity is Severity.ERROR}
+
+
+def _identity(finding: Diagnostic) -> tuple[str, str, str]:
+    return finding.code, finding.at.file, finding.message
+
+
+def _fixing(lint: Lint, settings: Settings, source: Linted, state: Before) -> Step:
+    """The step that applies what lint fixes for the target, of the findings that would be objections, or left."""
+    known = _errors(source)
+
+    def is_new(finding: Diagnostic) -> bool:
+        is_error = finding.severity is Severity.ERROR and _identity(finding) not in known
+        return is_error or (finding.severity is not Severity.INFO and finding.code not in state.codes)
+
+    return fixes_of_lint(lambda: lint(settings), is_new)
 
 
 def _is_wanted(step: Step, packages: Packages) -> bool:

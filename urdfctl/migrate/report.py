@@ -53,8 +53,11 @@ def as_markdown(lines: Sequence[ReportLine], source: str | None, target: str, ba
     """Return the report as Markdown, with paths relative to the folder `base`."""
     parts = [f"# Migration {f'from {source} ' if source else ''}to {target}", ""]
     for kind, title in _TITLES.items():
-        own = list(_of(kind, lines))
-        parts += [f"## {title}", "", *(_item(line, base) for line in own), *([] if own else ["Nothing."]), ""]
+        groups: dict[tuple[str, ...], list[ReportLine]] = {}
+        for line in _of(kind, lines):
+            groups.setdefault((line.message, line.option, line.authority), []).append(line)
+        items = [text for group in groups.values() for text in _item(group, base)]
+        parts += [f"## {title}", "", *(items or ["Nothing."]), ""]
     return "\n".join(parts)
 
 
@@ -62,11 +65,22 @@ def _of(kind: EntryKind, lines: Sequence[ReportLine]) -> Iterator[ReportLine]:
     return (line for line in sorted(lines, key=lambda one: (one.file, one.line)) if line.kind is kind)
 
 
-def _item(line: ReportLine, base: str) -> str:
-    where = f"{_relative(line.file, base)}{f':{line.line}' if line.line else ''}" if line.file else ""
+def _item(lines: Sequence[ReportLine], base: str) -> Iterator[str]:
+    """Yield the lines of an item about one or more places."""
+    line = lines[0]
     option = f" Alternative: `{line.option}`." if line.option else ""
     authority = f" ({line.authority})" if line.authority else ""
-    return f"- {f'`{where}`: ' if where else ''}{line.message}.{option}{authority}"
+    text = f"{line.message}.{option}{authority}"
+    places = list(dict.fromkeys(_place(line, base) for line in lines if line.file))
+    if len(places) < 2:  # noqa: PLR2004 (one place is in the same line)
+        yield f"- {f'`{places[0]}`: ' if places else ''}{text}"
+    else:
+        yield f"- {text}"
+        yield from (f"  - `{place}`" for place in places)
+
+
+def _place(line: ReportLine, base: str) -> str:
+    return f"{_relative(line.file, base)}{f':{line.line}' if line.line else ''}"
 
 
 def _relative(path: str, base: str) -> str:

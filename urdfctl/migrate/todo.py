@@ -8,6 +8,8 @@ from urdfctl.source.span import Place, SourceSpan
 from urdfctl.source.todo import MARK
 
 _OF_XML = (".xacro", ".urdf", ".xml", ".launch", ".srdf", ".sdf", ".world", ".gazebo", ".inc")
+_MOST_BEFORE = 1 << 12
+_READ_BY_LINT = (".xacro", ".urdf", ".launch", ".launch.xml", ".yaml", ".yml", ".launch.py")
 
 
 def todo_line(path: str, text: str) -> str:
@@ -30,11 +32,43 @@ def for_you(at: Place, text: str, *, authority: str = "") -> Proposal:
     indent = line[: len(line) - len(line.lstrip())].decode("utf-8", "surrogateescape")
     comment = todo_line(source.path, text)
     entry = Entry(EntryKind.FOR_YOU, text, at, authority=authority)
-    if source.data[:start].rstrip().endswith(comment.encode()):
+    if without_blanks(source.data[max(start - _MOST_BEFORE, 0) : start]).endswith(without_blanks(comment.encode())):
         return Proposal(entries=(entry,))
     newline = "\r\n" if b"\r\n" in source.data[:4096] else "\n"
     edit = Edit(SourceSpan(source, start, start), f"{indent}{comment}{newline}")
     return Proposal(edits=(edit,), entries=(entry,))
+
+
+def without_blanks(text: bytes) -> bytes:
+    """Return a text to compare: fixes of comments remove blanks, which break Gazebo Classic's plugin in humble."""
+    return b"".join(text.split())
+
+
+def with_todos(proposal: Proposal) -> Proposal:
+    """Return a proposal with a TODO at each place that it leaves to a person: where lint reads comments, and where the
+    proposal changes nothing itself."""
+    if all(entry.kind is not EntryKind.FOR_YOU for entry in proposal.entries):
+        return proposal
+    edits = list(proposal.edits)
+    for entry in proposal.entries:
+        at = entry.at
+        if entry.kind is not EntryKind.FOR_YOU or at is None or not at.source.path.endswith(_READ_BY_LINT):
+            continue
+        if any(entry.message in edit.text or _is_around(edit, at) for edit in edits):
+            continue
+        edits += for_you(at, entry.message).edits
+    return proposal._replace(edits=tuple(edits))
+
+
+def _is_around(edit: Edit, at: Place) -> bool:
+    """Whether an edit replaces the line of a place, or a part of it."""
+    source = at.source
+    if edit.span.file != source.path or edit.span.start == edit.span.end:
+        return False
+    starts = source.line_starts()
+    line = source.position(_tag_start(at)).line
+    end = starts[line] if line < len(starts) else len(source.data)
+    return edit.span.start < end and starts[line - 1] < edit.span.end
 
 
 def _tag_start(at: Place) -> int:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Generator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from itertools import takewhile
 
 from urdfctl.config.settings import Settings
@@ -44,7 +44,7 @@ class Trials:
     def best(self) -> tuple[Attempt, list[Objection]]:
         """Return the last attempt, and the objections to it that no step is responsible for.
 
-        The steps that are responsible are searched for all objections at once.
+        One kind of fault is searched in all files at once, one after the other: the next may be its consequence.
         """
         searches: dict[Kind, _Suspects] = {}
         attempt, found = self._attempt({})
@@ -52,11 +52,11 @@ class Trials:
             kinds = {objection.kind for objection in found}
             for kind, suspects in searches.items():
                 suspects.judge(is_gone=kind not in kinds)
-            for objection in found:
-                known = searches.get(objection.kind)
-                if known is None or known.is_back:
-                    candidates = _candidates(attempt, objection)
-                    searches[objection.kind] = _Suspects(objection.message, candidates, known.choice if known else ())
+            while all(suspects.is_done for suspects in searches.values()):
+                new = dict(_next(attempt, found, searches))
+                if not new:
+                    break
+                searches.update(new)
             barred = {key: suspects.why for suspects in searches.values() for key in suspects.choice}
             if barred.keys() == attempt.barred.keys():
                 return attempt, found
@@ -130,6 +130,22 @@ class _Suspects:
         except StopIteration as end:
             self.is_done = True
             self.choice = self.all = (*self._base, *end.value) if end.value else ()
+
+
+def _next(
+    attempt: Attempt, found: Sequence[Objection], searches: Mapping[Kind, _Suspects]
+) -> Iterator[tuple[Kind, _Suspects]]:
+    """Yield the searches for the first new objection, and for those of the same code that may be of the same step."""
+    like: tuple[str, str] | None = None
+    for objection in reversed({one.kind: one for one in reversed(found)}.values()):
+        known = searches.get(objection.kind)
+        if known is not None and not known.is_back:
+            continue
+        candidates = _candidates(attempt, objection)
+        its = objection.kind[0], candidates[0][0] if candidates else ""
+        like = like or its
+        if its == like:
+            yield objection.kind, _Suspects(objection.message, candidates, known.choice if known else ())
 
 
 def _search(candidates: Sequence[Key]) -> Search:

@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from urdfctl.rule import Finding, Fix, Project, Severity, rule
+from urdfctl.rule import Edit, Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import robot_in
+from urdfctl.source.span import Place, SourceSpan
 
 _PLUGIN = "gazebo_ros2_control"
 
@@ -64,4 +65,16 @@ def comment_breaks_parameter(project: Project) -> Iterator[Finding]:
         if broken:
             what = "a colon followed by whitespace" if ":" in broken.group() else "'#' after whitespace"
             message = f"comment contains {what}; Gazebo's plugin in humble cannot pass on the description"
-            yield Finding(comment.at, message, fix=Fix("remove it from the comment, or delete the comment"))
+            edits = tuple(_edits(comment.at))
+            fix = Fix("remove it from the comment, or delete the comment", edits, safe=bool(edits))
+            yield Finding(comment.at, message, fix=fix)
+
+
+def _edits(at: Place) -> Iterator[Edit]:
+    """The edits that remove what breaks a comment: the whitespace after a colon, or the colon at the end of a line."""
+    source, span = at.source, at.span
+    data = source.data[span.start : span.end]
+    if not data.startswith(b"<!--"):
+        return
+    for match in re.finditer(rb":(?=\s*?(?:[\r\n]|-->))|(?<=:)[ \t]+|(?<=\s)#+", data):
+        yield Edit(SourceSpan(source, span.start + match.start(), span.start + match.end()), "")
