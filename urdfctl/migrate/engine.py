@@ -18,7 +18,7 @@ from urdfctl.migrate.packages import Lint, Linted, Packages
 from urdfctl.migrate.report import ReportLine
 from urdfctl.migrate.scratch import Scratch, bytes_of
 from urdfctl.migrate.step import EntryKind, Step
-from urdfctl.migrate.todo import without_blanks
+from urdfctl.migrate.todo import without_punctuation
 from urdfctl.migrate.trials import Trials
 from urdfctl.migrate.wishes import Wishes
 from urdfctl.source.span import SourceText
@@ -106,7 +106,7 @@ def _taken(todos: list[tuple[str, int]], message: str) -> int:
 
 
 def _plain(text: str) -> bytes:
-    return without_blanks(text.replace("- -", "--").encode("utf-8", "replace"))
+    return without_punctuation(text.encode("utf-8", "replace"))
 
 
 def _not_done(scratch: Scratch, left_out: Mapping[Key, str], found: Iterable[Objection]) -> Iterator[ReportLine]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.step import Entry, EntryKind, Proposal
 from urdfctl.source.span import Place, SourceSpan
@@ -32,16 +34,18 @@ def for_you(at: Place, text: str, *, authority: str = "") -> Proposal:
     indent = line[: len(line) - len(line.lstrip())].decode("utf-8", "surrogateescape")
     comment = todo_line(source.path, text)
     entry = Entry(EntryKind.FOR_YOU, text, at, authority=authority)
-    if without_blanks(source.data[max(start - _MOST_BEFORE, 0) : start]).endswith(without_blanks(comment.encode())):
+    if without_punctuation(source.data[max(start - _MOST_BEFORE, 0) : start]).endswith(
+        without_punctuation(comment.encode())
+    ):
         return Proposal(entries=(entry,))
     newline = "\r\n" if b"\r\n" in source.data[:4096] else "\n"
     edit = Edit(SourceSpan(source, start, start), f"{indent}{comment}{newline}")
     return Proposal(edits=(edit,), entries=(entry,))
 
 
-def without_blanks(text: bytes) -> bytes:
-    """Return a text to compare: fixes of comments remove blanks, which break Gazebo Classic's plugin in humble."""
-    return b"".join(text.split())
+def without_punctuation(text: bytes) -> bytes:
+    """Return a text to compare: comments get other punctuation, which Gazebo Classic's plugin can pass on in humble."""
+    return re.sub(rb"[\s:#-]+", b"", text)
 
 
 def with_todos(proposal: Proposal) -> Proposal:

@@ -71,10 +71,10 @@ def comment_breaks_parameter(project: Project) -> Iterator[Finding]:
 
 
 def _edits(at: Place) -> Iterator[Edit]:
-    """The edits that remove what breaks a comment: the whitespace after a colon, or the colon at the end of a line."""
+    """The edits of a comment that the source contains: a dash instead of the colon, and no `#`."""
     source, span = at.source, at.span
     data = source.data[span.start : span.end]
-    if not data.startswith(b"<!--"):
-        return
-    for match in re.finditer(rb":(?=\s*?(?:[\r\n]|-->))|(?<=:)[ \t]+|(?<=\s)#+", data):
-        yield Edit(SourceSpan(source, span.start + match.start(), span.start + match.end()), "")
+    for match in re.finditer(rb"[ \t]*:(?=\s)|(?<=\s)#+", data if data.startswith(b"<!--") else b""):
+        yield Edit(
+            SourceSpan(source, span.start + match.start(), span.start + match.end()), " -" if b":" in match[0] else ""
+        )
