@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+import random
 
 import pytest
 
 from urdfctl.model.geometry import Pose, of_angles
 from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
-from urdfctl.smoke.overlaps import overlap_troubles, overlapping
+from urdfctl.smoke.overlaps import SHRUNK, overlap_troubles, overlapping
 from urdfctl.smoke.shapes import Shape, Shapes
 
 BOX = Shape("box", Pose(), (0.2, 0.2, 0.2))
@@ -51,6 +52,35 @@ def test_a_rod_that_passes_a_box_at_an_angle_is_found() -> None:
     arm = chain((0.0, 0.0, 5.0), (0.0, 0.0, 5.0), (0.3, 0.0, -9.7))
     assert pairs(arm, BOX, BALL, BALL, leaning) == [("l0", "l3")]
     assert pairs(arm, BOX, BALL, BALL, ROD) == []
+
+
+def ball_beside(box: Shape, ball: Shape, way: tuple[float, float, float], apart: float) -> tuple[float, float, float]:
+    """Return a place in a direction from a box where a ball is apart from it, as a part of its radius: 1 touches it.
+
+    Both are as the algorithm sees them, shrunk.
+    """
+    half, radius = [size / 2 * SHRUNK for size in box.size], ball.size[0] * SHRUNK
+    near, far = 0.0, 10.0
+    for _ in range(50):
+        middle = (near + far) / 2
+        rest = [max(0.0, abs(middle * part) - most) for part, most in zip(way, half, strict=True)]
+        near, far = (middle, far) if math.hypot(*rest) < apart * radius else (near, middle)
+    return way[0] * near, way[1] * near, way[2] * near
+
+
+@pytest.mark.parametrize(("apart", "least", "most"), [(0.6, 85, 100), (1.05, 0, 0)])
+def test_balls_that_reach_far_into_boxes_are_nearly_always_found_and_those_beside_them_never(
+    apart: float, least: int, most: int
+) -> None:
+    chance = random.Random(1)  # noqa: S311 (a sample)
+    found = 0
+    for _ in range(100):
+        box = Shape("box", Pose(), (chance.uniform(0.05, 0.5), chance.uniform(0.05, 0.5), chance.uniform(0.05, 0.5)))
+        ball = Shape("sphere", Pose(), (chance.uniform(0.02, 0.3),))
+        way = (chance.gauss(0, 1), chance.gauss(0, 1), chance.gauss(0, 1))
+        x, y, z = ball_beside(box, ball, way, apart)
+        found += bool(pairs(chain((0.0, 0.0, 5.0), (0.0, 0.0, 5.0), (x, y, z - 10.0)), box, BALL, BALL, ball))
+    assert least <= found <= most
 
 
 def test_neighbours_may_overlap_also_over_one_link_between_them() -> None:
@@ -99,10 +129,11 @@ def test_a_robot_of_more_than_a_hundred_simple_links_is_not_looked_at(links: int
     assert len(pairs(chain(*places), *[BALL] * links)) == expected
 
 
-def test_thin_plates_that_lie_on_each_other_do_not_overlap() -> None:
+@pytest.mark.parametrize(("x", "y"), [(0.0, 0.0), (0.3, 0.2), (0.5, 0.1), (0.05, 0.02)])
+def test_thin_plates_that_lie_on_each_other_do_not_overlap(x: float, y: float) -> None:
     plate = Shape("box", Pose(), (1.0, 1.0, 0.01))
-    for apart, expected in ((0.01, []), (0.005, [("l0", "l3")])):
-        arm = chain((0.0, 0.0, 5.0), (0.0, 0.0, 5.0), (0.0, 0.0, apart - 10.0))
+    for height, expected in ((0.01, []), (0.0, [("l0", "l3")])):
+        arm = chain((0.0, 0.0, 5.0), (0.0, 0.0, 5.0), (x, y, height - 10.0))
         assert pairs(arm, plate, BALL, BALL, plate) == expected
 
 
@@ -117,3 +148,14 @@ def test_a_note_counts_the_other_pairs(more: int, note: str) -> None:
     bodies = {f"l{n}": Body(f"l{n}") for n in range(2 * more + 3)}
     (trouble,) = overlap_troubles(Mechanism("l0", bodies, tuple(fingers)), Shapes(dict.fromkeys(bodies, (BOX,))))
     assert trouble.notes == (note,)
+
+
+def test_a_bare_link_to_which_one_with_shapes_is_fixed_is_not_skipped() -> None:
+    """The last link hangs on the fixed one by one more: it is no neighbour of the first."""
+    here = (0.0, 0.0, 0.0)
+    arm = chain(here, here, here)
+    mount = Hinge("mount", "fixed", parent="l1", child="cover", pose=Pose(), axis=(0.0, 1.0, 0.0))
+    mechanism = Mechanism("l0", {**arm.bodies, "cover": Body("cover")}, (arm.hinges[0], mount, *arm.hinges[1:]))
+    for cover, expected in (({"cover": (BOX,)}, [("l0", "l3")]), ({}, [])):
+        shapes = Shapes({"l0": (BOX,), "l2": (BOX,), "l3": (BOX,), **cover})
+        assert overlapping(mechanism, shapes, mechanism.start()) == expected

@@ -16,9 +16,10 @@ SHRUNK = 0.9
 MOST_LINKS = 100
 """Robots with more links that have simple shapes are not checked: the pairs would take seconds."""
 _STEPS = 100
-"""After so many steps without a separating plane, two shapes overlap or nearly touch."""
-_NEAR = 1e-3
-"""Shapes overlap if the algorithm comes as near as this to a common point, as a fraction of their size."""
+"""After so many steps without a separating plane or a common point, two shapes count as apart."""
+_NEAR = 0.05
+"""Shapes overlap if the algorithm comes as near as this to a common point, as a fraction of the smallest dimension.
+Shapes that touch are twice as far apart when they are shrunk."""
 
 Pair = frozenset[str]
 
@@ -96,6 +97,7 @@ class _Placed:
         self._back = transposed(link.turn)
         self.middle = link.at(shape.pose.place)
         half = [part / 2 for part in shape.size]
+        self.thickness = min(shape.size)
         self.reach = {"box": math.hypot(*half), "cylinder": math.hypot(shape.size[0], half[-1])}.get(
             shape.kind, shape.size[0]
         )
@@ -114,7 +116,7 @@ def _meet(a: _Placed, b: _Placed) -> bool:
     apart = minus(a.middle, b.middle)
     if dot(apart, apart) > (SHRUNK * (a.reach + b.reach)) ** 2:
         return False
-    nearest, near = apart, _NEAR * min(a.reach, b.reach)
+    nearest, near = apart, _NEAR * min(a.thickness, b.thickness)
     for _ in range(_STEPS):
         if dot(nearest, nearest) < near * near:
             return True
@@ -125,4 +127,4 @@ def _meet(a: _Placed, b: _Placed) -> bool:
         step = minus(nearest, support)
         part = min(1.0, dot(nearest, step) / dot(step, step))
         nearest = minus(nearest, scaled(step, part))
-    return dot(nearest, nearest) < (0.05 * min(a.reach, b.reach)) ** 2
+    return dot(nearest, nearest) < near * near
