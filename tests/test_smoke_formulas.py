@@ -309,9 +309,9 @@ def test_a_rover_stands_on_its_wheels_and_casters() -> None:
     assert ground_codes(BOTH) == []
 
 
-@pytest.mark.parametrize(("height", "expected"), [(0.001, []), (0.005, ["UC940"]), (0.05, ["UC940"])])
+@pytest.mark.parametrize(("height", "expected"), [(0.001, []), (0.002, ["UC940"]), (0.05, ["UC940"])])
 def test_a_wheel_that_is_mounted_too_high_does_not_touch_the_ground(height: float, expected: list[str]) -> None:
-    """The robot leans on one of the two wheels."""
+    """The robot leans on one of the two wheels: the other one is twice as high, and 3 mm count as touching."""
     assert ground_codes({"l": (0.0, 0.2, height), "r": (0.0, -0.2, height)}) == expected
 
 

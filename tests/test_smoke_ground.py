@@ -29,8 +29,9 @@ def test_a_robot_leans_on_its_short_leg_whichever_that_is(about: float, short: f
     """The plane through the feet falls by that on 1.5 times 0.2 m; one of its axes is level across the direction."""
     at_rest = resting(*tripod(about, short))
     assert at_rest is not None
-    assert at_rest.tilt == pytest.approx(math.atan2(short, 0.3), abs=0.003)
+    assert at_rest.tilt == pytest.approx(math.atan2(short, 0.3), abs=0.0015)
     x, y, _ = at_rest.turn[2]
+    assert math.atan2(at_rest.turn[1][0], at_rest.turn[0][0]) == pytest.approx(0.0, abs=0.03)
     assert math.cos(math.atan2(-y, -x) - about) > 0.99
 
 
@@ -43,3 +44,26 @@ def test_a_robot_that_leans_by_a_fifth_of_a_radian_has_not_tipped_over() -> None
         known = Shapes({**shapes.known, "wheel": (Shape("sphere", Pose(), (0.02,)),)})
         codes = [trouble.code for trouble in ground_troubles(robot, known, [task])]
         assert [code for code in codes if code == "UC931"] == expected
+
+
+def test_a_box_touches_the_ground_with_the_four_corners_of_its_lower_side() -> None:
+    """They are given from the centre of mass."""
+    box = Shapes({"base": (Shape("box", Pose((0.0, 0.0, 0.1)), (0.4, 0.2, 0.1)),)})
+    at_rest = resting(Mechanism("base", {"base": Body("base", 5.0, centre=(0.05, 0.0, 0.1))}, ()), box)
+    assert at_rest is not None
+    corners = {(round(x, 6), round(y, 6), round(z, 6)) for x, y, z in at_rest.contacts["base"]}
+    assert corners == {(x, y, -0.05) for x in (0.15, -0.25) for y in (0.1, -0.1)}
+
+
+def test_only_links_at_the_ground_touch_it() -> None:
+    legs = {
+        f"l{n}": (Shape("sphere", Pose((x, y, height)), (0.05,)),)
+        for n, (x, y, height) in enumerate(
+            ((0.2, 0.2, 0.0), (0.2, -0.2, 0.0), (-0.2, 0.0, 0.0), (0.0, 0.0, 0.002), (0.0, 0.1, 0.004))
+        )
+    }
+    hinges = tuple(Hinge(f"j{name}", "fixed", "base", name, Pose(), (0.0, 1.0, 0.0)) for name in legs)
+    bodies = {"base": Body("base", 5.0), **{name: Body(name) for name in legs}}
+    at_rest = resting(Mechanism("base", bodies, hinges), Shapes(legs))
+    assert at_rest is not None
+    assert set(at_rest.contacts) == {"l0", "l1", "l2", "l3"}

@@ -37,7 +37,6 @@ TOUCHING = 0.003
 _STEPS = (0.02, 0.004, 0.0008)
 """The tilts that are tried one after the other, in rad."""
 _WAYS = tuple((math.cos(n * math.pi / 4), math.sin(n * math.pi / 4), 0.0) for n in range(8))
-_FAR = 0.8
 
 
 class Resting(NamedTuple):
@@ -108,7 +107,7 @@ def _settled(body: _Body) -> Rotation:
     turn = UPRIGHT
     height = _height(body, turn)
     for step in _STEPS:
-        while turn[2][2] > math.cos(_FAR):
+        while turn[2][2] > math.cos(2 * TIPPED):
             tilts = [product(about(way, step), turn) for way in _WAYS]
             heights = [_height(body, tilt) for tilt in tilts]
             best = min(range(len(tilts)), key=heights.__getitem__)
