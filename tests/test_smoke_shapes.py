@@ -34,6 +34,21 @@ def test_the_rim_of_a_roller_aside_reaches_its_far_side(turn: float) -> None:
     assert rim.radius == pytest.approx(0.15, rel=0.005)
 
 
+@pytest.mark.parametrize(
+    ("shape", "volume"),
+    [
+        (Shape("box", Pose(), (0.1, 0.2, 0.3)), 0.006),
+        (Shape("cylinder", Pose(), (0.1, 0.5)), 0.5 * math.pi * 0.01),
+        (Shape("sphere", Pose(), (0.3,)), 4 / 3 * math.pi * 0.027),
+        (Shape("mesh", Pose(), (), ((0.0, 0.0, 0.0), (0.1, 0.0, -0.3), (0.0, 0.2, 0.0))), 0.006),
+    ],
+)
+def test_the_volume_of_a_shape_is_that_of_the_textbook_and_of_a_mesh_that_of_its_box(
+    shape: Shape, volume: float
+) -> None:
+    assert shape.volume == pytest.approx(volume)
+
+
 # -- meshes ----------------------------------------------------------------------------------------------------------
 
 
@@ -68,8 +83,9 @@ def test_a_thinned_ball_is_still_round_and_has_some_hundred_corners(tmp_path: Pa
 
 
 def test_a_thinned_mesh_keeps_what_lies_farthest_out(tmp_path: Path) -> None:
-    inner = [(0.5 * x, 0.5 * y, 0.5 * z) for x, y, z in ball(4000)]
-    spike = (0.9, 0.9, 0.9)
+    """Not only along the axes."""
+    inner = [(0.8 * x, 0.8 * y, 0.8 * z) for x, y, z in ball(4000)]
+    spike = (0.6, 0.6, 0.6)
     for points in ([spike, *inner], [*inner, spike]):
         assert spike in obj(tmp_path / "ball.obj", points)
 

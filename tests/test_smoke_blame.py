@@ -1,0 +1,101 @@
+"""Which controllers an error stops: those of its manager, of its file or of its launch, and the cause that is named."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from smoking import smoked, target_of, verdicts
+
+from urdfctl.rules.smoke.common import HARDWARE
+from urdfctl.smoke.results import Smoked
+
+FORWARD = "forward_command_controller/ForwardCommandController"
+PARAMETERS = "joints: [elbow], interface_name: position"
+
+
+def manager(rate: str, indent: str = "", *names: str) -> str:
+    declared = "".join(f"    {name}: {{type: {FORWARD}}}\n" for name in names)
+    sections = "".join(f"{name}:\n  ros__parameters: {{{PARAMETERS}}}\n" for name in names)
+    text = f"controller_manager:\n  ros__parameters:\n    update_rate: {rate}\n{declared}{sections}"
+    return "".join(f"{indent}{line}\n" for line in text.splitlines())
+
+
+def in_jazzy(folder: Path, yaml: str, robot: str = HARDWARE) -> Smoked:
+    return smoked(target_of(folder, {"robot.urdf": robot, "controllers.yaml": yaml}), distro="jazzy")
+
+
+def test_a_wrong_rate_of_the_manager_stops_all_its_controllers(tmp_path: Path) -> None:
+    assert set(verdicts(in_jazzy(tmp_path, manager("100", "", "arm", "hand"))).values()) == {"skipped activate"}
+    made = in_jazzy(tmp_path, manager("fast", "", "arm", "hand"))
+    assert verdicts(made) == {"arm": "failed load", "hand": "failed load"}
+    [finding] = made.linted.outcome.diagnostics
+    assert finding.notes[-1].message == "it also stops controller 'hand'"
+
+
+def test_a_wrong_rate_stops_only_the_controllers_of_its_namespace(tmp_path: Path) -> None:
+    yaml = "left:\n" + manager("fast", "  ", "arm", "hand") + "right:\n" + manager("100", "  ", "arm")
+    made = verdicts(in_jazzy(tmp_path, yaml))
+    assert made == {"/left/arm": "failed load", "hand": "failed load", "/right/arm": "skipped activate"}
+
+
+ELBOW = """
+    <transmission name="elbow_trans">
+      <type>transmission_interface/SimpleTransmission</type>
+      <joint name="elbow"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>
+      <actuator name="elbow_motor"><mechanicalReduction>1</mechanicalReduction></actuator>
+    </transmission>
+"""
+EFFORT = "{type: effort_controllers/JointEffortController, joint: elbow}"
+BROKEN = "{type: effort_controllers/JointEffortController, joint: elbow, gain: }"
+
+
+@pytest.mark.parametrize(
+    ("launched", "expected"),
+    [
+        (True, {"arm": "failed load", "hand": "failed load"}),
+        (False, {"arm": "failed load", "hand": "skipped activate"}),
+    ],
+)
+def test_a_file_that_roslaunch_cannot_load_stops_all_that_it_starts(
+    launched: bool, expected: dict[str, str], tmp_path: Path
+) -> None:
+    launch = """
+        <launch>
+          <param name="robot_description" textfile="$(dirname)/robot.urdf"/>
+          <rosparam file="$(dirname)/arm.yaml" command="load"/>
+          <rosparam file="$(dirname)/hand.yaml" command="load"/>
+        </launch>
+    """
+    parts = {"robot.urdf": ELBOW, "arm.yaml": f"arm: {BROKEN}\n", "hand.yaml": f"hand: {EFFORT}\n"}
+    target = target_of(tmp_path, {**parts, "robot.launch": launch} if launched else parts)
+    made = smoked(target, distro="noetic", simulator="gazebo-classic")
+    assert verdicts(made) == expected
+
+
+# -- the cause that is named -----------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("others", "note"),
+    [
+        (1, []),
+        (2, ["lint reports 1 more error of this kind"]),
+        (3, ["lint reports 2 more errors of this kind"]),
+    ],
+)
+def test_more_errors_of_a_robot_are_counted(others: int, note: list[str], tmp_path: Path) -> None:
+    ends = '<parent link="base"/><child link="nowhere{n}"/>'
+    loose = "".join(f'<joint name="j{n}" type="fixed">{ends.format(n=n)}</joint>' for n in range(others))
+    made = in_jazzy(tmp_path, manager("100", "", "arm"), HARDWARE + loose)
+    [finding] = [one for one in made.linted.outcome.diagnostics if one.code == "UC901"]
+    assert [remark.message for remark in finding.notes][1:] == note
+
+
+def test_a_type_that_does_not_exist_is_the_cause_before_other_errors(tmp_path: Path) -> None:
+    yaml = manager("100", "", "arm").replace(FORWARD, "forward_command_controller/FowardCommandController")
+    both = yaml.replace("joints: [elbow]", "joints: [elbow, elbow]")
+    for text in (yaml, both):
+        [finding] = in_jazzy(tmp_path, text).linted.outcome.diagnostics
+        assert finding.code == "UC903"
+        assert "FowardCommandController" in finding.message
