@@ -409,6 +409,20 @@ def test_the_variant_is_asked_for_in_plain_editors(folder: Folder) -> None:
     assert "= left_fore" in shown
 
 
+def test_an_editor_that_cannot_ask_is_told_the_choices(folder: Folder) -> None:
+    folder.write({".git/HEAD": "", "arm.xacro": ARM, "urdfctl.toml": CONFIG})
+
+    async def use(editor: Editor) -> list[str]:
+        await editor.open("arm.xacro")
+        await editor.checked()
+        await call(editor, "chooseVariant", "arm.xacro")
+        return editor.messages
+
+    choices = "all variants, arm prefix:=left_, arm prefix:=right_"
+    question = "Show the values of which variant?"
+    assert in_editor(folder.path, use) == [f"urdfctl: this editor cannot ask: {question} ({choices})"]
+
+
 def test_a_variant_that_is_none_of_the_files_is_refused(folder: Folder) -> None:
     folder.write({".git/HEAD": "", "arm.xacro": ARM, "urdfctl.toml": CONFIG})
 

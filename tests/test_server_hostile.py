@@ -14,6 +14,10 @@ from test_hostile_files import HIDDEN, TRIED
 from urdfctl.server import workspace
 
 WHERE = [types.Position(0, 0), types.Position(0, 30), types.Position(3, 7), types.Position(10_000, 10_000)]
+COMMANDS: dict[str, list[str]] = {
+    **{f"urdfctl.{name}": [] for name in ("graph", "view", "smoke", "chooseVariant")},
+    "urdfctl.migrate": ["jazzy"],
+}
 ARM = """<robot name="arm">
   <link name="base"/>
   <link name="fore"/>
@@ -73,6 +77,33 @@ def test_a_hostile_file_is_opened_typed_into_and_asked_about(folder: Folder, tri
     assert "urdfctl crashed" not in shown
     assert HIDDEN not in shown
     assert not (folder.path / "ran").exists()
+
+
+@pytest.mark.parametrize("tried", sample(TRIED, 12))
+def test_the_commands_for_a_hostile_file_end_and_harm_nobody(folder: Folder, tried: str) -> None:
+    _, files = TRIED[tried]
+    folder.write({"secret": HIDDEN, "pull/.git/HEAD": "", **{f"pull/{name}": text for name, text in files.items()}})
+    folder.write({"pull/package.xml": "<package><name>p</name></package>"})
+    before = {path: path.read_bytes() for path in folder.path.rglob("*") if path.is_file()}
+    (folder.path / "pull" / "out").symlink_to(folder.path)
+    main = next(iter(files))
+
+    async def use(editor: Editor) -> str:
+        await editor.open(main)
+        await editor.checked()
+        results = []
+        for command, words in COMMANDS.items():
+            asked = types.ExecuteCommandParams(command, [editor.document(main).uri, *words])
+            results.append(await editor.client.workspace_execute_command_async(asked))
+        told = [message for message in editor.messages if not message.startswith("urdfctl: ")]
+        editor.messages.clear()
+        assert told == []
+        assert await is_alive(editor, folder.path)
+        return repr(results)
+
+    assert HIDDEN not in in_editor(folder.path / "pull", use)
+    assert not (folder.path / "ran").exists()
+    assert {path: path.read_bytes() for path in before} == before
 
 
 @pytest.mark.skipif(os.name != "posix", reason="pipes and links are made as POSIX makes them")

@@ -10,7 +10,9 @@ from collections.abc import AsyncIterator, Callable, Sequence
 from contextlib import asynccontextmanager
 
 from lsprotocol import types
+from pygls.exceptions import JsonRpcException
 
+from urdfctl.errors import UserError
 from urdfctl.server.positions import uri_of
 from urdfctl.server.window import Window
 
@@ -44,13 +46,19 @@ async def show_page(window: Window, name: str, text: str, instead: str | None = 
 
 
 async def pick(window: Window, question: str, choices: Sequence[str]) -> int | None:
-    """Let the user choose, and return the number of the choice; None if the user chose nothing."""
+    """Let the user choose, and return the number of the choice; None if the user chose nothing.
+
+    Raises UserError if the editor has no way to ask.
+    """
     if window.can_pick:
         chosen = await window.protocol.send_request_async(PICK, {"title": question, "choices": list(choices)})
         return chosen if isinstance(chosen, int) and 0 <= chosen < len(choices) else None
     actions = [types.MessageActionItem(choice) for choice in choices]
     asked = types.ShowMessageRequestParams(types.MessageType.Info, question, actions)
-    action = await window.window_show_message_request_async(asked)
+    try:
+        action = await window.window_show_message_request_async(asked)
+    except JsonRpcException:
+        raise UserError(f"this editor cannot ask: {question} ({', '.join(choices)})") from None
     return choices.index(action.title) if action is not None and action.title in choices else None
 
 
