@@ -130,6 +130,22 @@ def test_the_robot_is_shown_in_3_d(folder: Folder) -> None:
     assert "in 3-D" in pages.texts["robot.html"]
 
 
+def test_a_command_without_arguments_is_about_the_file_that_was_looked_at_last(folder: Folder) -> None:
+    folder.write({".git/HEAD": "", "arm.xacro": ARM, "other.xacro": ARM})
+
+    async def use(editor: Editor, _: Pages) -> list[str]:
+        await editor.open("other.xacro")
+        await editor.checked()
+        asked = types.ExecuteCommandParams("urdfctl.graph")
+        await editor.client.workspace_execute_command_async(asked)
+        await values(editor)
+        await editor.client.workspace_execute_command_async(asked)
+        return [message.split("'")[1] for message in editor.messages]
+
+    told, _, _ = used(folder.path, "arm.xacro", use)
+    assert told == ["other.xacro", "arm.xacro"]
+
+
 def test_what_cannot_be_drawn_is_told(folder: Folder) -> None:
     folder.write({".git/HEAD": "", "arm.xacro": ARM})
 

@@ -1,4 +1,7 @@
-"""The commands that an editor can call: each takes the URI of a file, and is about the robots that read it."""
+"""The commands that an editor can call: each takes the URI of a file, and is about the robots that read it.
+
+Without one they are about the file that the user looked at last.
+"""
 
 from __future__ import annotations
 
@@ -88,8 +91,8 @@ def _choose(server: Window) -> None:
 
 
 async def _about(window: Window, words: tuple[Any, ...], do: About) -> Any:
-    """Do a command for the file that its first argument names. What is wrong is told, and the result is None then."""
-    path = path_of(str(words[0])) if words else None
+    """Do a command for its file. What is wrong is told, and the result is None then."""
+    path = path_of(str(words[0])) if words else window.looked_at
     if path is None:
         raise JsonRpcInvalidParams("the first argument must be the URI of a file")
     if window.checking is None:

@@ -44,6 +44,8 @@ class Window(LanguageServer):
         self._temporary: tempfile.TemporaryDirectory[str] | None = None
         self._commands: set[asyncio.Task[object] | None] = set()
         self.can_pick = False
+        self.looked_at: str | None = None
+        """The file that was opened, changed or asked about last."""
         self._wishes = Wishes()
 
     # -- the workspace -------------------------------------------------------------------------------------------------
@@ -86,6 +88,8 @@ class Window(LanguageServer):
         path = path_of(uri)
         if path is None:
             return
+        if text is not None:
+            self.looked_at = path
         if text is not None and path in self._tested and text.encode("utf-8", "surrogatepass") != _on_disk(path):
             del self._tested[path]
         if not self._folders:
@@ -133,6 +137,7 @@ class Window(LanguageServer):
         path = path_of(uri)
         if path is None or self.checking is None:
             return None
+        self.looked_at = path
         workspace = self.checking.workspace_of(path)
         robots, is_chosen = workspace.robots_with(path), workspace.chosen(path) is not None
         sources = [source for robot in robots for source in robot.sources.values()]
