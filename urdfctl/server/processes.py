@@ -7,6 +7,7 @@ import os
 import signal
 import sys
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 
 from urdfctl.startup.records import NamedTuple
 
@@ -64,15 +65,17 @@ async def run_command(
     finally:
         watching.cancel()
         _kill(process)
+        await process.wait()
     return Ended(status, output, tuple(problems))
 
 
 async def _end_when(cancelled: asyncio.Event, process: asyncio.subprocess.Process) -> None:
     await cancelled.wait()
-    if sys.platform == "win32":
-        process.terminate()
-    else:
-        process.send_signal(signal.SIGINT)
+    with suppress(ProcessLookupError):
+        if sys.platform == "win32":
+            process.terminate()
+        else:
+            process.send_signal(signal.SIGINT)
     await asyncio.sleep(_PATIENCE)
     _kill(process)
 
@@ -81,7 +84,8 @@ def _kill(process: asyncio.subprocess.Process) -> None:
     """End a process that has not ended by itself, with its workers."""
     if process.returncode is not None:
         return
-    if sys.platform == "win32":
-        process.kill()
-    else:
-        os.killpg(process.pid, signal.SIGKILL)
+    with suppress(ProcessLookupError):  # it ends meanwhile
+        if sys.platform == "win32":
+            process.kill()
+        else:
+            os.killpg(process.pid, signal.SIGKILL)
