@@ -153,7 +153,7 @@ def _axes(task: Task, wheels: Sequence[Wheel]) -> Iterator[Trouble]:
         if wheel.axis[1] >= LATERAL:
             continue
         how = "backwards" if wheel.axis[1] <= -LATERAL else "about an axis that cannot roll it forward"
-        shown = " ".join(f"{round(part, 3):g}" for part in wheel.axis)
+        shown = " ".join(f"{round(part, 3) + 0.0:g}" for part in wheel.axis)  # not -0
         note = f"its axis in the base frame is {shown}; a wheel that rolls forward turns about 0 1 0"
         subject = f"joint:{wheel.hinge.name}"
         yield trouble_of(wheel_turns_backwards, subject, task.controller, (note,), joint=wheel.hinge.name, how=how)

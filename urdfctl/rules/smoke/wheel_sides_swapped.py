@@ -13,8 +13,8 @@ from urdfctl.rules.smoke.common import ROVER, WHEELS, found_by_smoke_test
     stage=Stage.MOVE,
     severity=Severity.ERROR,
     runtime="misbehaves",
-    message="controller '{controller}' has left and right wheels swapped: '{left}' is on the right side and "
-    "'{right}' on the left",
+    message="controller '{controller}' has left and right wheels swapped: its left wheel '{left}' is on the "
+    "right side, and its right wheel '{right}' on the left",
     authority="diff_drive_controller: the left wheel's velocity is (linear - angular * separation / 2) / radius",
     options=["--distro=jazzy"],
     bad={
