@@ -9,11 +9,17 @@ from smoke_robots import ARMS, Arm, Rover
 from smoking import codes, smoked, target_of, verdicts, whole
 from smoking_engines import EACH_ENGINE
 
+from urdfctl.config.settings import Settings
+from urdfctl.lint.selection import Selection
+from urdfctl.lint.target import lint_target
+from urdfctl.load.loader import Loader
 from urdfctl.model.geometry import Pose
 from urdfctl.rules.smoke.common import LIFT, geared
+from urdfctl.smoke.gears import gears_of, with_gears
 from urdfctl.smoke.hardware import within_ranges
 from urdfctl.smoke.mechanism import Body, Hinge, Mechanism
 from urdfctl.smoke.results import Smoked
+from urdfctl.smoke.tasks import Family, Task
 
 FORWARD = """
 controller_manager:
@@ -194,3 +200,20 @@ def test_a_transmission_that_changes_nothing_leaves_nothing_out(tmp_path: Path, 
     for robot in (urdf, driver(urdf)):
         made = run(tmp_path, robot, FORWARD)
         assert (codes(made), made.controllers[0].untested) == ([], {})
+
+
+def test_joints_that_a_differential_couples_are_not_tested_with_it(tmp_path: Path) -> None:
+    ends = (
+        '<actuator name="a" role="actuator1"/><actuator name="b" role="actuator2"/>'
+        '<joint name="shoulder" role="joint1"/><joint name="elbow" role="joint2"/>'
+    )
+    kind = "<plugin>transmission_interface/DifferentialTransmission</plugin>"
+    coupled = f'<transmission name="t">{kind}{ends}</transmission></ros2_control>'
+    urdf = driver(Arm().urdf(interface="position")).replace("</ros2_control>", coupled)
+    project = lint_target(
+        Loader(Settings(distro="jazzy")), target_of(tmp_path, {"robot.urdf": urdf, "c.yaml": FORWARD}), Selection()
+    ).project
+    gears = gears_of(project, "jazzy")
+    assert [(gear.joint, gear.label) for gear in gears] == [("shoulder", "the coupling"), ("elbow", "the coupling")]
+    [task] = with_gears(gears, [Task("mover", Family.FORWARD, ("elbow",), "position")])
+    assert task.left_out == (("transmission", "the coupling of joint 'elbow' acts in the hardware"),)

@@ -24,7 +24,8 @@ from urdfctl.smoke.simulated import GAZEBO_ROS1, in_gazebo_of_ros1, simulator_of
 from urdfctl.smoke.tasks import Task, driven_of
 from urdfctl.startup.records import NamedTuple
 
-SIMPLE = "transmission_interface/SimpleTransmission"
+_COUPLING = ("DifferentialTransmission", "FourBarLinkageTransmission")
+"""The types that couple two motors and two joints."""
 _IGNORING = ("mock", "gz", "gazebo-classic")
 """The simulators whose hardware in the catalogue moves joints without transmissions: neither gz_ros2_control's
 gz_system.cpp, nor gazebo_ros2_control's gazebo_system.cpp, nor mock_components' generic_system.cpp reads them."""
@@ -36,25 +37,25 @@ class Gear(NamedTuple):
     """The transmission of a joint.
 
     `reduction` is the number of turns of the motor for one of the joint, and `offset` the position of the joint at the
-    motor's zero, in rad or m. `is_simple` is whether one motor moves one joint. `ignored_by` is the hardware that
-    ignores it, or empty.
+    motor's zero, in rad or m. `is_coupled` is whether two motors move two joints together. `ignored_by` is the hardware
+    that ignores it, or empty.
     """
 
     joint: str
     reduction: float
     offset: float
-    is_simple: bool
+    is_coupled: bool = False
     ignored_by: str = ""
 
     @property
     def acts(self) -> bool:
         """Whether motor and joint differ."""
-        return not self.is_simple or self.reduction != 1 or self.offset != 0
+        return self.is_coupled or self.reduction != 1 or self.offset != 0
 
     @property
     def label(self) -> str:
         """The number that makes motor and joint differ, in words."""
-        if not self.is_simple:
+        if self.is_coupled:
             return "the coupling"
         return f"the reduction of {self.reduction:g}" if self.reduction != 1 else f"the offset of {self.offset:g}"
 
@@ -94,7 +95,7 @@ def _gears(
     for joint in transmission.joints:
         offset = next((_number(text, 0.0) for text in joint.offsets), 0.0)
         if joint.name:
-            yield Gear(joint.name, reduction, offset, is_simple=kind == SIMPLE, ignored_by=by)
+            yield Gear(joint.name, reduction, offset, is_coupled=kind.endswith(_COUPLING), ignored_by=by)
 
 
 def _number(text: Text, default: float) -> float:
@@ -111,9 +112,9 @@ def gear_troubles(gears: Sequence[Gear], tasks: Sequence[Task]) -> Iterator[Trou
     ignored = [gear for gear in gears if gear.ignored_by]
     for gear in gears:
         subject, controller = f"joint:{gear.joint}", owners.get(gear.joint)
-        if gear.is_simple and gear.reduction == 0 and not gear.ignored_by:
+        if not gear.is_coupled and gear.reduction == 0 and not gear.ignored_by:
             yield trouble_of(reduction_of_zero, subject, controller, joint=gear.joint)
-        elif gear.is_simple and gear.reduction < 0 and gear.ignored_by:
+        elif not gear.is_coupled and gear.reduction < 0 and gear.ignored_by:
             fields = {"joint": gear.joint, "reduction": f"{gear.reduction:g}", "hardware": gear.ignored_by}
             yield trouble_of(negative_reduction_ignored, subject, controller, (), **fields)
     if ignored:
@@ -122,7 +123,7 @@ def gear_troubles(gears: Sequence[Gear], tasks: Sequence[Task]) -> Iterator[Trou
         fields = {"hardware": first.ignored_by, "what": first.label, "joint": first.joint, "more": more}
         yield trouble_of(transmission_ignored, ROBOT, None, (), **fields)
     for task in tasks:
-        yield from _of_wheels(task, {gear.joint: abs(gear.reduction) for gear in gears if gear.is_simple})
+        yield from _of_wheels(task, {gear.joint: abs(gear.reduction) for gear in gears if not gear.is_coupled})
 
 
 def _of_wheels(task: Task, reductions: dict[str, float]) -> Iterator[Trouble]:
@@ -140,7 +141,7 @@ def with_gears(gears: Sequence[Gear], tasks: Sequence[Task]) -> tuple[Task, ...]
 
     def added(task: Task) -> Task:
         gear = next((used[joint] for joint in task.joints if joint in used), None)
-        turns = ": its motor turns the other way" if gear and gear.is_simple and gear.reduction < 0 else ""
+        turns = ": its motor turns the other way" if gear and not gear.is_coupled and gear.reduction < 0 else ""
         what = (("transmission", f"{gear.label} of joint '{gear.joint}' acts in the hardware{turns}"),) if gear else ()
         return task._replace(left_out=(*task.left_out, *what))
 
