@@ -64,6 +64,25 @@ def test_without_further_options_migrate_prints_a_diff_that_git_applies_and_writ
     assert content(folder) == {**before, "urdf/arm.urdf.xacro": MIGRATED.encode()}
 
 
+def test_a_diff_of_files_elsewhere_has_the_paths_of_their_repository(folder: Folder) -> None:
+    folder.write({f"work/{name}": text for name, text in FILES.items()})
+    subprocess.run(["git", "init", "-q", "work"], cwd=folder.path, check=True)
+    (folder.path / "here").mkdir()
+    ran = folder.run("migrate", "../work/arm", "--to", "jazzy", cwd=folder.path / "here")
+    assert ran.returncode == 1, ran.stderr
+    subprocess.run(["git", "apply"], cwd=folder.path / "work", input=ran.stdout, text=True, check=True)
+    assert (folder.path / "work/arm/urdf/arm.urdf.xacro").read_text() == MIGRATED
+
+
+def test_the_order_of_the_packages_does_not_matter(folder: Folder) -> None:
+    first = ROBOT.replace("ign_ros2_control/IgnitionSystem", "fake_components/GenericSystem")
+    more = {"more/package.xml": MANIFEST.replace("arm", "more"), "more/urdf/more.urdf.xacro": first}
+    folder.write({**FILES, **more})
+    there, back = (folder.run("migrate", *names, "--to", "jazzy") for names in (("arm", "more"), ("more", "arm")))
+    assert there.returncode == 1
+    assert (there.stdout, there.stderr) == (back.stdout, back.stderr)
+
+
 def test_in_place_changes_only_the_bytes_that_it_must_and_writes_a_report(folder: Folder) -> None:
     folder.write(FILES)
     ran = folder.run("migrate", "arm", "--to", "jazzy", "--in-place")

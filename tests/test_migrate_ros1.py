@@ -214,6 +214,13 @@ def test_a_comment_that_humbles_plugin_cannot_pass_on_gets_other_punctuation(fol
     assert "libgazebo_ros2_control.so" in after["urdf/arm.xacro"]
 
 
+def test_a_macro_call_gets_the_prefix_that_xacro_needs_since_noetic(folder: Folder) -> None:
+    after = migrated(folder, {"urdf/legs.xacro": LEGS.replace("xacro:leg ", "leg ").replace("xacro:leg>", "leg>")})
+    assert after["urdf/legs.xacro"].count("<xacro:leg side=") == 2
+    assert after["urdf/legs.xacro"].count("</xacro:leg>") == 2
+    assert '<joint name="${side}_knee">' in after["urdf/legs.xacro"]
+
+
 def test_controllers_get_sections_types_and_doubles_and_keep_their_comments(folder: Folder) -> None:
     before = """\
 # the controllers of the arm

@@ -3,22 +3,41 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from urdfctl.fix.edits import Change
+from urdfctl.source.files import folders_upwards
 
 _ESCAPES = {"\\": "\\\\", '"': '\\"', "\n": "\\n", "\t": "\\t", "\r": "\\r"}
 
 
 def patch(changes: Iterable[Change]) -> bytes:
-    """Return the changes as a diff, with paths relative to the current folder."""
-    return b"".join(line for change in changes for line in _lines(change))
+    """Return the changes as a diff, with paths relative to the current folder, or to the repository of the files.
+
+    `git apply` rejects paths that lead out of the folder in which it runs.
+    """
+    changes = list(changes)
+    base = _base([change.file for change in changes])
+    return b"".join(line for change in changes for line in _lines(change, base))
 
 
-def _lines(change: Change) -> Iterator[bytes]:
+def _base(files: Sequence[str]) -> str:
+    """The current folder if all files are below it, else their only repository if they have one."""
+    here = os.path.realpath(os.curdir)
+    repositories = {_repository(file) for file in files if not file.startswith(os.path.join(here, ""))}
+    return repositories.pop() or here if len(repositories) == 1 else here
+
+
+def _repository(file: str) -> str:
+    """The repository that a file is in; empty if it is in none."""
+    folders = folders_upwards(os.path.dirname(file))
+    return next((folder for folder in folders if os.path.exists(os.path.join(folder, ".git"))), "")
+
+
+def _lines(change: Change, base: str) -> Iterator[bytes]:
     from difflib import diff_bytes, unified_diff
 
-    name = os.path.relpath(change.file, os.path.realpath(os.curdir)).replace(os.sep, "/")
+    name = os.path.relpath(change.file, base).replace(os.sep, "/")
     old, new = _split(change.before or b""), _split(change.after or b"")
     header, new_header = _header("a", name), _header("b", name)
     if change.before is None or change.after is None:

@@ -54,7 +54,7 @@ def migrate(scratch: Scratch, wishes: Wishes, settings: Settings, lint: Lint, st
     left_out: dict[Key, str] = {}
     for _ in range(MOST_PASSES):
         target = lint(settings._replace(distro=wishes.target))
-        packages = Packages(scratch, wishes, settings, source, known)
+        packages = Packages(scratch, wishes, settings, linted=source, known=known, began=first)
         wanted = [step for step in steps if _is_wanted(step, packages)]
         state = before(source, target, packages.loaded())
         if not wishes.only:

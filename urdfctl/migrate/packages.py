@@ -29,16 +29,23 @@ class Packages:
     settings: the settings of the run, with the distro to migrate from if the user names it.
     linted: the targets before the migration, with their results.
     known: the targets that were read before.
+    began: the targets at the beginning of the run, which say what is migrated; in a later pass they are not `linted`.
     """
 
     def __init__(
-        self, scratch: Scratch, wishes: Wishes, settings: Settings, linted: Linted, known: Memory[LoadedTarget]
+        self,
+        scratch: Scratch,
+        wishes: Wishes,
+        settings: Settings,
+        linted: Linted,
+        known: Memory[LoadedTarget],
+        began: Linted,
     ) -> None:
         self.scratch = scratch
         self.wishes = wishes
         self.settings = settings
         self.linted = linted
-        self._known = known
+        self._known, self._began = known, began
         self._sources: dict[str, SourceText] = {}
         self._loaded: dict[str | None, list[LoadedTarget]] = {}
 
@@ -47,7 +54,7 @@ class Packages:
         """The distro to migrate from: the one that the user names, or the earliest that all targets may be for."""
         if self.wishes.source:
             return self.wishes.source
-        possible = [result.distros for _, result in self.linted if 0 < len(result.distros) < len(ALL)]
+        possible = [result.distros for _, result in self._began if 0 < len(result.distros) < len(ALL)]
         return min((distros[0] for distros in possible), key=ALL.index, default=None)
 
     @property
@@ -55,7 +62,7 @@ class Packages:
         """Whether a part of the packages is for ROS 1."""
         if self.wishes.source:
             return generation(self.wishes.source) == 1
-        return any(result.ros == 1 for _, result in self.linted)
+        return any(result.ros == 1 for _, result in self._began)
 
     def crosses(self, since: str) -> bool:
         """Return whether the migration leads from a distro before `since` to it or a later one."""

@@ -149,16 +149,14 @@ def bytes_of(path: str) -> bytes | None:
 
 
 def _folders(paths: Sequence[str]) -> list[str]:
-    """The folders that paths mean, by real path: the package around a file, or around a folder in a package."""
+    """The folders that paths mean, by real path and in order: the package around a file or folder, or the folder."""
     found = []
     for path in paths:
         if not os.path.exists(path):
             raise UserError(f"file or folder '{path}' does not exist")
         folder = path if os.path.isdir(path) else os.path.dirname(os.path.abspath(path))
         found.append(os.path.realpath(package_around(os.path.abspath(folder)) or folder))
-    return [
-        folder for folder in dict.fromkeys(found) if not any(folder != one and _is_below(folder, one) for one in found)
-    ]
+    return sorted(folder for folder in {*found} if not any(folder != one and _is_below(folder, one) for one in found))
 
 
 def _name(folder: str) -> str | None:
