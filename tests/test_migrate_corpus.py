@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import os
+import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 from corpus import CORPUS, needs_corpus
+from folder import environment
 from generating import command
 from sampling import WHOLE, sample
 
@@ -23,12 +27,31 @@ def repositories() -> list[Path]:
     return [*whole, *sorted(PAIRS.glob("*/before"))]
 
 
+def diff(folder: Path, *words: str) -> bytes:
+    """The diff of a migration to jazzy in a folder."""
+    ran = subprocess.run(
+        [sys.executable, "-m", "urdfctl", "migrate", *words, "--to", "jazzy"],
+        cwd=folder,
+        env=environment({}),
+        capture_output=True,
+        check=False,
+    )
+    assert ran.returncode in (0, 1), ran.stderr
+    return ran.stdout
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    """The files in a folder, without those of git and the report."""
+    files = (path for path in folder.rglob("*") if path.is_file() and path.name != "MIGRATION.md")
+    found = {path.relative_to(folder).as_posix(): path.read_bytes() for path in files}
+    return {name: data for name, data in found.items() if not name.startswith(".git/")}
+
+
 def migrated(source: Path, distro: str, target: Path) -> dict[str, bytes]:
     """The files of a migrated copy, without the report."""
     ran = command("migrate", str(source), "--to", distro, "-o", str(target))
     assert ran.returncode == 0, ran.stderr
-    files = (path for path in target.rglob("*") if path.is_file() and path.name != "MIGRATION.md")
-    return {path.relative_to(target).as_posix(): path.read_bytes() for path in files}
+    return contents(target)
 
 
 @needs_corpus
@@ -39,3 +62,17 @@ def test_a_migration_does_not_depend_on_its_path_and_is_not_repeated(source: Pat
     assert migrated(tmp_path / "jazzy", "lyrical", tmp_path / "both") == at_once
     again = command("migrate", str(tmp_path / "lyrical"), "--to", "lyrical")
     assert (again.returncode, again.stdout) == (0, "")
+
+
+@needs_corpus
+@pytest.mark.parametrize("source", repositories(), ids=lambda path: path.parent.name if WHOLE else path.name)
+def test_git_applies_the_diff_whatever_the_order_of_the_packages(source: Path, tmp_path: Path) -> None:
+    work = tmp_path / "work"
+    shutil.copytree(source, work, symlinks=True)
+    subprocess.run(["git", "init", "-q"], cwd=work, check=True)
+    packages = sorted({str(manifest.parent) for manifest in work.rglob("package.xml")})
+    assert diff(work, *packages) == diff(work, *reversed(packages))
+    patch = diff(work, ".")
+    if patch:
+        subprocess.run(["git", "apply", "--whitespace=nowarn"], cwd=work, input=patch, check=True)
+    assert contents(work) == migrated(source, "jazzy", tmp_path / "jazzy")
