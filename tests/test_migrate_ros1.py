@@ -415,6 +415,14 @@ def test_a_package_of_catkin_is_built_by_ament_and_installs_its_folders(folder: 
     assert "catkin" not in build
 
 
+def test_a_folder_that_a_loop_does_not_install_gets_a_rule(folder: Folder) -> None:
+    rule = "install(DIRECTORY ${dir} DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})"
+    loop = f"foreach(dir urdf meshes)\n  {rule}\nendforeach()\n"
+    files = {"CMakeLists.txt": f"project(arm)\nfind_package(catkin)\n{loop}catkin_package()\n", "rviz/arm.rviz": ""}
+    build = migrated(folder, {**files, "urdf/arm.xacro": arm(transmission("EffortJointInterface"))})["CMakeLists.txt"]
+    assert "install(DIRECTORY rviz\n" in build
+
+
 def test_a_package_with_compiled_code_is_left_to_a_person(folder: Folder) -> None:
     cmake = "project(arm)\nfind_package(catkin REQUIRED)\ncatkin_package()\nadd_library(driver src/driver.cpp)\n"
     after = migrated(folder, {"CMakeLists.txt": cmake, "urdf/arm.xacro": arm(transmission("EffortJointInterface"))})

@@ -9,10 +9,14 @@ BRIDGE_FILE = "config/bridge.yaml"
 
 
 def installs(text: str, folder: str) -> bool:
-    """Return whether a build file has an install rule that names a folder, or takes folders from a variable."""
-    rules = re.findall(r"(?s)install\s*\((?:[^()]|\([^()]*\))*\)", re.sub(r"#.*", "", text))
+    """Return whether a build file has an install rule that names a folder, or takes folders from an unknown list."""
+    text = re.sub(r"#.*", "", text)
+    rules = re.findall(r"(?s)install\s*\((?:[^()]|\([^()]*\))*\)", text)
     lists = re.findall(r"(?s)foreach\s*\(.*?\)", text)
-    return any(re.search(rf"(?<![\w/]){folder}\b|\$\{{dir", rule) for rule in [*rules, *lists])
+    if any(re.search(rf"(?<![\w/]){folder}\b", part) for part in [*rules, *lists]):
+        return True
+    is_known = bool(lists) and not any("$" in each for each in lists)
+    return not is_known and any("${dir" in rule for rule in rules)
 
 
 def install_rule(*folders: str) -> str:
