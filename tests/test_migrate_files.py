@@ -69,6 +69,23 @@ def test_launch_files_in_xml_get_the_topic_and_the_file_of_the_spawner(folder: F
     assert after == wanted.replace("ctl --stopped", f"ctl --inactive --param-file {file}")
 
 
+def test_a_spawner_in_xml_gets_the_file_that_an_argument_chooses_for_the_manager(folder: Folder) -> None:
+    file = "$(find-pkg-share arm)/config/$(var file).yaml"
+    launch = f"""\
+<launch>
+  <arg name="file" default="one"/>
+  <node pkg="controller_manager" exec="ros2_control_node">
+    <param from="{file}"/>
+  </node>
+  <node pkg="controller_manager" exec="spawner" args="ctl"/>
+</launch>
+"""
+    own = controllers(DIFF, "odom_frame_id: odom\n")
+    files = {"launch/a.launch.xml": launch, "config/one.yaml": own, "config/two.yaml": own}
+    after = migrated(folder, files, "--to", "jazzy", "--only", "launch")["launch/a.launch.xml"]
+    assert after == launch.replace('args="ctl"', f'args="ctl --param-file {file}"')
+
+
 def test_a_spawner_whose_line_would_be_too_long_gets_a_line_for_each_argument(folder: Folder) -> None:
     head = "from launch_ros.actions import Node\n\n"
     node = "Node(\n    package='controller_manager', executable='spawner',\n    arguments=['ctl', '-c', '/cm'],\n)\n"

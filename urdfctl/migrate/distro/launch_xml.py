@@ -66,11 +66,20 @@ def _spawner(
     files = sections_near(known, node.source)
     names = list(takewhile(lambda word: not word.startswith("-"), words))
     own = {path for name in names for path in files.get(name, ())}
-    if len(own) != 1 or not all(name in files for name in names):
+    file = _file_of_manager(nodes) or (_file(packages, nodes, next(iter(own))) if len(own) == 1 else None)
+    if file is None or not own or not all(name in files for name in names):
         return
-    edit = Edit(SourceSpan(span.source, span.end, span.end), f" --param-file {_file(packages, nodes, own.pop())}")
+    edit = Edit(SourceSpan(span.source, span.end, span.end), f" --param-file {file}")
     what = "the spawner gives its controllers their parameters: --param-file"
     yield Proposal((edit,), entries=(_done(what, node, AUTHORITY_OF_FILE),))
+
+
+def _file_of_manager(nodes: Sequence[Element]) -> str | None:
+    """The only file that the controller managers of a launch file get; None if there is none, or several."""
+    managers = (node for node in nodes if node.attrs["exec"] == "ros2_control_node")
+    files = {child.attrs.get("from", "") for node in managers for child in node.elements() if child.tagName == "param"}
+    files.discard("")
+    return files.pop() if len(files) == 1 else None
 
 
 def _file(packages: Packages, nodes: Sequence[Element], path: str) -> str:
