@@ -105,8 +105,8 @@ def test_a_ball_that_does_not_slide_is_dragged() -> None:
 # -- gears -----------------------------------------------------------------------------------------------------------
 
 
-def gear(joint: str, reduction: float, ignored_by: str = "", offset: float = 0.0, *, simple: bool = True) -> Gear:
-    return Gear(joint, reduction, offset, is_simple=simple, ignored_by=ignored_by)
+def gear(joint: str, reduction: float, ignored_by: str = "", offset: float = 0.0, *, coupled: bool = False) -> Gear:
+    return Gear(joint, reduction, offset, is_coupled=coupled, ignored_by=ignored_by)
 
 
 def told(*gears: Gear) -> list[str]:
@@ -126,7 +126,7 @@ def told(*gears: Gear) -> list[str]:
 )
 def test_the_wheels_of_a_base_have_the_same_gears(left: float, right: float, expected: list[str]) -> None:
     assert told(gear("l", left), gear("r", right)) == expected
-    assert told(gear("l", left, simple=False), gear("r", right, simple=False)) == []
+    assert told(gear("l", left, coupled=True), gear("r", right, coupled=True)) == []
 
 
 def test_a_wheel_without_a_gear_differs_from_one_that_has_one() -> None:
@@ -137,7 +137,7 @@ def test_a_wheel_without_a_gear_differs_from_one_that_has_one() -> None:
 def test_a_reduction_of_0_stops_what_uses_it_and_a_negative_one_is_ignored_where_hardware_ignores_it() -> None:
     assert told(gear("arm", 0.0)) == ["UC975 joint:arm"]
     assert told(gear("arm", 0.0, "mock")) == ["UC972 robot"]
-    assert told(gear("arm", 0.0, simple=False)) == []
+    assert told(gear("arm", 0.0, coupled=True)) == []
     assert told(gear("arm", -2.0)) == []
     assert told(gear("arm", -2.0, "mock")) == ["UC973 joint:arm", "UC972 robot"]
     assert told(gear("arm", 2.0, "mock")) == ["UC972 robot"]
@@ -158,7 +158,7 @@ def test_ignored_transmissions_are_one_finding(others: int, more: str) -> None:
         (gear("l", 50.0), "the reduction of 50 of joint 'l' acts in the hardware"),
         (gear("l", -50.0), "the reduction of -50 of joint 'l' acts in the hardware: its motor turns the other way"),
         (gear("l", 1.0, offset=0.5), "the offset of 0.5 of joint 'l' acts in the hardware"),
-        (gear("l", -1.0, simple=False), "the coupling of joint 'l' acts in the hardware"),
+        (gear("l", -1.0, coupled=True), "the coupling of joint 'l' acts in the hardware"),
         (gear("l", 50.0, "mock"), None),
         (gear("arm", 50.0), None),
     ],
@@ -174,7 +174,7 @@ def test_what_transmissions_do_in_the_hardware_is_named_as_not_simulated(given: 
         (gear("j", 1.0), False),
         (gear("j", 2.0), True),
         (gear("j", 1.0, offset=0.1), True),
-        (gear("j", 1.0, simple=False), True),
+        (gear("j", 1.0, coupled=True), True),
     ],
 )
 def test_a_direct_drive_is_no_gear(given: Gear, acts: bool) -> None:
