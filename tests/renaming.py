@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import os
 import random
-from collections.abc import Iterator
-from pathlib import Path
+import re
+from collections.abc import Collection, Iterator
 
 from urdfctl.config.settings import Settings
 from urdfctl.errors import UserError
@@ -21,26 +21,28 @@ from urdfctl.source.dom import COMMENT, Element, Text
 NEW = "renamed_here"
 
 
-def differences(path: Path, number: int, seed: int) -> Iterator[str]:
+def differences(target: Target, number: int, seed: int) -> Iterator[str]:
     """Yield each name whose renaming changes more than that name. Names that cannot be renamed are passed over."""
     rng = random.Random(seed)  # noqa: S311
-    loaded = Loader(Settings()).load(Target(str(path)))
+    loaded = Loader(Settings()).load(target)
     names = names_in(loaded) if loaded.root is not None and loaded.project.complete else []
+    before = lint_target(Loader(Settings()), target, Selection())
     for name in rng.choices(names, k=number) if names else ():
         position = name.span.source.position(name.span.start)
         around = NamesAround(Question([loaded], name.span.source, position.line, position.column))
+        written = name.span.text
+        new = re.sub(r"\}([\w-]+)", rf"}}\1_{NEW}", written, count=1) if name.is_computed else NEW
         try:
-            edits = renamed(around, NEW)
+            edits = renamed(around, new)
         except UserError:
             continue
         texts = {os.path.realpath(edit.file): loaded.sources[edit.file].data for edit in edits}
         for edit in sorted(edits, key=lambda one: -one.start):
             real = os.path.realpath(edit.file)
             texts[real] = texts[real][: edit.start] + edit.text.encode() + texts[real][edit.end :]
-        old = around.at.text if around.at is not None else ""
-        after = lint_target(Loader(Settings(), texts), Target(str(path)), Selection())
-        before = lint_target(Loader(Settings()), Target(str(path)), Selection())
-        if _flat(before, old) != _flat(after, old) or _codes(before) != _codes(after):
+        olds = [each.text for each in around.all if each.span == name.span] or [name.text]
+        after = lint_target(Loader(Settings(), texts), target, Selection())
+        if _flat(before, olds) != _flat(after, olds) or _codes(before) != _codes(after):
             yield f"{name.kind} '{name.text}' of {os.path.basename(name.span.file)}:{position.line}"
 
 
@@ -52,8 +54,8 @@ def _codes(linted: LintedTarget) -> list[str]:
 Flat = list[tuple[str, tuple[tuple[str, str], ...], str]]
 
 
-def _flat(linted: LintedTarget, old: str) -> Flat:
-    """All elements with their attributes and texts, in which the old name is written for the new one."""
+def _flat(linted: LintedTarget, old: Collection[str]) -> Flat:
+    """All elements with their attributes and texts, in which all old and new names are one."""
     found: Flat = []
     pending: list[Element] = [linted.root] if linted.root is not None else []
     while pending:
@@ -61,6 +63,12 @@ def _flat(linted: LintedTarget, old: str) -> Flat:
         pending += element.elements()
         nodes = (node for node in element.children() if isinstance(node, Text) and node.nodeType != COMMENT)
         text = "".join(node.data for node in nodes).strip()
-        values = sorted((key, old if value == NEW else value) for key, value in element.attrs.items())
-        found.append((element.tagName, tuple(values), old if text == NEW else text))
+        values = sorted((key, _plain(value, old)) for key, value in element.attrs.items())
+        found.append((element.tagName, tuple(values), _plain(text, old)))
     return sorted(found)
+
+
+def _plain(text: str, old: Collection[str]) -> str:
+    """A text without the mark of the new name; "old" for a name that is renamed as a whole."""
+    plain = text.replace(f"_{NEW}", "")
+    return "old" if plain == NEW or plain in old else plain

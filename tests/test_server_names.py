@@ -143,10 +143,21 @@ def test_a_controller_is_renamed_in_its_file_and_where_it_is_started(folder: Fol
     assert changed[STARTS] == LAUNCH.replace("'turn'", "'look'")
 
 
+def test_the_literal_part_of_a_computed_name_is_renamed_with_all_names_that_come_of_it(folder: Folder) -> None:
+    yaml = CONTROLLERS.replace("[neck]", "[neck, left_hinge]")
+    asks = question(folder, XACRO, place(MACROS, "_hinge"), YAML=yaml)
+    edits = sorted(renamed(NamesAround(asks), "${side}_axle"), key=lambda edit: edit.file)
+    assert [(os.path.basename(edit.file), edit.text) for edit in edits] == [
+        ("controllers.yaml", "left_axle"),
+        ("macros.xacro", "${side}_axle"),
+    ]
+
+
 @pytest.mark.parametrize(
     ("file", "name", "new", "reason"),
     [
-        (XACRO, "_hinge", "x", "is computed from '${side}_hinge' at macros.xacro:4; rename its parts there"),
+        (XACRO, "_hinge", "${other}_x", "change only its literal parts, as in '${side}new_hinge'"),
+        (XACRO, "_hinge", "x", "is computed from '${side}_hinge' at macros.xacro:4; rename its literal parts there"),
         (URDF, "neck", "right_hinge", "joint 'right_hinge' exists already"),
         (URDF, "neck", "a b", "'a b' is no name for a joint"),
         (URDF, "revolute", "x", "there is no name here that can be renamed"),

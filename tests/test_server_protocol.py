@@ -150,6 +150,33 @@ def test_edits_are_for_a_version_if_the_editor_can_tell(folder: Folder) -> None:
     assert len(part.edits) == 2
 
 
+def test_a_computed_name_is_renamed_with_a_preview(folder: Folder) -> None:
+    text = TEXT.replace('<link name="arm"/>', '<xacro:property name="s" value="a"/><link name="${s}rm"/>')
+
+    async def use(editor: Editor) -> tuple[object, types.WorkspaceEdit | None]:
+        await editor.open(NAME, text)
+        await editor.checked()
+        document, at = editor.document(NAME), types.Position(5, text.splitlines()[5].index("rm"))
+        asked = types.PrepareRenameParams(document, at)
+        offered = await editor.client.text_document_prepare_rename_async(asked)
+        return offered, await editor.client.text_document_rename_async(types.RenameParams(document, at, "${s}nkle"))
+
+    understands = types.WorkspaceEditClientCapabilities(
+        document_changes=True, change_annotation_support=types.ChangeAnnotationsSupportOptions()
+    )
+    can = types.ClientCapabilities(workspace=types.WorkspaceClientCapabilities(workspace_edit=understands))
+    offered, edit = in_editor(ws(folder, text), use, can=can)
+    assert isinstance(offered, types.PrepareRenamePlaceholder)
+    assert offered.placeholder == "${s}rm"
+    assert edit is not None
+    assert edit.document_changes is not None
+    assert edit.change_annotations is not None
+    assert edit.change_annotations["preview"].needs_confirmation
+    [part] = edit.document_changes
+    assert isinstance(part, types.TextDocumentEdit)
+    assert [one.new_text for one in part.edits if isinstance(one, types.AnnotatedTextEdit)] == ["ankle", "${s}nkle"]
+
+
 def test_a_file_that_is_opened_by_a_link_has_its_findings_there(folder: Folder, tmp_path: Path) -> None:
     path = ws(folder)
     link = path.parent / f"link_to_{path.name}"

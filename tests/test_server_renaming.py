@@ -10,16 +10,27 @@ from folder import CHECKOUT
 from renaming import differences
 from sampling import sample
 
+from urdfctl.load.target import Target
+from urdfctl.server.workspace import Wishes, Workspace
+
 SAMPLES = sorted((CHECKOUT / "samples").glob("*/urdf/*.xacro"))
 
 
 @pytest.mark.parametrize("path", SAMPLES, ids=lambda path: path.name)
 def test_names_of_samples_are_renamed_everywhere(path: Path) -> None:
-    assert list(differences(path, number=10, seed=1)) == []
+    assert list(differences(Target(str(path)), number=10, seed=1)) == []
+
+
+@pytest.mark.parametrize("name", ["my_robot", "mybot", "radu", "gripper"])
+def test_names_of_what_is_started_together_are_renamed_everywhere(name: str) -> None:
+    run = Workspace(str(CHECKOUT / "samples" / name), Wishes()).check().run
+    targets = [target for target, result in run.targets if result.launch is not None]
+    assert targets
+    assert [found for target in targets for found in differences(target, number=6, seed=2)] == []
 
 
 @needs_corpus
 def test_names_of_public_robots_are_renamed_everywhere() -> None:
     paths = [root["path"] for root in sample(roots(), 25)]
-    found = {path: list(differences(CORPUS / path, number=4, seed=1)) for path in paths}
+    found = {path: list(differences(Target(str(CORPUS / path)), number=4, seed=1)) for path in paths}
     assert {path: names for path, names in found.items() if names} == {}

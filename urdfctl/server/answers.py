@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from lsprotocol import types
 from pygls.exceptions import JsonRpcInvalidParams
 
-from urdfctl.diagnostic import Location
+from urdfctl.diagnostic import Location, located
 from urdfctl.errors import UserError
 from urdfctl.report.rule_explanation import rule_explanation
 from urdfctl.rules import all_rules
@@ -20,9 +20,10 @@ from urdfctl.server.navigation import NamesAround, definitions, references, rena
 from urdfctl.server.positions import Positions, path_of
 from urdfctl.server.question import Question
 from urdfctl.server.symbols import hints_in, symbols_in
+from urdfctl.server.versions import previewed
 from urdfctl.server.window import Window
 
-_Placed = types.DefinitionParams | types.ReferenceParams | types.RenameParams
+_Placed = types.DefinitionParams | types.ReferenceParams | types.RenameParams | types.PrepareRenameParams
 _START = types.Position(0, 0)
 _SYMBOLS = {
     "link": types.SymbolKind.Object,
@@ -102,9 +103,22 @@ def _about_names(server: Window) -> None:
         around = names(window, params)
         try:
             edits = renamed(around, params.new_name) if around else None
-            return window.versioned(edit_of(edits, window.positions())) if edits is not None else None
         except UserError as error:
             raise JsonRpcInvalidParams(str(error)) from None
+        if around is None or around.at is None or edits is None:
+            return None
+        edit = window.versioned(edit_of(edits, window.positions()))
+        if around.at.is_computed:
+            return previewed(edit, f"names from {around.at.span.text}", window.client_capabilities)
+        return edit
+
+    @server.feature(types.TEXT_DOCUMENT_PREPARE_RENAME)
+    def prepare(window: Window, params: types.PrepareRenameParams) -> types.PrepareRenamePlaceholder | None:
+        around = names(window, params)
+        if around is None or around.at is None:
+            return None
+        span = around.at.span
+        return types.PrepareRenamePlaceholder(window.positions().range_of(located(span)), span.text)
 
     @server.feature(types.TEXT_DOCUMENT_HOVER)
     def about(window: Window, params: types.HoverParams) -> types.Hover | None:

@@ -6,10 +6,11 @@ files; names of xacro (macros, parameters, properties, arguments) from the files
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Iterator
 
 from urdfctl.load.loader import LoadedTarget
-from urdfctl.server.xacro_names import xacro_names
+from urdfctl.server.xacro_names import ARGUMENT, xacro_names
 from urdfctl.source.dom import Element
 from urdfctl.source.files import is_yaml
 from urdfctl.source.problem import ReadError
@@ -101,6 +102,12 @@ def _names(loaded: LoadedTarget) -> Iterator[Name]:
     launch = loaded.project.launch
     for spawn in launch.spawns if launch else ():
         yield from (Name(CONTROLLER, name, at.part(name).span) for name, at in spawn.names if name)
+    if loaded.root is not None:
+        path = os.path.realpath(loaded.root.source.path)
+        given = (
+            one for one in (launch.descriptions if launch else ()) if os.path.realpath(one.file.path or "") == path
+        )
+        yield from (Name(ARGUMENT, word.text, word.at.part(word.text).span) for one in given for word in one.names)
     for source in loaded.sources.values():
         if source.path.endswith(".srdf"):
             yield from _of_srdf(source, known)

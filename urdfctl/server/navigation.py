@@ -10,6 +10,7 @@ from urdfctl.diagnostic import Location, Replacement, located
 from urdfctl.errors import UserError
 from urdfctl.server.names import LINK, Name, name_at, names_in
 from urdfctl.server.question import Question
+from urdfctl.server.templates import renamed_parts
 from urdfctl.server.xacro_names import MACRO, PARAMETER, PROPERTY
 
 _IDENTIFIER = r"[A-Za-z_]\w*"
@@ -59,16 +60,21 @@ def _places(names: Iterable[Name]) -> list[Location]:
 
 
 def renamed(around: NamesAround, new: str) -> list[Replacement]:
-    """Return the edits that rename the thing at the asked place. UserError with the reason if that is impossible."""
+    """Return the edits that rename the thing at the asked place. UserError with the reason if that is impossible.
+
+    A computed name is given with its expressions: `${prefix}wrist` for `${prefix}elbow`.
+    """
     at = around.at
     if at is None or not around.is_current:
         raise UserError("there is no name here that can be renamed, or a file with it cannot be read now")
+    if at.is_computed and "$" in new and not _SIGNS - set("${}") & set(new):
+        return renamed_parts(around.all, at, new)
     places = around.same()
     computed = next((name for name in places if name.is_computed), None)
     if computed is not None:
         where = located(computed.span)
         written = f"'{computed.span.text}' at {os.path.basename(where.file)}:{where.line}"
-        raise UserError(f"'{computed.text}' is computed from {written}; rename its parts there")
+        raise UserError(f"'{computed.text}' is computed from {written}; rename its literal parts there")
     if (at.kind, at.text) in _SPECIAL:
         raise UserError(f"{at.kind} '{at.text}' has a meaning of its own by this name")
     if not any(name.defines for name in places):

@@ -49,3 +49,18 @@ def versioned(
         open_uri, version = versions.get(path_of(uri), (uri, None))
         parts.append(types.TextDocumentEdit(types.OptionalVersionedTextDocumentIdentifier(open_uri, version), edits))
     return types.WorkspaceEdit(document_changes=parts)
+
+
+def previewed(edit: types.WorkspaceEdit, why: str, client: types.ClientCapabilities) -> types.WorkspaceEdit:
+    """Return a versioned edit that the editor shows before it is made, if the editor can do that."""
+    workspace = client.workspace.workspace_edit if client.workspace else None
+    if edit.document_changes is None or workspace is None or workspace.change_annotation_support is None:
+        return edit
+    parts: list[types.TextDocumentEdit | types.CreateFile | types.RenameFile | types.DeleteFile] = []
+    for part in edit.document_changes:
+        if isinstance(part, types.TextDocumentEdit):
+            plain = [one for one in part.edits if isinstance(one, types.TextEdit)]
+            shown = [types.AnnotatedTextEdit("preview", one.range, one.new_text) for one in plain]
+            parts.append(types.TextDocumentEdit(part.text_document, shown))
+    note = types.ChangeAnnotation(label=why, needs_confirmation=True)
+    return types.WorkspaceEdit(document_changes=parts, change_annotations={"preview": note})
