@@ -99,7 +99,7 @@ def question(folder: Folder, file: str, at: types.Position, typed: str | None = 
         workspace.check()
     path = os.path.realpath(folder.path / file)
     robots = workspace.robots_with(path)
-    source = SourceText(path, (typed if typed is not None else FILES[file]).encode())
+    source = SourceText(path, typed.encode() if typed is not None else (folder.path / file).read_bytes())
     packages = workspace.packages_for(path)
     return Question(robots, source, at.line + 1, at.character + 1, is_current=typed is None, packages=packages)
 
@@ -135,6 +135,12 @@ def test_a_name_leads_to_its_definition(
 def test_a_joint_is_renamed_in_all_files(folder: Folder) -> None:
     edits = renamed(NamesAround(question(folder, YAML, place(CONTROLLERS, "neck"))), "pan")
     assert texts(edits) == {name: text.replace("neck", "pan") for name, text in FILES.items()}
+
+
+def test_a_parameter_with_the_name_of_a_link_is_not_renamed(folder: Folder) -> None:
+    robot = ROBOT.replace('"head"', '"joints"')
+    edits = renamed(NamesAround(question(folder, URDF, place(robot, '"joints"'), URDF=robot)), "face")
+    assert {os.path.basename(edit.file) for edit in edits} == {"robot.xacro"}
 
 
 def test_a_controller_is_renamed_in_its_file_and_where_it_is_started(folder: Folder) -> None:

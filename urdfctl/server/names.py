@@ -9,7 +9,9 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator
 
+from urdfctl.catalog.map_parameters import matching
 from urdfctl.load.loader import LoadedTarget
+from urdfctl.model.project import Project
 from urdfctl.server.xacro_names import ARGUMENT, xacro_names
 from urdfctl.source.dom import Element
 from urdfctl.source.files import is_yaml
@@ -108,12 +110,29 @@ def _names(loaded: LoadedTarget) -> Iterator[Name]:
             one for one in (launch.descriptions if launch else ()) if os.path.realpath(one.file.path or "") == path
         )
         yield from (Name(ARGUMENT, word.text, word.at.part(word.text).span) for one in given for word in one.names)
+    parameters = set(_parameters(loaded.project))
     for source in loaded.sources.values():
         if source.path.endswith(".srdf"):
             yield from _of_srdf(source, known)
         elif is_yaml(source.path):
             for document in read_yaml(source).documents:
-                yield from _of_yaml(document, known, key="")
+                yield from (name for name in _of_yaml(document, known, key="") if _place(name.span) not in parameters)
+
+
+def _parameters(project: Project) -> Iterator[tuple[str, int]]:
+    """The places of the keys that are parameters of controllers: `right_wheel: hinge` names no link `right_wheel`."""
+    distro = project.distro or next(iter(project.distros[-1:]), None)
+    for controller in project.controllers.controllers if project.controllers and distro else ():
+        kind = controller.type.value if controller.type else None
+        known = project.catalog.controller(kind, distro) if isinstance(kind, str) and distro else None
+        for given in controller.own.leaves if known else ():
+            matched = matching(given.name, known.parameters) if known else None
+            if matched is not None and matched[1] is None:
+                yield _place(given.key.span)
+
+
+def _place(span: SourceSpan) -> tuple[str, int]:
+    return span.file, span.start
 
 
 def _of_robot(root: Element, known: dict[str, set[str]]) -> Iterator[Name]:
