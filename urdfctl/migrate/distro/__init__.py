@@ -8,7 +8,19 @@ from urdfctl.migrate.distro.mimic import MIMIC
 from urdfctl.migrate.distro.moveit import MOVEIT
 from urdfctl.migrate.distro.names import NAMES
 from urdfctl.migrate.distro.parameters import PARAMETERS
+from urdfctl.migrate.distro.stamped import STAMPED, STAMPED_TOPICS
 from urdfctl.migrate.distro.types import DEPENDENCIES, TYPES
 from urdfctl.migrate.step import Step
 
-STEPS: tuple[Step, ...] = (*NAMES, MIMIC, TYPES, DEPENDENCIES, PARAMETERS, LAUNCH_PYTHON, LAUNCH_XML, MOVEIT)
+STEPS: tuple[Step, ...] = (
+    *NAMES,
+    MIMIC,
+    TYPES,
+    DEPENDENCIES,
+    PARAMETERS,
+    STAMPED,
+    STAMPED_TOPICS,
+    LAUNCH_PYTHON,
+    LAUNCH_XML,
+    MOVEIT,
+)

@@ -1,0 +1,108 @@
+"""What commands a mobile base, from jazzy on with a stamp: the nodes that do so, and their topics."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from urdfctl.diagnostic import Edit
+from urdfctl.migrate.controller_files import Section, sections, type_names
+from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.tokens import tokens_in
+from urdfctl.migrate.wishes import Part
+from urdfctl.migrate.yaml_edits import MapEdits
+from urdfctl.source.files import is_launch
+from urdfctl.source.span import Place, SourceSpan
+from urdfctl.startup.patterns import lazy_pattern
+
+_SINCE = "jazzy"
+_STAMPED = "ros2_controllers#812, #958: ~/cmd_vel is always geometry_msgs/msg/TwistStamped"
+_NAV2 = "docs.nav2.org, Iron to Jazzy: enable_stamped_cmd_vel"
+_READERS = (
+    "diff_drive_controller/",
+    "tricycle_controller/",
+    "mecanum_drive_controller/",
+    "omni_wheel_drive_controller/",
+    "ackermann_steering_controller/",
+    "bicycle_steering_controller/",
+    "tricycle_steering_controller/",
+)
+"""The beginnings of the types of controllers that read stamped velocities."""
+_NODES: Mapping[str, tuple[str, str]] = {
+    **dict.fromkeys(
+        ("controller_server", "behavior_server", "velocity_smoother", "collision_monitor", "docking_server"),
+        ("enable_stamped_cmd_vel", _NAV2),
+    ),
+    "twist_mux": ("use_stamped", "ros-teleop twist_mux: use_stamped"),
+    "teleop_twist_joy_node": ("publish_stamped_twist", "ros2 teleop_twist_joy README: publish_stamped_twist"),
+    "teleop_twist_keyboard": ("stamped", "ros2 teleop_twist_keyboard README: stamped"),
+}
+"""By node: its parameter for velocities with a stamp, and the authority."""
+_OF_JOYSTICK = ("axis_linear", "scale_linear", "axis_angular")
+_OLD_TOPIC = lazy_pattern(r"(\w+)/(cmd_vel|reference)_unstamped\Z")
+
+
+def _drives(packages: Packages) -> set[str]:
+    """The controllers of the packages that read stamped velocities."""
+    if not packages.crosses(_SINCE):
+        return set()
+    return {one.controller for one in type_names(packages) if one.value.text.startswith(_READERS)}
+
+
+def _publishers(packages: Packages) -> Iterator[Proposal]:
+    for section in sections(packages) if _drives(packages) else ():
+        parameter = _parameter(section)
+        known = {entry.key.text for entry in section.parameters.entries}
+        if parameter is None or parameter[0] in known or not packages.may_change(section.path):
+            continue
+        name, authority = parameter
+        edits = MapEdits(packages.read(section.path))
+        edits.insert(section.parameters, f"{name}: true")
+        what = f"'{section.node}' publishes velocities with a stamp, which the controllers read: {name}"
+        entry = Entry(EntryKind.DECIDED, what, section.parameters.at, authority=authority, option=f"remove {name}")
+        yield Proposal(edits.edits(), entries=(entry,))
+
+
+def _parameter(section: Section) -> tuple[str, str] | None:
+    if not section.parameters.entries:
+        return None
+    names = {entry.key.text.partition(".")[0] for entry in section.parameters.entries}
+    node = "teleop_twist_joy_node" if names & {*_OF_JOYSTICK} else section.node
+    return _NODES.get(node)
+
+
+def _topics(packages: Packages) -> Iterator[Proposal]:
+    drives = _drives(packages)
+    for path in packages.files(".py", ".xml", ".launch", ".yaml", ".yml") if drives else ():
+        source = packages.read(path)
+        is_read = b"_unstamped" in source.data and (is_launch(path) or path.endswith((".yaml", ".yml")))
+        for token in tokens_in(source) if is_read and packages.may_change(path) else ():
+            found = _OLD_TOPIC.search(token.text)
+            if found is None or found[1] not in drives:
+                continue
+            start = token.end - len(b"_unstamped")
+            what = f"the topic '{token.text}' is now '{token.text.removesuffix('_unstamped')}'"
+            entry = Entry(EntryKind.DONE, what, Place(source, token.start, end=token.end), authority=_STAMPED)
+            yield Proposal((Edit(SourceSpan(source, start, token.end), ""),), entries=(entry,))
+
+
+STAMPED = Step(
+    name="stamped-velocities",
+    part=Part.YAML,
+    summary="Nodes that command a mobile base",
+    propose=_publishers,
+    rows=tuple(
+        Row(f"{node} without {parameter}", f"{parameter}: true", _SINCE, authority)
+        for node, (parameter, authority) in _NODES.items()
+    ),
+)
+STAMPED_TOPICS = Step(
+    name="stamped-topics",
+    part=Part.LAUNCH,
+    summary="Topics that command a mobile base",
+    propose=_topics,
+    rows=(
+        Row("CONTROLLER/cmd_vel_unstamped", "CONTROLLER/cmd_vel", _SINCE, _STAMPED),
+        Row("CONTROLLER/reference_unstamped", "CONTROLLER/reference", _SINCE, _STAMPED),
+    ),
+)
