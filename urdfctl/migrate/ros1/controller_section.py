@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from urdfctl.catalog.catalog import Catalog, catalog_with
 from urdfctl.catalog.distros import ROS2
@@ -13,6 +13,7 @@ from urdfctl.migrate.ros1.controller_map import Item
 from urdfctl.migrate.ros1.parameters import Change, changed, changes_of, pid_settings
 from urdfctl.migrate.ros1.wheel_measures import measured
 from urdfctl.migrate.step import Entry, EntryKind
+from urdfctl.migrate.todo import todo_line
 from urdfctl.migrate.yaml_edits import MapEdits, Path, leaves
 from urdfctl.source.kinds import Kind
 from urdfctl.source.span import SourceText
@@ -25,6 +26,9 @@ from urdfctl.startup.records import NamedTuple
 
 _RENAMED = "ros2_controllers doc/migration.rst; the parameters that the distro's branch declares"
 _TYPES = "control.ros.org, differences between ros_control and ros2_control"
+_FRACTION = lazy_pattern(r"[-+]?\d*\.\d*")
+_STAND_INS = {"wheel_separation": 0.5, "wheel_radius": 0.1}
+"""The measures of wheels that a controller requires, with values as the generators write them if they are unknown."""
 _PID = lazy_pattern(r"(?:^|\.)pid\.")
 
 
@@ -101,7 +105,15 @@ class _Writer:
         if lines:
             what = "the controller no longer measures the wheels in the robot: their measures are written"
             self.entries.append(Entry(EntryKind.DONE, what, self.item.entry.key.at, authority=_RENAMED))
-        return lines
+        return [*lines, *self._stand_ins({*names, *(line.partition(":")[0] for line in lines)})]
+
+    def _stand_ins(self, known: Collection[str]) -> Iterator[str]:
+        """Yield the lines of the measures that no robot tells, each with a TODO."""
+        for name, value in _STAND_INS.items():
+            if name not in known:
+                what = f"measure the wheels and write {name} of '{self.item.name}', in m"
+                self.entries.append(Entry(EntryKind.FOR_YOU, what, self.item.entry.key.at, authority=_RENAMED))
+                yield f"{name}: {value}  {todo_line(self.source.path, what)}"
 
     def _scalar(self, path: Path) -> str:
         node = path[-1][1].value
@@ -120,9 +132,11 @@ class _Writer:
             return
         change, element = found or (Change(name), "")
         targets = [each.replace("<>", element) for each in change.name.split()]
-        if not targets or not self._was_ever_read(targets[0]):
+        is_misread = bool(targets) and self._is_misread(value, targets[0])
+        if not targets or is_misread or not self._was_ever_read(targets[0]):
             self._drop(edits, path)
             why = change.why or f"'{self.kind.type}' does not read it in {packages.wishes.target}"
+            why = "it is an integer, and ROS 1 ignores other values" if is_misread else why
             message = f"parameter '{name}' of '{self.item.name}' is dropped: {why}"
             self.entries.append(Entry(EntryKind.DONE, message, key.at, authority=_RENAMED))
             return
@@ -135,6 +149,12 @@ class _Writer:
     def _was_ever_read(self, name: str) -> bool:
         """Whether a distro of ROS 2 reads a parameter: later steps bring it into the form of the target."""
         return bool(matching(name, self.kind.parameters) or matching(name, self.kind.former))
+
+    def _is_misread(self, value: Node, name: str) -> bool:
+        """Whether a value is a number with a fraction for a parameter that is an integer."""
+        parameter = self._parameter(name)
+        is_integer = parameter is not None and set(parameter.types) == {"int"}
+        return is_integer and isinstance(value, Scalar) and _FRACTION.fullmatch(value.text) is not None
 
     def _parameter(self, name: str) -> Parameter | None:
         """The parameter in the target, or in a distro of ROS 2 that still reads it; None if there is none."""
