@@ -101,6 +101,14 @@ def test_of_a_driver_it_is_not_sure(bench: Bench) -> None:
     assert bench.lint(part, controllers("arm") + forward("arm", "tcp", "twist.x")) == []
 
 
+def test_of_a_driver_whose_joints_list_no_interface_nothing_is_said(bench: Bench) -> None:
+    hardware = "<hardware><plugin>{}</plugin></hardware>"
+    part = f'<ros2_control name="a" type="system">{hardware}<joint name="elbow"/></ros2_control>'
+    menu = controllers("arm") + forward("arm", "elbow", "velocity")
+    assert bench.codes(part.format("acme_driver/Arm"), menu) == []
+    assert bench.codes(part.format("mock_components/GenericSystem"), menu) == ["error UC450"]
+
+
 def test_controllers_for_the_choice_are_no_fault(bench: Bench) -> None:
     menu = controllers("arm", "pushing") + forward("arm", "elbow") + forward("pushing", "elbow", "effort")
     assert bench.codes(ARM, menu) == ["info UC450"]

@@ -57,6 +57,8 @@ class Hardware(NamedTuple):
     """False if nothing is known about the hardware."""
     fixed: frozenset[str] = frozenset()
     """Joints of the robot that are fixed."""
+    bare: frozenset[str] = frozenset()
+    """Components of drivers that export interfaces of their own: the description lists none at all."""
 
     def offers(self, kind: Kind) -> Offers:
         """Return the command or the state interfaces."""
@@ -77,6 +79,8 @@ class Hardware(NamedTuple):
             return None
         if not self.open or component in self.exact:
             return Absence.SURE
+        if component in self.bare:
+            return None
         return Absence.LIKELY if self.has(component) or component in self.joints else None
 
 

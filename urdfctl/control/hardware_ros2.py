@@ -25,6 +25,7 @@ def described_hardware(robot: Robot, catalog: Catalog, distro: str) -> Hardware:
     command: list[Offer] = []
     state: list[Offer] = []
     exact: set[str] = set()
+    bare: set[str] = set()
     is_open = False
     for control in controls:
         plugin = _hardware_type(control, catalog, distro)
@@ -34,9 +35,19 @@ def described_hardware(robot: Robot, catalog: Catalog, distro: str) -> Hardware:
             exact |= {part.name.strip() for part in control.parts if part.name}
         else:
             is_open = True
+            if not any(part.interfaces for part in control.parts):
+                bare |= {part.name.strip() for part in control.parts if part.name}
     joints = frozenset(robot.joint_names)
     fixed = fixed_joints(robot)
-    return Hardware(by_component(command), by_component(state), frozenset(exact), joints, open=is_open, fixed=fixed)
+    return Hardware(
+        by_component(command),
+        by_component(state),
+        frozenset(exact),
+        joints,
+        open=is_open,
+        fixed=fixed,
+        bare=frozenset(bare),
+    )
 
 
 def _is_partly_unknown(controls: tuple[Ros2Control, ...]) -> bool:

@@ -15,6 +15,8 @@ def nothing_to_claim(session: Session, controller: Configured) -> Absence | None
     kind, hardware = controller.type, session.hardware
     if kind is None or kind.needs_interface is None or not controller.claims.complete or not hardware.known:
         return None
+    if hardware.bare:
+        return None
     if any(_is_met(session, claim, which) for which in Kind for claim in controller.claimed(which)):
         return None
     if any(
