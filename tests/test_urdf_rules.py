@@ -593,6 +593,20 @@ def test_a_mesh_without_a_file_name_is_reported(tmp_path: Path) -> None:
     assert codes(tmp_path, joint(LIMIT, link=MASS + mesh)) == ["UC142 warning"]
 
 
+@pytest.mark.parametrize(
+    ("there", "meant"),
+    [("link1.stl", ""), ("link0.STL", "; did you mean 'link0.STL'?"), ("link_0.stl", "; did you mean 'link_0.stl'?")],
+)
+def test_the_mesh_of_another_link_is_not_meant(tmp_path: Path, there: str, meant: str) -> None:
+    (tmp_path / "package.xml").write_text("<package><name>arm</name></package>")
+    (tmp_path / "meshes").mkdir()
+    for name in {"link1.stl", there}:
+        (tmp_path / "meshes" / name).write_text("solid a")
+    visual = '<visual><geometry><mesh filename="package://arm/meshes/{}.stl"/></geometry></visual>'
+    (finding,) = findings(tmp_path, joint(LIMIT, link=MASS + visual.format("link0") + visual.format("link1")))
+    assert finding.message.endswith(f"/link0.stl'{meant}")
+
+
 def test_one_mesh_of_a_missing_folder_is_reported(tmp_path: Path) -> None:
     (tmp_path / "package.xml").write_text("<package><name>arm</name></package>")
     visual = '<visual><geometry><mesh filename="package://arm/meshes/{}.stl"/></geometry></visual>'

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from urdfctl.model.robot import Mesh
 from urdfctl.rule import Finding, Project, Severity, rule
@@ -59,13 +59,14 @@ def mesh_not_found(project: Project) -> Iterator[Finding]:
     """
     robot = robot_in(project)
     missing: dict[str, dict[str, Mesh]] = {}
-    existing = set()
+    existing, used = set(), set()
     for mesh in robot.meshes if robot else ():
         folder = mesh.filename.rpartition("/")[0]
         if mesh.file is None or not mesh.file.package_found or not is_known(mesh.filename):
             continue
         if mesh.file.exists:
             existing.add(folder)
+            used.add(mesh.filename.rpartition("/")[2])
         else:
             missing.setdefault(folder, {}).setdefault(mesh.filename, mesh)
     for folder, by_name in missing.items():
@@ -73,10 +74,17 @@ def mesh_not_found(project: Project) -> Iterator[Finding]:
         whole_folder = folder not in existing and len(meshes) > 1
         more = f" (all {len(meshes)} meshes of its folder are missing)" if whole_folder else ""
         for mesh in meshes[:1] if whole_folder else meshes:
-            nearest = mesh.file.nearest if mesh.file and not whole_folder else None
+            nearest = _meant(mesh, used) if not whole_folder else None
             hint = f"; did you mean '{nearest}'?" if nearest else ""
             problem = f"mesh of {label('link', mesh.link)} does not exist: '{_shown(mesh)}'"
             yield Finding(mesh.at, f"{problem}{more}{hint}")
+
+
+def _meant(mesh: Mesh, used: Collection[str]) -> str | None:
+    """The file that is likely meant: not the mesh of another link, unless only the ending or the case differs."""
+    nearest = mesh.file.nearest if mesh.file else None
+    stems = {name.rpartition("/")[2].rpartition(".")[0].lower() for name in (nearest or "", mesh.filename)}
+    return nearest if nearest not in used or len(stems) == 1 else None
 
 
 def _shown(mesh: Mesh) -> str:
