@@ -110,6 +110,22 @@ def test_of_ros_1_what_a_launch_file_loads_is_all_there_is(folder: Folder) -> No
     assert found(folder, ros1(node.format("arms arm"), controllers=controllers), "UC601") == both
 
 
+@pytest.mark.parametrize(
+    ("more", "severity"),
+    [
+        ((MANAGER,), "info"),
+        ((MANAGER, '<include file="$(find-pkg-share ros_gz_sim)/launch/gz_sim.launch.py"/>'), "error"),
+        ((), "warning"),
+    ],
+)
+def test_gazebo_loses_no_link_of_a_robot_that_a_launch_file_starts_without_it(
+    folder: Folder, more: tuple[str, ...], severity: str
+) -> None:
+    tool = '<link name="tool"/><joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>'
+    files = launched(PUBLISHER, *more, robot=samples.ROBOT + tool)
+    assert [one[1] for one in found(folder, files, "UC133")] == [severity]
+
+
 def test_a_spawner_that_only_other_arguments_start_makes_a_warning(folder: Folder) -> None:
     sometimes = spawner("gripper").replace("<node ", '<node if="$(env WHAT)" ')
     assert [one[1] for one in found(folder, launched(MANAGER, sometimes), "UC601")] == ["warning"]

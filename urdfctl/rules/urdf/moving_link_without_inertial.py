@@ -39,7 +39,8 @@ def moving_link_without_inertial(project: Project) -> Iterator[Finding]:
 
     No link that is fixed to it has an <inertial> either. Gazebo drops the link, its joint and everything below it;
     older versions do so silently. Its control plugin then does not know the joint. This is an error if the robot certainly
-    runs in Gazebo. Real hardware is not affected.
+    runs in Gazebo. Real hardware is not affected: this is only worth knowing if the launch file starts no simulator, and
+    nothing of the robot is for Gazebo.
     """
     robot = whole_robot_in(project)
     if robot is None or not project.may_be_simulated:
@@ -47,6 +48,8 @@ def moving_link_without_inertial(project: Project) -> Iterator[Finding]:
     if all(link.inertials for link in robot.links):
         return
     severity = Severity.ERROR if sure_simulator(project) in ("gz", "gazebo-classic") else None
+    if project.launch is not None and project.launch.runs_without_simulator and not robot.gazebos:
+        severity = Severity.INFO
     lost = [body for body in vanishing(robot) if not any(inertial_of(link) for link in body.links)]
     if lost and not any(link.inertials for link in robot.links):
         message = "no link of the robot has an <inertial>; Gazebo drops all moving links"
