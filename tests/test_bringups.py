@@ -175,6 +175,23 @@ def test_show_names_the_launch_file_of_a_robot_without_controllers(folder: Folde
     ]
 
 
+def test_a_path_of_another_machine_counts_in_a_robot_that_a_launch_file_starts(folder: Folder) -> None:
+    path = "/home/me/ws/install/arm/share/arm/config/c.yaml"
+    plugin = '<gazebo><plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
+    joints = '<link name="a"/><link name="b"/><joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint>'
+    robot = f'<robot name="arm">{joints}{plugin}<parameters>{path}</parameters></plugin></gazebo></robot>'
+    description = "$(command 'cat $(find-pkg-share arm)/arm.urdf')"
+    launch = f"""<launch>
+      <node pkg="robot_state_publisher" exec="robot_state_publisher">
+        <param name="robot_description" type="str" value="{description}"/>
+      </node>
+    </launch>"""
+    folder.write({"package.xml": manifest("arm"), "arm.urdf": robot, "config/c.yaml": CONTROLLERS % "position"})
+    assert targets(folder, ".") == [("arm.urdf", {}, [])]
+    folder.write({"launch/arm.launch.xml": launch})
+    assert targets(folder, ".") == [("arm.urdf", {}, ["c.yaml"])]
+
+
 def test_show_of_an_empty_folder_is_an_error(folder: Folder) -> None:
     folder.write({"empty/readme.txt": ""})
     ran = folder.run("show", "empty")

@@ -69,7 +69,7 @@ def read_controllers(
     robot: its ros2_control plugins name files in `<parameters>`.
     launch: its nodes load files.
     """
-    reader = _Reader(files)
+    reader = _Reader(files, is_started=launch is not None)
     for text, at, is_named in _named_by(robot, launch):
         reader.reference(text, at, is_named=is_named)
     loads = launch.loads if launch else ()
@@ -125,8 +125,9 @@ def _joints(node: Node, depth: int = 0) -> Iterator[str]:
 
 
 class _Reader:
-    def __init__(self, files: Files) -> None:
+    def __init__(self, files: Files, *, is_started: bool) -> None:
         self.files = files
+        self.is_started = is_started
         self.whole = True
         self._trees: dict[str, YamlFile] = {}
         self._loaded: list[Loaded] = []
@@ -171,7 +172,8 @@ class _Reader:
 
         is_named: False if the plugin's name lacks ros2_control; then the file counts only if it has controllers.
         """
-        if not os.path.isabs(text) or "$" in text or UNKNOWN in text:
+        is_here = self.is_started or self.files.may_read(text)  # else the path of another machine, and nobody starts it
+        if not os.path.isabs(text) or "$" in text or UNKNOWN in text or not is_here:
             if is_named:
                 self._references.append(FileReference(text, at, None, exists=None))
             return
