@@ -425,6 +425,36 @@ def test_the_variant_is_asked_for_in_plain_editors(folder: Folder) -> None:
     assert "= left_fore" in shown
 
 
+def test_variants_of_two_descriptions_with_one_name_have_different_titles(folder: Folder) -> None:
+    """Both include the open file."""
+    robot = (
+        '<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:include filename="part.xacro"/></robot>'
+    )
+    part = ARM.replace(' name="arm"', "")
+    folder.write({".git/HEAD": "", "part.xacro": part, "a.urdf.xacro": robot, "b.urdf.xacro": robot})
+
+    async def use(editor: Editor, _: Pages) -> list[str]:
+        request = {"uri": editor.document("part.xacro").uri}
+        listed = await editor.client.protocol.send_request_async("urdfctl/variants", request)
+        return sorted(one["title"] for one in listed)
+
+    titles, _, _ = used(folder.path, "part.xacro", use)
+    assert titles == ["arm in a.urdf.xacro", "arm in b.urdf.xacro"]
+
+
+def test_a_robot_whose_name_is_unknown_is_called_as_its_file(folder: Folder) -> None:
+    robot = ARM.replace('name="arm"', 'name="$(arg robot_name)"', 1)
+    folder.write({".git/HEAD": "", "arm.xacro": robot})
+
+    async def use(editor: Editor, _: Pages) -> tuple[list[str], list[str]]:
+        request = {"uri": editor.document("arm.xacro").uri}
+        listed = await editor.client.protocol.send_request_async("urdfctl/variants", request)
+        return [one["title"] for one in listed], [robot.robot for robot in editor.robots]
+
+    found, _, _ = used(folder.path, "arm.xacro", use)
+    assert found == (["arm.xacro"], ["arm.xacro"])
+
+
 def test_an_editor_that_cannot_ask_is_told_the_choices(folder: Folder) -> None:
     folder.write({".git/HEAD": "", "arm.xacro": ARM, "urdfctl.toml": CONFIG})
 

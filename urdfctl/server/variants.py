@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 
 from urdfctl.lint.results import TargetResult
 from urdfctl.load.target import Target
+from urdfctl.source.opaque import is_known
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
@@ -14,7 +15,7 @@ from urdfctl.startup.records import NamedTuple
 class Variant(NamedTuple):
     """A robot with some arguments, as something starts it.
 
-    title: what tells it from the other variants: the arguments that differ, and the launch file.
+    title: what tells it from the other variants: the arguments that differ, the launch file, the description.
     arguments: all xacro arguments that the description is given.
     """
 
@@ -45,16 +46,17 @@ def variants_among(pairs: Iterable[tuple[Target, TargetResult]], folder: str) ->
         if result.robot is not None and not result.library:
             found.setdefault((result.path, result.arguments, result.launch), (target, result))
     results = [result for _, result in found.values()]
+    titles = [_title(result, results, folder) for result in results]
     return [
         Variant(
             target=target,
-            title=_title(result, results, folder),
-            robot=result.robot or "",
+            title=title if titles.count(title) == 1 else f"{title} in {os.path.relpath(result.path, folder)}",
+            robot=robot_name(result),
             file=result.path,
             arguments=result.arguments,
             launch=result.launch,
         )
-        for target, result in found.values()
+        for (target, result), title in zip(found.values(), titles, strict=True)
     ]
 
 
@@ -62,4 +64,9 @@ def _title(result: TargetResult, among: Sequence[TargetResult], folder: str) -> 
     same = [dict(other.arguments) for other in among if other.path == result.path]
     given = (f"{name}:={value}" for name, value in result.arguments if any(other.get(name) != value for other in same))
     launch = f"({os.path.relpath(result.launch, folder)})" if result.launch else ""
-    return " ".join(part for part in (result.robot, *given, launch) if part)
+    return " ".join(part for part in (robot_name(result), *given, launch) if part)
+
+
+def robot_name(result: TargetResult) -> str:
+    """Return the name of a robot; that of its file if it has none, or is unknown."""
+    return result.robot if result.robot and is_known(result.robot) else os.path.basename(result.path)

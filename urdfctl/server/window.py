@@ -22,6 +22,7 @@ from urdfctl.server.diagnostics import shown_diagnostic
 from urdfctl.server.folders import FoundByFolder
 from urdfctl.server.positions import Positions, path_of
 from urdfctl.server.question import Question
+from urdfctl.server.variants import robot_name
 from urdfctl.server.versions import Versions, versioned
 from urdfctl.server.workspace import Checked, Wishes, Workspace
 from urdfctl.source.files import MAX_BYTES, first_bytes
@@ -236,7 +237,7 @@ def _on_disk(path: str) -> bytes | None:
 def _robot(result: TargetResult, is_shown: bool) -> dict[str, Any]:  # noqa: FBT001
     return {
         "file": result.path,
-        "robot": result.robot,
+        "robot": robot_name(result),
         "arguments": dict(result.arguments),
         "launch": result.launch,
         "distro": result.distro,
