@@ -291,7 +291,7 @@ def test_the_steps_that_must_be_left_out_of_many_files_are_found_at_once(tmp_pat
     result = result_of(tmp_path, ("breaking", BREAKING), ("renaming", RENAMING), lint=Counting)
     assert [change.after for change in result.changes] == [MIGRATED.encode()] * 7
     assert sum("step 'breaking'" in line.message for line in result.lines) == 7
-    assert runs.count("jazzy") <= 14
+    assert runs.count("jazzy") <= 20  # each attempt lints three times, of which two are known
 
 
 def test_a_step_that_was_left_out_is_reported_although_it_proposes_nothing_later(tmp_path: Path) -> None:

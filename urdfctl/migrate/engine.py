@@ -13,6 +13,7 @@ from urdfctl.load.loader import LoadedTarget
 from urdfctl.migrate.acceptance import Before, Objection, before
 from urdfctl.migrate.attempt import Attempt, Key, Noted
 from urdfctl.migrate.fixes import fixes_of_lint
+from urdfctl.migrate.installs import installs_for_launch_files
 from urdfctl.migrate.memory import Memory
 from urdfctl.migrate.packages import Lint, Linted, Packages
 from urdfctl.migrate.report import ReportLine
@@ -49,7 +50,7 @@ def migrate(scratch: Scratch, wishes: Wishes, settings: Settings, lint: Lint, st
     settings: without a distro.
     """
     source = lint(settings._replace(distro=wishes.source))
-    first, known = source, Memory[LoadedTarget](scratch)
+    first, known = source, Memory[LoadedTarget](scratch, by_package=True)
     noted: Sequence[Noted] = ()
     left_out: dict[Key, str] = {}
     for _ in range(MOST_PASSES):
@@ -58,7 +59,7 @@ def migrate(scratch: Scratch, wishes: Wishes, settings: Settings, lint: Lint, st
         wanted = [step for step in steps if _is_wanted(step, packages)]
         state = before(source, target, packages.loaded())
         if not wishes.only:
-            wanted.append(_fixing(lint, settings._replace(distro=wishes.target), first, state))
+            wanted += _mending(lint, settings._replace(distro=wishes.target), first, state)
         trials = Trials(packages, wanted, state, lint=lint, settings=settings, earlier=noted)
         attempt, found = trials.best()
         noted = attempt.noted
@@ -140,15 +141,15 @@ def _identity(finding: Diagnostic) -> tuple[str, str, str]:
     return finding.code, finding.at.file, finding.message
 
 
-def _fixing(lint: Lint, settings: Settings, source: Linted, state: Before) -> Step:
-    """The step that applies what lint fixes for the target, of the findings that would be objections, or left."""
+def _mending(lint: Lint, settings: Settings, source: Linted, state: Before) -> list[Step]:
+    """The steps for what lint finds for the target, of the findings that would be objections, or left."""
     known = _errors(source)
 
     def is_new(finding: Diagnostic) -> bool:
         is_error = finding.severity is Severity.ERROR and _identity(finding) not in known
         return is_error or (finding.severity is not Severity.INFO and finding.code not in state.codes)
 
-    return fixes_of_lint(lambda: lint(settings), is_new)
+    return [make(lambda: lint(settings), is_new) for make in (installs_for_launch_files, fixes_of_lint)]
 
 
 def _is_wanted(step: Step, packages: Packages) -> bool:

@@ -31,10 +31,12 @@ class Memory(Generic[Value]):
     file has another content that nothing is known to read: it may concern everything.
 
     most: how many states of a key are remembered.
+    by_package: whether package.xml and build files concern only what was read in their package: so it is for the model
+        of a robot, but lint also looks at those of other packages.
     """
 
-    def __init__(self, scratch: Scratch, most: int = 1) -> None:
-        self._scratch, self._most = scratch, most
+    def __init__(self, scratch: Scratch, most: int = 1, *, by_package: bool = False) -> None:
+        self._scratch, self._most, self._by_package = scratch, most, by_package
         self._made: dict[Hashable, list[_Made]] = {}
         self._read: set[str] = set()
 
@@ -60,8 +62,12 @@ class Memory(Generic[Value]):
     def _concerning(self, made: _Made, state: State) -> Iterator[tuple[str, object]]:
         """Yield the files whose state may concern a value, with what matters of them."""
         for path, written in state.items():
-            is_shared = path not in self._read or os.path.basename(path) in _OF_PACKAGES
-            if is_shared or path in made.files:
+            folder, name = os.path.split(path)
+            if name in _OF_PACKAGES:
+                concerns = not self._by_package or any(file.startswith(folder + os.sep) for file in made.files)
+            else:
+                concerns = path not in self._read or path in made.files
+            if concerns:
                 yield path, written.after
             elif written.is_new or written.after is None:
                 yield path, written.after is None

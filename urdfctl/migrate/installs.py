@@ -1,0 +1,60 @@
+"""Install the files of a package that its migrated launch files use and that lint does not find installed."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Iterator
+
+from urdfctl.diagnostic import Diagnostic, Edit
+from urdfctl.migrate.install_rules import install_rule
+from urdfctl.migrate.packages import Linted, Packages
+from urdfctl.migrate.step import Entry, EntryKind, Proposal, Step
+from urdfctl.migrate.wishes import Part
+from urdfctl.source.span import SourceSpan, SourceText
+
+_CODE = "UC615"
+_AUTHORITY = "ament_index_python get_package_share_directory(): only what install() lists is there"
+_END = b"ament_package("
+
+
+def installs_for_launch_files(lint: Callable[[], Linted], is_new: Callable[[Diagnostic], bool]) -> Step:
+    """Return the step. lint, is_new: as in `fixes_of_lint`."""
+
+    def propose(packages: Packages) -> Iterator[Proposal]:
+        missing: dict[str, dict[str, None]] = {}
+        for _, result in lint():
+            for finding in result.outcome.diagnostics:
+                if finding.code == _CODE and is_new(finding):
+                    for build_file, name in _missing(finding):
+                        missing.setdefault(build_file, {})[name] = None
+        for build_file, names in missing.items():
+            edit = Edit(_end(packages.read(build_file)), _rules(os.path.dirname(build_file), list(names)))
+            message = f"{', '.join(names)}: installed, because launch files use it"
+            yield Proposal((edit,), entries=(Entry(EntryKind.DONE, message, file=build_file, authority=_AUTHORITY),))
+
+    return Step("installed-files", Part.MANIFEST, "Install rules for what launch files use", propose)
+
+
+def _missing(finding: Diagnostic) -> Iterator[tuple[str, str]]:
+    """Yield the build file, and the folder or the file in its folder that it does not install."""
+    manifest = next((note.at.file for note in finding.notes if note.at), "")
+    build_file = os.path.join(os.path.dirname(manifest), "CMakeLists.txt")
+    named = re.match(r"'([^'/]+)", finding.message)
+    if named and os.path.isfile(build_file):
+        yield build_file, named[1]
+
+
+def _end(source: SourceText) -> SourceSpan:
+    """The place before `ament_package()`, which must be the last call, or the end of the file."""
+    at = source.data.rfind(_END)
+    at = source.data.rfind(b"\n", 0, at) + 1 if at >= 0 else len(source.data)
+    return SourceSpan(source, at, at)
+
+
+def _rules(folder: str, names: list[str]) -> str:
+    folders = [name for name in names if os.path.isdir(os.path.join(folder, name))]
+    files = [name for name in names if name not in folders]
+    rules = [install_rule(*folders)] if folders else []
+    rules += [f"install(FILES {' '.join(files)}\n  DESTINATION share/${{PROJECT_NAME}}\n)\n"] if files else []
+    return "".join(f"{rule}\n" for rule in rules)
