@@ -34,6 +34,7 @@ def loop(joints: str, held: str = "position", command: str = "effort") -> tuple[
 def test_a_controller_that_forwards_moves_the_joints_that_it_claims() -> None:
     made = tasks(arm=(FORWARD, "joints: [elbow, shoulder], interface_name: velocity"))["arm"]
     assert (made.family, made.joints, made.interface) == (Family.FORWARD, ("elbow", "shoulder"), "velocity")
+    assert (made.through, made.left_out) == ((), ())
 
 
 @pytest.mark.parametrize(("held", "family"), [("position", Family.POSITION_PID), ("velocity", Family.VELOCITY_PID)])
