@@ -300,3 +300,9 @@ def test_xacro_has_to_be_expanded_first() -> None:
     xacro = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:include filename="a"/></robot>'
     with pytest.raises(UserError, match=r"r\.urdf is xacro; expand it first: urdfctl expand"):
         told_of_robot(xacro, urdf_schema())
+
+
+@pytest.mark.parametrize(("distro", "is_said"), [("jazzy", True), ("foxy", False)])
+def test_a_schema_says_where_an_integer_is_rejected(distro: str, *, is_said: bool) -> None:
+    """JSON Schema takes 1 for a number, and ROS 2 does not from galactic on: the description says so to the user."""
+    assert ("write 1.0 instead of 1" in json.dumps(controllers_schema(distro))) == is_said

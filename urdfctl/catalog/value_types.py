@@ -67,6 +67,12 @@ def _fits(value: object, kind: str, parameter: Parameter, distro: str) -> bool:
     return _PLAIN[kind](value)
 
 
+def is_strict_about_doubles(parameter: Parameter, distro: str) -> bool:
+    """Return whether a parameter takes doubles, or lists of them, and rejects integers."""
+    kinds = {kind.removesuffix("_array") for kind in parameter.types}
+    return "double" in kinds and "int" not in kinds and _strict(parameter, distro)
+
+
 def _strict(parameter: Parameter, distro: str) -> bool:
     return parameter.floats_only or distro in _STRICT_WITH_DOUBLES
 

@@ -8,7 +8,7 @@ from typing import Any
 
 from urdfctl.catalog.entries import Parameter
 from urdfctl.catalog.validators import requirement
-from urdfctl.catalog.value_types import type_problem
+from urdfctl.catalog.value_types import is_strict_about_doubles, type_problem
 
 Schema = dict[str, Any]
 
@@ -53,7 +53,7 @@ def parameter_schema(parameter: Parameter, distro: str) -> Schema:
         schema["default"] = parameter.default
     if parameter.deprecated:
         schema["deprecated"] = True
-    schema["description"] = _description(parameter)
+    schema["description"] = _description(parameter, distro)
     return schema
 
 
@@ -145,10 +145,12 @@ def _size(least: int | None, most: int | None) -> Schema:
     return limits if most is None else {**limits, "maxItems": most, "maxLength": most}
 
 
-def _description(parameter: Parameter) -> str:
+def _description(parameter: Parameter, distro: str) -> str:
     words = [f"{parameter.type.replace('|', 'or')}{', required' if parameter.needed else ''}"]
     words += [requirement(name, limit) for name, limit in {**parameter.validators, **parameter.useful}.items()]
     sentences = ["; ".join(words)]
+    if is_strict_about_doubles(parameter, distro) and not parameter.lenient:
+        sentences.append("write 1.0 instead of 1: an integer is rejected")
     if parameter.ignored:
         sentences.append("documented, but never read")
     if parameter.deprecated or parameter.replacement:

@@ -19,6 +19,7 @@ from urdfctl.source.problem import ReadError
 from urdfctl.source.span import SourceSpan, SourceText
 from urdfctl.source.xml import parse
 from urdfctl.source.yaml import Mapping, Node, Scalar, Sequence, read_yaml
+from urdfctl.startup.per_object import once_per_object
 from urdfctl.startup.records import NamedTuple
 from urdfctl.trace.address import text_in
 
@@ -73,12 +74,15 @@ _USED = {
 _OF_EITHER = {("robot", "gazebo", "reference")}
 
 
-def names_in(loaded: LoadedTarget) -> list[Name]:
+def _names_in(loaded: LoadedTarget) -> list[Name]:
     """Return all names in the files of a robot, each place once."""
     found: dict[tuple[str, int, int, str], Name] = {}
     for name in _names(loaded):
         found.setdefault((name.span.file, name.span.start, name.span.end, name.text), name)
     return list(found.values())
+
+
+names_in = once_per_object(_names_in, most=8)
 
 
 def name_at(names: Iterable[Name], file: str, offset: int) -> Name | None:
