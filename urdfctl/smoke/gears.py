@@ -116,7 +116,7 @@ def gear_troubles(gears: Sequence[Gear], tasks: Sequence[Task]) -> Iterator[Trou
             yield trouble_of(reduction_of_zero, subject, controller, joint=gear.joint)
         elif not gear.is_coupled and gear.reduction < 0 and gear.ignored_by:
             fields = {"joint": gear.joint, "reduction": f"{gear.reduction:g}", "hardware": gear.ignored_by}
-            yield trouble_of(negative_reduction_ignored, subject, controller, (), **fields)
+            yield trouble_of(negative_reduction_ignored, subject, None, (), **fields)
     if ignored:
         first, others = ignored[0], len({gear.joint for gear in ignored}) - 1
         more = f", and of {others} more joint{'s' if others > 1 else ''}" if others else ""

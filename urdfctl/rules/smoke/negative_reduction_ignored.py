@@ -11,10 +11,11 @@ from urdfctl.rules.smoke.common import GRIPPER, GRIPPER_CONTROLLER, found_by_smo
 @rule(
     "UC973",
     stage=Stage.MOVE,
-    severity=Severity.WARNING,
+    severity=Severity.INFO,
     runtime="ignores",
+    because="the joint moves as its axis says, with any reduction",
     message="the reduction of {reduction} does not reverse joint '{joint}': {hardware} ignores it. "
-    "To turn the joint the other way, change its axis",
+    "If the joint should turn the other way, change its axis",
     authority="transmission_interface/simple_transmission.hpp; no transmission is read by gz_ros2_control's gz_system.cpp, "
     "gazebo_ros2_control's gazebo_system.cpp, mock_components' generic_system.cpp and gazebo_ros_control's "
     "default_robot_hw_sim.cpp",
