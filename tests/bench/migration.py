@@ -14,10 +14,11 @@ A copy of *before* is migrated in place to the distro of *after*. Compared are s
 Only what both sides have is compared: joints that are controlled before and after, controllers that are configured
 before and after, parameters that the distro reads. The hardware plugin of a driver that appears only in *after* is left
 out: nobody can know it before. `joints` counts those that have a command interface in common, `interfaces` every
-interface: people add some. They rename, drop and re-tune too, so that no score can reach 1.
+interface: people add some. They rename, drop and re-tune too, so that no score can reach 1. `--runs` also lints the
+result for its distro, and moves the robot's joints before and after.
 
 The row `people` compares *before* with *after* in the same way: what people kept. Nothing here judges: the exit status
-is 1 only if a migration failed.
+is 1 only if a migration failed, or a joint that moved before no longer does.
 """
 
 from __future__ import annotations
@@ -34,6 +35,7 @@ from typing import Any, NamedTuple
 
 import yaml
 from robot_facts import KINDS, Facts, facts_of_folder
+from robot_runs import runs_of
 
 from urdfctl.catalog.distros import ROS2
 
@@ -77,6 +79,7 @@ def arguments(argv: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--kind", help="only pairs of this kind: ros1-ros2, classic-gz, distro")
     parser.add_argument("--use", help="only pairs whose use begins with this, e.g. joints")
     parser.add_argument("--differences", action="store_true", help="show which facts differ")
+    parser.add_argument("--runs", action="store_true", help="lint the result, and smoke it before and after")
     parser.add_argument("--json", type=Path, help="write every number there too")
     parser.add_argument("--keep", type=Path, help="keep the migrated folders there, as ID")
     return parser.parse_args(argv)
@@ -164,6 +167,7 @@ def measured(pair: dict[str, Any], options: argparse.Namespace, folder: Path) ->
         row[kind] = Score(len(one & other), len(other), len(one))
         row[f"people {kind}"] = Score(len(kept & other), len(other), len(kept))
         row[f"missing {kind}"], row[f"more {kind}"] = sorted(other - one), sorted(one - other)
+    row["runs"] = runs_of(before_folder.resolve(), out, distro) if options.runs else None
     if not options.keep:
         shutil.rmtree(out, ignore_errors=True)
     return row
@@ -187,6 +191,15 @@ def table(rows: list[dict[str, Any]]) -> str:
 def _shown(score: Score) -> str:
     texts = ("-" if value is None else f"{value:.2f}" for value in (score.recall, score.precision))
     return " ".join(texts)
+
+
+def runs(row: dict[str, Any]) -> str:
+    """The errors that lint finds after the migration of one pair and not before, and the joints that no longer move."""
+    found = row["runs"]
+    before, after = map(len, found["moved"])
+    lines = [f"{row['id']:24} {row['to']:8} {len(found['errors'])} new errors, {before} joints moved, now {after}"]
+    lines += [f"  {error.code} {error.file}: {error.message}" for error in found["errors"]]
+    return "\n".join([*lines, *(f"  no longer moves: {joint}" for joint in found["lost"])])
 
 
 def differences(row: dict[str, Any]) -> str:
@@ -216,9 +229,11 @@ def main(argv: list[str] | None = None) -> int:
     print(table(rows))
     if options.differences:
         print("\n".join(differences(row) for row in rows))
+    if options.runs:
+        print("\n".join(map(runs, rows)))
     if options.json:
         options.json.write_text(json.dumps(rows, indent=1) + "\n")
-    return 1 if any(row["failure"] for row in rows) else 0
+    return 1 if any(row["failure"] or (row["runs"] and row["runs"]["lost"]) for row in rows) else 0
 
 
 if __name__ == "__main__":

@@ -37,11 +37,12 @@ def moved_joints(folder: Path, distro: str | None = None) -> set[str]:
     return {one["joint"] for one in report["measurements"] if (one["robot"], one["controller"]) in passed}
 
 
-def verdicts(folder: Path, distro: str | None = None) -> list[str]:
-    """Return a line for each controller that a smoke test does not pass."""
-    report = _report("smoke", folder, distro)
-    failed = (one for one in report["controllers"] if one["verdict"] != "passed")
-    return sorted(f"{one['name']} {one['verdict']} at {one['stage']}: {one['reason']}" for one in failed)
+def runs_of(before: Path, after: Path, distro: str) -> dict[str, Any]:
+    """Return what lint and smoke say of a migrated folder: errors, joints that move, and those that no longer do."""
+    known = {(error.code, error.message) for error in errors_in(before)}
+    errors = [error for error in sorted(errors_in(after, distro)) if (error.code, error.message) not in known]
+    moved = moved_joints(before), moved_joints(after, distro)
+    return {"errors": errors, "moved": [sorted(joints) for joints in moved], "lost": sorted(moved[0] - moved[1])}
 
 
 def _report(command: str, folder: Path, distro: str | None) -> dict[str, Any]:
