@@ -392,6 +392,22 @@ def test_a_spawner_uses_the_manager_of_the_namespace_that_an_argument_names(fold
     assert "--namespace" not in text
 
 
+def test_the_controller_of_joint_states_that_a_package_declares_becomes_the_broadcaster(folder: Folder) -> None:
+    launch = """\
+<launch>
+  <param name="robot_description" command="$(find xacro)/xacro $(find arm)/urdf/arm.xacro"/>
+  <rosparam file="$(find arm)/config/controllers.yaml" command="load"/>
+  <rosparam file="$(find joint_state_controller)/joint_state_controller.yaml" command="load"/>
+  <node pkg="controller_manager" type="spawner" name="s" args="joint_state_controller ctl"/>
+</launch>
+"""
+    after = migrated(folder, {**STARTED, "launch/arm.launch": launch})
+    assert '"joint_state_broadcaster",' in after["launch/arm.launch.py"]
+    assert "joint_state_controller" not in after["launch/arm.launch.py"]
+    declared = "    joint_state_broadcaster:\n      type: joint_state_broadcaster/JointStateBroadcaster\n"
+    assert declared in after["config/controllers.yaml"]
+
+
 def test_a_launch_file_becomes_one_in_xml_if_asked(folder: Folder) -> None:
     text = migrated(folder, STARTED, "--launch", "xml")["launch/arm.launch.xml"]
     assert '<arg name="side" default="left" description="which arm"/>' in text

@@ -7,12 +7,13 @@ from collections.abc import Iterator, Sequence
 
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.hardware import simulated_by
-from urdfctl.migrate.manager import RATE, manager_text
+from urdfctl.migrate.manager import BROADCASTER, RATE, manager_text
 from urdfctl.migrate.markup import attribute, child, content, elements, end_of, root_of
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.places import plugin_elements
 from urdfctl.migrate.ros1.controller_map import GAINS_OF_GAZEBO, Item, controller_maps
 from urdfctl.migrate.ros1.controller_section import ControllerSection, section_of
+from urdfctl.migrate.ros1.joint_states import NEW_NAME, loads_declaration
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import todo_line
 from urdfctl.migrate.wishes import Part
@@ -61,6 +62,8 @@ class _File:
         rate, why = self._rate([section for _, section in sections if section])
         self.entries.append(Entry(EntryKind.DECIDED, f"update_rate: {rate} Hz, {why}", self.items[0].entry.key.at))
         for namespace, known in types.items():
+            if BROADCASTER not in known.values() and loads_declaration(self.packages):
+                known[NEW_NAME] = BROADCASTER
             yield manager_text(namespace, known, rate, simulated=simulated_by(self.packages) != "none")
 
     def _rate(self, sections: Sequence[ControllerSection]) -> tuple[int, str]:

@@ -18,6 +18,7 @@ from urdfctl.migrate.launch.actions import (
     plain,
     words_of,
 )
+from urdfctl.migrate.ros1.joint_states import DECLARED_IN
 from urdfctl.migrate.ros1.moveit_launch import MADE_BY_MOVEIT
 from urdfctl.migrate.ros1.roslaunch_nodes import EMPTY_WORLDS, Notes, migrated_node, simulator_actions
 from urdfctl.source.dom import COMMENT, Element
@@ -177,6 +178,8 @@ class Reading(Notes):
         if file is None:
             text = "ROS 2 has no global parameters: give those of this <rosparam> to the node that reads them"
             self.left.append((element, text))
+        elif file == DECLARED_IN:
+            return  # the spawner starts the broadcaster, which the controller file declares
         elif not self.target.is_controllers_file(file):
             self.left.append((element, f"ROS 2 has no global parameters: give '{file}' to the node that reads it"))
         elif not self.target.simulated and not self.target.has_manager:

@@ -17,6 +17,7 @@ from urdfctl.migrate.launch.actions import (
     plain,
     words_of,
 )
+from urdfctl.migrate.ros1.joint_states import DECLARED_IN, NEW_NAME, OLD_NAME
 from urdfctl.source.dom import Element
 from urdfctl.startup.records import NamedTuple
 
@@ -179,7 +180,8 @@ def _spawner(reading: Notes, element: Element, words: Sequence[Text], files: Seq
         elif option == "__ns:":
             space = value or ()
         else:
-            names.append(word)
+            is_declared_elsewhere = option == OLD_NAME and DECLARED_IN in map(_file_text, files)
+            names.append(literal(NEW_NAME) if is_declared_elsewhere else word)
     manager = (
         [literal("-c"), joined(space, literal("/controller_manager"))]
         if plain(space).strip("/") or not is_literal(space)
