@@ -93,7 +93,10 @@ def _scaled(node: ast.Assign | ast.AnnAssign) -> Iterator[tuple[str, ast.stmt]]:
             constant = list(ast.walk(made))[n]
             assert isinstance(constant, ast.Constant)
             assert isinstance(constant.value, int | float)
-            constant.value = type(constant.value)(constant.value * factor if constant.value else factor)
+            before = constant.value
+            constant.value = type(before)(before * factor if before else factor)
+            if constant.value == before:  # an int 0
+                continue
             yield f"{ast.unparse(node)[:60]} -> {constant.value:g}", made
 
 
