@@ -55,6 +55,9 @@ def test_each_kind_has_its_tolerances(
     [
         ("velocity: {j: 1}, path_tolerance: 0.2", "path_tolerance"),
         ("drive: [{for: 1}], within: 1", "within"),
+        ("drive: [{for: 1}], path_tolerance: 1", "path_tolerance"),
+        ("velocity: {j: 1}, angle_tolerance: 1", "angle_tolerance"),
+        ("trajectory: [{at: 1, joints: {j: 1}}], angle_tolerance: 1", "angle_tolerance"),
         ("trajectory: [{at: 1, joints: {j: 1}}], within: 1", "within"),
         ("target: {j: 1}, speed: 1", "speed"),
     ],

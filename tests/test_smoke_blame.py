@@ -99,3 +99,22 @@ def test_a_type_that_does_not_exist_is_the_cause_before_other_errors(tmp_path: P
         [finding] = in_jazzy(tmp_path, text).linted.outcome.diagnostics
         assert finding.code == "UC903"
         assert "FowardCommandController" in finding.message
+
+
+TRAJECTORY = "joint_trajectory_controller/JointTrajectoryController"
+
+
+@pytest.mark.parametrize(
+    ("type_name", "parameters", "kind"),
+    [
+        (TRAJECTORY, "command_interfaces: [position], state_interfaces: [position, velocity]", "state"),
+        (FORWARD, "interface_name: velocity", "command"),
+    ],
+)
+def test_an_interface_that_no_hardware_offers_is_named_with_its_kind(
+    type_name: str, parameters: str, kind: str, tmp_path: Path
+) -> None:
+    """The hardware has positions only."""
+    yaml = manager("100", "", "arm").replace("interface_name: position", parameters).replace(FORWARD, type_name)
+    [result] = in_jazzy(tmp_path, yaml).controllers
+    assert result.reason == f"no hardware offers the {kind} interface 'elbow/velocity'"
