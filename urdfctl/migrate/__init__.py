@@ -18,6 +18,7 @@ A migration is made in a copy of the packages (`Scratch`), judged there, and wri
   target; only what a change may concern is read and linted again (`memory.py`). `trials.py` searches which steps must
   be left out: a step is left out of a file if otherwise a finding that it claims (`Proposal.fixes`) stays there, an
   error or warning of a new kind appears, or the kinematics of a robot change without being listed in `Proposal.moves`.
+  A warning is accepted if without the step there would be an error in its file.
 
 Steps are in `ros1/`, `classic/` and `distro/`; each of these lists its own in `STEPS`.
 """

@@ -26,12 +26,19 @@ class Objection(NamedTuple):
     message: what would be wrong.
     file: the file that it is in.
     files: the files of the robot that it is about.
+    finding: what lint finds, if it is about that.
     """
 
     kind: tuple[str, str]
     message: str
     file: str
     files: frozenset[str]
+    finding: Diagnostic | None = None
+
+    @property
+    def is_warning(self) -> bool:
+        """Whether it is a warning of lint, which is better than an error."""
+        return self.finding is not None and self.finding.severity is Severity.WARNING
 
 
 class Before(NamedTuple):
@@ -108,7 +115,14 @@ def _of_findings(state: Before, linted: Linted) -> Iterator[Objection]:
         for finding in result.outcome.diagnostics:
             if finding.code not in state.codes and finding.code != TODO_CODE and finding.severity is not Severity.INFO:
                 file = finding.at.file
-                yield Objection((finding.code, file), _said(finding), file, frozenset({file, *result.files}))
+                files = frozenset({file, *result.files})
+                yield Objection((finding.code, file), _said(finding), file, files, finding)
+
+
+def errors_in(linted: Linted) -> set[tuple[str, str]]:
+    """Return the codes of the errors that lint finds in each file, with its real path."""
+    found = (finding for _, result in linted for finding in result.outcome.diagnostics)
+    return {(one.code, os.path.realpath(one.at.file)) for one in found if one.severity is Severity.ERROR}
 
 
 def _said(finding: Diagnostic) -> str:

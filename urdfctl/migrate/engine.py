@@ -70,7 +70,7 @@ def migrate(scratch: Scratch, wishes: Wishes, settings: Settings, lint: Lint, st
     changes = scratch.changes()
     lines = [*_done(scratch, noted)]
     if changes or left_out:
-        lines += [*_not_done(scratch, left_out, found), *_left(scratch, first, attempt)]
+        lines += [*_not_done(scratch, left_out, found), *_left(scratch, first, attempt, found)]
     return Migration(changes, tuple(lines))
 
 
@@ -82,7 +82,9 @@ def _done(scratch: Scratch, noted: Iterable[Noted]) -> Iterator[ReportLine]:
         line = 0
         if os.path.isfile(one.file):
             own = todos.setdefault(one.file, _todos(one.file))
-            line = _line(one.file, one.offset) if entry.at else _taken(own, entry.message)
+            line = _line(one.file, one.offset) if entry.at else 0
+            todo = _taken(own, entry.message) if entry.kind is EntryKind.FOR_YOU else 0
+            line = line if todo in (0, line - 1) else todo  # the TODO is above it, or in a text that was written anew
         message, more = scratch.shown(entry.message), (entry.authority, entry.option)
         yield ReportLine(entry.kind, message, one.step, file, line, *more)
 
@@ -116,16 +118,19 @@ def _not_done(scratch: Scratch, left_out: Mapping[Key, str], found: Iterable[Obj
         message = scratch.shown(f"not changed by step '{step}': {why}")
         yield ReportLine(EntryKind.FOR_YOU, message, step, scratch.real(file))
     for objection in found:
-        yield ReportLine(EntryKind.FOR_YOU, scratch.shown(objection.message))
+        if objection.finding is None:
+            yield ReportLine(EntryKind.FOR_YOU, scratch.shown(objection.message), file=scratch.real(objection.file))
 
 
-def _left(scratch: Scratch, source: Linted, attempt: Attempt) -> Iterator[ReportLine]:
-    """Yield a line for each error that lint finds for the target, and did not find for the distro to migrate from.
+def _left(scratch: Scratch, source: Linted, attempt: Attempt, found: Iterable[Objection]) -> Iterator[ReportLine]:
+    """Yield a line for each error that lint finds for the target, and did not find for the distro to migrate from; and
+    for each warning of a new kind that leaving out a step would only turn into errors.
 
     Equal ones of a file are one line.
     """
     known, errors = _errors(source), _errors(attempt.linted)
-    new = [finding for key, finding in errors.items() if key not in known and scratch.has(finding.at.file)]
+    warnings = {_identity(one.finding): one.finding for one in found if one.finding and one.is_warning}
+    new = [finding for key, finding in (errors | warnings).items() if key not in known and scratch.has(finding.at.file)]
     for finding in grouped(new):
         message = scratch.shown(f"lint finds {finding.code}: {finding.message}")
         yield ReportLine(EntryKind.FOR_YOU, message, "", scratch.real(finding.at.file), finding.at.line)

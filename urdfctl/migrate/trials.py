@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Generator, Iterator, Mapping, Sequence
 from itertools import takewhile
 
 from urdfctl.config.settings import Settings
-from urdfctl.migrate.acceptance import Before, Objection
+from urdfctl.migrate.acceptance import Before, Objection, errors_in
 from urdfctl.migrate.attempt import Attempt, Barred, Key, Noted
 from urdfctl.migrate.packages import Lint, Packages
 from urdfctl.migrate.scratch import Written
@@ -48,10 +48,12 @@ class Trials:
         """
         searches: dict[Kind, _Suspects] = {}
         attempt, found = self._attempt({})
+        known = errors_in(attempt.linted)
         while self.made < MOST_ATTEMPTS:
             kinds = {objection.kind for objection in found}
+            worse = {file for _, file in errors_in(attempt.linted) - known}
             for kind, suspects in searches.items():
-                suspects.judge(is_gone=kind not in kinds)
+                suspects.judge(is_gone=kind not in kinds, worse=worse)
             while all(suspects.is_done for suspects in searches.values()):
                 new = dict(_next(attempt, found, searches))
                 if not new:
@@ -109,17 +111,23 @@ class _Suspects:
     base: what was found to be responsible before the objection came back.
     """
 
-    def __init__(self, why: str, candidates: Sequence[Key], base: Sequence[Key] = ()) -> None:
-        self.why, self._base = why, tuple(base)
+    def __init__(self, objection: Objection, candidates: Sequence[Key], base: Sequence[Key] = ()) -> None:
+        self.why, self._is_warning = objection.message, objection.is_warning
+        self._base = tuple(base)
         self.is_done = self.is_back = False
         self.all = (*self._base, *candidates)
         self._search = _search(candidates)
         self.choice: tuple[Key, ...] = ()
         self._choose(lambda: next(self._search))
 
-    def judge(self, *, is_gone: bool) -> None:
-        """Choose what to leave out next, by whether the objection is gone without the last choice."""
-        if self.is_done:
+    def judge(self, *, is_gone: bool, worse: Collection[str]) -> None:
+        """Choose what to leave out next, by whether the objection is gone without the last choice.
+
+        worse: the files with errors that the complete migration does not have: a warning is no reason for them.
+        """
+        if self._is_warning and is_gone and any(file in worse for _, file in self.choice):
+            self.is_done, self.choice, self.all = True, (), ()
+        elif self.is_done:
             self.is_back = not is_gone and bool(self.choice)
         else:
             self._choose(lambda: self._search.send(is_gone))
@@ -145,7 +153,7 @@ def _next(
         its = objection.kind[0], candidates[0][0] if candidates else ""
         like = like or its
         if its == like:
-            yield objection.kind, _Suspects(objection.message, candidates, known.choice if known else ())
+            yield objection.kind, _Suspects(objection, candidates, known.choice if known else ())
 
 
 def _search(candidates: Sequence[Key]) -> Search:
