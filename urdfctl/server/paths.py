@@ -14,7 +14,8 @@ _MOST_FILES = 2000
 _HIDDEN = frozenset({"build", "install", "log", "devel", "node_modules", "__pycache__"})
 _MESHES = (".stl", ".dae", ".obj", ".mesh", ".ply", ".glb", ".gltf")
 _SUFFIXES = {
-    "xacro:include": (".xacro", ".urdf", ".xml"), "mesh": _MESHES, "texture": (".png", ".jpg", ".jpeg"),
+    "xacro:include": (".xacro", ".urdf", ".xacro.xml", ".urdf.xml"),
+    "mesh": _MESHES, "texture": (".png", ".jpg", ".jpeg"),
     "include": (".launch", ".launch.xml", ".launch.py", ".launch.yaml"), "rosparam": (".yaml", ".yml"),
     "parameters": (".yaml", ".yml"), "uri": _MESHES, "xacro:property": (".yaml", ".yml"),
 }  # fmt: skip

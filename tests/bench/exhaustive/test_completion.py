@@ -24,14 +24,20 @@ FOLDERS = [
     *sorted(path for tree in _TREES for path in tree.iterdir() if path.is_dir()),
 ]
 WORDS = 60
-MOST_HARMFUL = 0.05
-"""The share of items that may cause a finding: texts in expressions whose meaning a name does not show."""
+OF_THE_ROBOT = frozenset({"link", "mimicked joint", "part", "element", "macro parameter", "spawner argument"})
+"""Names for which the robot decides what fits. What a file, a macro or a text in an expression means, nothing decides
+before it is written."""
+MOST_HARMFUL = 0.1
+_FOUND: list[Insertion] = []
 
 
 @pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
-def test_inserting_what_is_offered_causes_no_finding(folder: Path, tmp_path: Path) -> None:
+def test_a_name_of_the_robot_that_is_offered_causes_no_finding(folder: Path, tmp_path: Path) -> None:
     found = list(insertions(copied(folder, tmp_path), number=WORDS, seed=1, each=3))
-    harmful = list(filter(Insertion.is_harmful, found))
-    sure = [one for one in harmful if one.kind != "property"]
-    assert list(map(str, sure)) == []
-    assert len(harmful) <= MOST_HARMFUL * len(found), list(map(str, harmful))
+    _FOUND.extend(found)
+    assert [str(one) for one in found if one.kind in OF_THE_ROBOT and one.is_harmful()] == []
+
+
+def test_few_of_all_items_cause_a_finding() -> None:
+    harmful = list(filter(Insertion.is_harmful, _FOUND))
+    assert len(harmful) <= MOST_HARMFUL * len(_FOUND), list(map(str, harmful))
