@@ -498,56 +498,6 @@ def test_wheels_that_no_robot_has_are_left_to_a_person_to_measure(folder: Folder
     assert "it is an integer, and ROS 1 ignores other values" in after["MIGRATION.md"]
 
 
-SPAWNED = """\
-<launch>
-  <param name="robot_description" command="$(find xacro)/xacro $(find arm)/urdf/arm.xacro"/>
-  <include file="$(find gazebo_ros)/launch/empty_world.launch"/>
-  <node name="spawn" pkg="gazebo_ros" type="spawn_model" args="-urdf -param robot_description -model arm
-    -robot_namespace $(arg space) -x 1 -J shoulder 0.5 -J $(arg joint) 1"/>
-  <node name="rsp" pkg="robot_state_publisher" type="robot_state_publisher">
-    <param name="publish_frequency" value="50"/>
-    <param name="tf_prefix" value="left"/>
-    <param name="use_tf_static" value="false"/>
-  </node>
-</launch>
-"""
-
-
-def test_a_robot_starts_where_the_spawner_put_it(folder: Folder) -> None:
-    robot = arm(transmission("EffortJointInterface"), PLUGIN)
-    after = migrated(folder, {"urdf/arm.xacro": robot, "launch/arm.launch": SPAWNED})
-    state = """\
-      <state_interface name="position">
-        <param name="initial_value">0.5</param>
-      </state_interface>
-"""
-    assert state in after["urdf/arm.xacro"]
-    text = " ".join(after["launch/arm.launch.py"].split())
-    assert '"-topic", "robot_description", "-name", "arm", "-x", "1"' in text
-    assert "space" not in text
-    assert "TODO(urdfctl): joint positions at the start" in text
-
-
-def test_robot_state_publisher_gets_the_parameters_of_ros_2(folder: Folder) -> None:
-    robot = arm(transmission("EffortJointInterface"), PLUGIN)
-    text = migrated(folder, {"urdf/arm.xacro": robot, "launch/arm.launch": SPAWNED})["launch/arm.launch.py"]
-    assert '"publish_frequency": 50' in text
-    assert '"frame_prefix": "left/"' in text
-    empty = SPAWNED.replace('value="left"', 'value=""')
-    files = {"urdf/arm.xacro": robot, "launch/arm.launch": empty}
-    assert "frame_prefix" not in migrated(folder, files)["launch/arm.launch.py"]
-    assert "use_tf_static" not in text
-
-
-def test_the_bridge_of_the_robots_topics_is_started(folder: Folder) -> None:
-    plugin = '<plugin name="imu" filename="libgazebo_ros_imu_sensor.so"><topicName>imu</topicName></plugin>'
-    imu = f'<gazebo reference="upper"><sensor name="imu" type="imu">{plugin}</sensor></gazebo>\n'
-    robot = arm(transmission("EffortJointInterface"), PLUGIN + imu)
-    after = migrated(folder, {"urdf/arm.xacro": robot, "launch/arm.launch": SPAWNED})
-    assert "- ros_topic_name: imu\n" in after["config/bridge.yaml"]
-    assert '"config_file": [FindPackageShare("arm"), "/config/bridge.yaml"]' in after["launch/arm.launch.py"]
-
-
 def test_what_launch_files_use_beside_package_xml_is_installed(folder: Folder) -> None:
     launch = """\
 <launch>

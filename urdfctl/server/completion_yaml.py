@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from urdfctl.catalog.entries import ControllerType, Parameter
 from urdfctl.catalog.map_parameters import expanded, matching
@@ -114,14 +114,10 @@ def _is_possible(kind: ControllerType, trial: Trial) -> bool:
 def _elements(question: Question, keys: list[str], word: str) -> Iterator[Item]:
     """Elements of a list: of a controller's parameter those with which nothing is wrong that is right now."""
     trials = [(trial, name) for trial, name in _at(question, keys) if trial.controller.type is not None]
-    for trial, name in trials:
-        kind = trial.controller.type
-        matched = matching(name, kind.parameters) if kind else None
-        if kind is None or matched is None:
-            continue
+    for trial, kind, name, declared in _declared(trials):
         now = trial.values.get(name)
         given = [one for one in now if one and one != word] if isinstance(now, list) else []
-        for choice in _choices(trial, kind.parameters[matched[0]], matched[0]):
+        for choice in _choices(trial, kind.parameters[declared], declared):
             if choice not in given and trial.is_as_good(kind, {**trial.values, name: [*given, choice]}):
                 yield Item(choice, _kind_of(trial, choice))
     if not trials:
@@ -129,6 +125,15 @@ def _elements(question: Question, keys: list[str], word: str) -> Iterator[Item]:
         kinds = (CONTROLLER,) if key in _LISTS_CONTROLLERS else (JOINT,) if "joint" in key else ()
         listed = set(re.findall(r"[\w/.-]+", _list_around(question)))
         yield from (item for item in _named(question, *kinds) if item.text not in listed)
+
+
+def _declared(trials: Iterable[tuple[Trial, str]]) -> Iterator[tuple[Trial, ControllerType, str, str]]:
+    """Each trial with its controller's type, the parameter, and the name under which the type declares it."""
+    for trial, name in trials:
+        kind = trial.controller.type
+        matched = matching(name, kind.parameters) if kind else None
+        if kind is not None and matched is not None:
+            yield trial, kind, name, matched[0]
 
 
 def _list_around(question: Question) -> str:
@@ -168,14 +173,10 @@ def _choices(trial: Trial, parameter: Parameter, name: str) -> list[str]:
 def _scalars(question: Question, keys: list[str]) -> Iterator[Item]:
     """A single value: what its parameter accepts; in other files, a joint or a link by the key."""
     trials = [(trial, name) for trial, name in _at(question, keys) if trial.controller.type is not None]
-    for trial, name in trials:
-        kind = trial.controller.type
-        matched = matching(name, kind.parameters) if kind else None
-        if kind is None or matched is None:
-            continue
-        parameter = kind.parameters[matched[0]]
+    for trial, kind, name, declared in _declared(trials):
+        parameter = kind.parameters[declared]
         texts: list[object] = [True, False] if parameter.types == ("bool",) else []
-        texts += _choices(trial, parameter, matched[0]) if "string" in parameter.types else []
+        texts += _choices(trial, parameter, declared) if "string" in parameter.types else []
         for value in texts:
             if trial.is_as_good(kind, {**trial.values, name: value}):
                 yield Item(_written(value), "value")
