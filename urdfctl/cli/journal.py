@@ -33,12 +33,11 @@ def journal(changes: Sequence[Change]) -> Iterator[None]:
     except OSError:
         yield
         return
-    with os.fdopen(handle, "r+b") as file:
+    with os.fdopen(handle, "r+b", buffering=0) as file:
         try:
             _take(file)
             with suppress(OSError):  # the disk may be full
                 file.write(data)
-                file.flush()
                 os.fsync(handle)
             yield
         finally:
