@@ -10,9 +10,9 @@ import time
 from urdfctl.smoke.engines import FREE_MOTOR, SLIDES, STEP, Motor, Refused, Setup, Standing
 from urdfctl.startup.hints import Any
 
-MOST_JOINTS = 127
-"""The maximum number of degrees of freedom."""
-_FREELY = 1e4
+MOST_JOINTS = 121
+"""The maximum number of movable joints: of the 128 coordinates that pybullet keeps of a robot (MAX_DEGREE_OF_FREEDOM),
+7 are those of its base. It ignores commands to joints beyond, and calls their positions 0."""
 
 
 class Bullet:
@@ -45,7 +45,7 @@ class Bullet:
                 index,
                 linearDamping=0,
                 angularDamping=0,
-                maxJointVelocity=_FREELY,
+                maxJointVelocity=math.inf,
                 physicsClientId=client,
             )
             # with the other values in one call, pybullet ignores the friction
@@ -131,7 +131,7 @@ class Bullet:
         index = self._joints[joint]
         self._pushed.pop(index, None)
         if index in self._motors:
-            self._commands[index] = "velocity", velocity, effort, _FREELY
+            self._commands[index] = "velocity", velocity, effort, math.inf
         self._motor(index, velocity, effort)
 
     def with_effort(self, joint: str, effort: float) -> None:
@@ -152,7 +152,7 @@ class Bullet:
             wanted = max(-top, min(top, value))
             self._motor(index, wanted, motor.left(effort, wanted, velocity))
         else:
-            left = motor.left(effort, math.copysign(_FREELY, value - place), velocity)
+            left = motor.left(effort, math.copysign(math.inf, value - place), velocity)
             self._to_position(index, value, left, min(most, top))
 
     def step(self) -> None:
