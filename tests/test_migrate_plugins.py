@@ -229,3 +229,31 @@ def test_a_plugin_that_ros_1_left_in_a_package_for_ros_2_is_removed(folder: Fold
     drive = plugin("gazebo_ros_diff_drive", WHEELS[2])
     left = plugin("gazebo_ros_control", "<robotNamespace>/</robotNamespace>")
     assert after(folder, drive + left) == after(folder, drive)
+
+
+@pytest.mark.parametrize(("near", "far"), [("min_depth", "max_depth"), ("pointCloudCutoff", "pointCloudCutoffMax")])
+def test_the_range_of_a_camera_with_depth_stands_in_the_camera_for_gz(folder: Folder, near: str, far: str) -> None:
+    settings = f"<{near}>0.3</{near}>\n<{far}>${{reach}}</{far}>\n<hackBaseline>0.07</hackBaseline>"
+    old = sensor("depth", "gazebo_ros_openni_kinect", settings)
+    camera = "      <camera>\n        <horizontal_fov>1</horizontal_fov>\n      </camera>\n"
+    old = '<xacro:property name="reach" value="4"/>' + old.replace("      <plugin", f"{camera}      <plugin")
+    shown = migrated(folder, {"urdf/base.xacro": base(old)}, *TO_GZ)
+    clip = """\
+      <camera>
+        <horizontal_fov>1</horizontal_fov>
+        <depth_camera>
+          <clip>
+            <near>0.3</near>
+            <far>${reach}</far>
+          </clip>
+        </depth_camera>
+      </camera>
+"""
+    assert clip in shown["urdf/base.xacro"]
+    assert "gz does not read hackBaseline of 'gazebo_ros_openni_kinect': dropped" in shown["MIGRATION.md"]
+
+
+def test_a_range_that_can_stand_nowhere_is_reported(folder: Folder) -> None:
+    old = sensor("depth", "gazebo_ros_camera", "<min_depth>0.3</min_depth>\n<hack_baseline>0</hack_baseline>")
+    shown = migrated(folder, {"urdf/base.xacro": base(old)}, *TO_GZ)
+    assert "gz does not read min_depth of 'gazebo_ros_camera': dropped" in shown["MIGRATION.md"]

@@ -106,6 +106,15 @@ def removal(element: Element) -> Edit:
     return Edit(span, "")
 
 
+def appended(element: Element, lines: Iterable[str]) -> Edit:
+    """Return the edit that adds lines, with their blanks, at the end of an element's content."""
+    close = element.close or end_of(element)
+    end = element.source.data.rfind(b"\n", 0, close) + 1
+    if element.source.data[end:close].strip():
+        return Edit(SourceSpan(element.source, close, close), "".join(line.strip() for line in lines))
+    return Edit(SourceSpan(element.source, end, end), "".join(f"{line}\n" for line in lines))
+
+
 def merged(edits: Iterable[Edit]) -> Edit:
     """Return one edit that makes all of some edits of a file, which may touch but not overlap."""
     ordered = sorted(edits, key=lambda edit: (edit.span.start, edit.span.end))
@@ -158,6 +167,11 @@ def content(element: Element) -> str:
     tag = element.source.start_tag(element.start)
     inside = element.source.data[tag.end if tag else element.start : element.close].decode("utf-8", "surrogateescape")
     return re.sub(r"(?s)<!--.*?-->", "", inside).strip()
+
+
+def is_zero(element: Element) -> bool:
+    """Return whether an element contains nothing, or the number zero: a setting that says what is so without it."""
+    return re.fullmatch(r"[0.\s]*", content(element)) is not None
 
 
 def child(element: Element, name: str) -> Element | None:

@@ -6,17 +6,19 @@ from collections.abc import Iterator, Mapping
 
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.classic.choice import is_chosen, replaced
+from urdfctl.migrate.classic.depth import DEPTH_RANGE, depth_range
 from urdfctl.migrate.classic.sdf import OF_SDF
 from urdfctl.migrate.classic.systems import in_namespace, library_of, relative_topic
 from urdfctl.migrate.hardware import goes_to_gz
 from urdfctl.migrate.markup import (
+    appended,
     attribute,
     child,
     children,
     content,
     elements,
-    end_of,
     indent_of,
+    is_zero,
     merged,
     removal,
     root_of,
@@ -33,6 +35,11 @@ from urdfctl.startup.records import NamedTuple
 _AUTHORITY = "gz-sensors; gazebosim.org, Migrating Gazebo Classic ROS 2 packages"
 _OF_XML = (".xacro", ".urdf", ".gazebo", ".xml", ".inc")
 _FRAMES = ("frameName", "frame_name", "frameId", "frame_id", "bodyName")
+_READ = (
+    *("ros", "robotNamespace", "cameraName", "camera_name", "alwaysOn", "updateRate", "updateRateHZ", "output_type"),
+    *_FRAMES,
+)
+"""Settings that every sensor has in another way."""
 
 
 class Sensor(NamedTuple):
@@ -111,10 +118,14 @@ def _migrated(packages: Packages, element: Element, plugin: Element | None) -> P
         edits += [removal(topic)] if topic is not None and content(topic).startswith("__") else []
         edits.append(removal(plugin))
         edits.append(_settings(element, plugin, sensor, new))
+        edits += depth_range(element, plugin) if new == "rgbd_camera" else ()
     text = merged([edit for edit in edits if edit.text or edit.span.start != edit.span.end])
     whole = _applied(element, text)
     message = f"sensor '{attribute(element, 'name')}' became one of type {new} that gz publishes itself"
     entries = [Entry(EntryKind.DONE, message, element.at, authority=_AUTHORITY)]
+    if plugin is not None and (dropped := ", ".join(_dropped(element, plugin, sensor, new))):
+        message = f"gz does not read {dropped} of '{library_of(attribute(plugin, 'filename'))}': dropped"
+        entries.append(Entry(EntryKind.DONE, message, element.at, authority=_AUTHORITY))
     if old == "ray":
         why = "the sensor is rendered by the GPU: gz has no lidar on the CPU (gz-sensors#26)"
         entries.append(Entry(EntryKind.DECIDED, why, element.at))
@@ -144,11 +155,15 @@ def _settings(element: Element, plugin: Element, sensor: Sensor, kind: str) -> E
     rate = child(plugin, "updateRate") or child(plugin, "updateRateHZ")
     if rate is not None and child(element, "update_rate") is None:
         lines.append(f"<update_rate>{content(rate)}</update_rate>")
-    close = element.close or end_of(element)
-    end = element.source.data.rfind(b"\n", 0, close) + 1
-    if element.source.data[end:close].strip():
-        return Edit(SourceSpan(element.source, close, close), "".join(lines))
-    return Edit(SourceSpan(element.source, end, end), "".join(f"{indent or step}{line}\n" for line in lines))
+    return appended(element, (f"{indent or step}{line}" for line in lines))
+
+
+def _dropped(element: Element, plugin: Element, sensor: Sensor, kind: str) -> Iterator[str]:
+    """Yield the settings of a plugin that say something, and that gz does not have."""
+    kept = {*_READ, sensor.topic, *(DEPTH_RANGE if kind == "rgbd_camera" and depth_range(element, plugin) else ())}
+    for setting in plugin.elements():
+        if setting.tagName not in kept and ":" not in setting.tagName and not is_zero(setting):
+            yield setting.tagName
 
 
 def _topic(plugin: Element, sensor: Sensor, kind: str) -> str:

@@ -9,7 +9,17 @@ from urdfctl.diagnostic import Edit
 from urdfctl.migrate.classic.choice import is_chosen
 from urdfctl.migrate.classic.sdf import OF_SDF
 from urdfctl.migrate.classic.systems import comments_above, library_of
-from urdfctl.migrate.markup import attribute, child, content, indent_of, indented, parent_of, span_of, step_of
+from urdfctl.migrate.markup import (
+    attribute,
+    child,
+    content,
+    indent_of,
+    indented,
+    is_zero,
+    parent_of,
+    span_of,
+    step_of,
+)
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.places import plugin_elements
 from urdfctl.migrate.ros1.classic_settings import OF_SENSOR, SUCCESSORS, Successor, snake_case
@@ -67,13 +77,8 @@ def _is_dropped(setting: Element, plugin: Element, successor: Successor) -> bool
     return not (
         setting.tagName in (*successor.settings, *successor.topics, *_SILENT, *_OF_ROS2)
         or (in_sensor and setting.tagName in OF_SENSOR)
-        or _is_zero(setting)
+        or is_zero(setting)
     )
-
-
-def _is_zero(setting: Element) -> bool:
-    """Whether a setting says what is so without it."""
-    return re.fullmatch(r"[0.\s]*", content(setting)) is not None
 
 
 def _topics(element: Element, successor: Successor, step: str) -> Iterator[str]:
