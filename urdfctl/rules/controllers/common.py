@@ -20,13 +20,15 @@ def faults(project: Project, *kinds: FaultKind) -> Iterator[Fault]:
 def is_judged(project: Project, path: str) -> bool:
     """Return whether a file certainly is a controller file for this generation of ROS.
 
-    Its contents show it, or the robot names it as one. Files of MoveIt and other nodes may be listed beside it. UC401
-    and UC402 report files for the other generation.
+    Its contents show it, or the robot names it as one. Files of MoveIt and other nodes may be listed beside it, and a
+    launch file of ROS 1 loads such for any node. UC401 and UC402 report files for the other generation.
     """
     controllers = controllers_in(project)
     file = next((file for file in controllers.files if file.path == path), None)
     if file is None or file.form is None:
-        return any(reference.path == path for reference in controllers.references)
+        launch = project.launch if project.ros == 2 else None  # noqa: PLR2004 (the generation)
+        loads = {load.file.at for load in launch.loads} if launch is not None and launch.ros == 1 else set()
+        return any(one.path == path and one.at not in loads for one in controllers.references)
     return project.ros in (None, file.form)
 
 
