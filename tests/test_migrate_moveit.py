@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from folder import Folder
-from test_migrate_ros1 import MANIFEST, arm, transmission
+from test_migrate_ros1 import EFFORT, MANIFEST, PLUGIN, arm, transmission
 
 SRDF = '<robot name="arm">\n  <group name="all"><joint name="shoulder"/></group>\n</robot>\n'
 KINEMATICS = "all:\n  kinematics_solver: kdl_kinematics_plugin/KDLKinematicsPlugin\n"
@@ -162,3 +162,54 @@ def test_a_launch_file_that_includes_those_of_moveit_includes_the_new_ones(folde
     assert '[FindPackageShare("arm_moveit"), "/launch/move_group.launch.py"]' in text
     assert "load_robot_description" not in text
     assert "launch/demo.launch" not in after
+
+
+def test_a_launch_file_that_is_left_to_a_person_loads_the_new_file_with_controllers(folder: Folder) -> None:
+    load = '<launch>\n  <rosparam file="$(find arm_moveit)/config/$(arg robot)_controllers.yaml"/>\n</launch>\n'
+    files = {
+        "config/a_controllers.yaml": LIST,
+        "config/second.srdf": SRDF,
+        "launch/arm_moveit_controller_manager.launch.xml": load,
+    }
+    after = migrated(folder, files)["launch/arm_moveit_controller_manager.launch.xml"]
+    assert after == load.replace("$(arg robot)_controllers", "moveit_controllers")
+
+
+def test_files_of_moveit_that_a_launch_file_of_ros_1_loads_are_none_of_the_controller_manager(folder: Folder) -> None:
+    launch = """\
+<launch>
+  <param name="robot_description" command="xacro '$(find arm)/urdf/arm.xacro'"/>
+  <rosparam file="$(find arm_moveit)/config/kinematics.yaml"/>
+  <rosparam file="$(find arm)/config/c.yaml"/>
+  <node pkg="controller_manager" type="spawner" name="s" ns="arm" args="ctl"/>
+</launch>
+"""
+    folder.write(
+        {
+            "src/arm/package.xml": MANIFEST,
+            "src/arm/urdf/arm.xacro": arm(transmission("EffortJointInterface"), PLUGIN),
+            "src/arm/config/c.yaml": EFFORT,
+            "src/arm/launch/arm.launch": launch,
+            "src/moveit/package.xml": MANIFEST.replace("<name>arm<", "<name>arm_moveit<"),
+            "src/moveit/config/kinematics.yaml": KINEMATICS,
+        }
+    )
+    ran = folder.run("migrate", "src", "--from", "noetic", "--to", "jazzy", "-o", "new", "--force")
+    assert ran.returncode == 0, ran.stderr
+    after = (folder.path / "new/arm/urdf/arm.xacro").read_text()
+    assert "<parameters>$(find arm)/config/c.yaml</parameters>" in after
+    assert "kinematics.yaml" not in after
+
+
+def test_parameters_that_a_launch_file_of_ros_1_still_loads_are_not_judged_as_those_of_a_controller_manager(
+    folder: Folder,
+) -> None:
+    launch = """\
+<launch>
+  <param name="robot_description" command="xacro '$(find arm)/urdf/arm.xacro'"/>
+  <rosparam file="$(find arm)/config/kinematics.yaml"/>
+</launch>
+"""
+    files = {"package.xml": MANIFEST, "urdf/arm.xacro": arm(""), "config/kinematics.yaml": KINEMATICS}
+    folder.write({**{f"arm/{name}": text for name, text in files.items()}, "arm/launch/arm.launch": launch})
+    assert "UC403" not in folder.run("lint", "arm", "--distro", "humble").stdout

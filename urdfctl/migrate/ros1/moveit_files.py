@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.markup import elements, root_of
 from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.ros1.left_over import renamed_parameters
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.wishes import Part
 from urdfctl.migrate.yaml_edits import MapEdits
@@ -85,6 +86,7 @@ def _controllers_of(packages: Packages, new: str, sources: Sequence[SourceText])
         return
     message = f"the controllers of MoveIt are in {CONTROLLERS_FILE}, in the form of MoveIt 2"
     entry = Entry(EntryKind.DONE, message, file=new, authority=_CONTROLLERS)
+    edits += renamed_parameters(packages, deleted, new)
     text = _controllers_text(known, _execution(packages, new))
     yield Proposal(tuple(edits), ((new, text),), tuple(deleted), (entry,))
 

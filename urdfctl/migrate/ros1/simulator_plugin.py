@@ -145,10 +145,10 @@ def controller_files(packages: Packages, robots: list[LoadedTarget]) -> list[str
     """Return the controller files of some robots as xacro names them.
 
     They are those of the launch files; otherwise the only file that names joints of the robots. Several robots may have
-    different ones.
+    different ones. Files of other nodes, which ROS 1 loads beside them, end the controller manager of ROS 2.
     """
     started = (one.project.controllers for one in robots)
-    paths = [file.path for each in started if each for file in each.files if not file.is_moveit]
+    paths = [file.path for each in started if each for file in each.files if file.form and not file.is_moveit]
     if not paths:
         joints = {name for one in robots if one.project.robot for name in one.project.robot.joint_names}
         fitting = [path for path, names in _joints_by_file(packages).items() if names <= joints]

@@ -1,0 +1,48 @@
+"""Launch files of ROS 1 that a person must write anew: what they name is kept up with what became of it."""
+
+from __future__ import annotations
+
+import glob
+import os
+from collections.abc import Collection, Iterator
+
+from urdfctl.diagnostic import Edit
+from urdfctl.migrate.markup import attribute, elements, root_of
+from urdfctl.migrate.packages import Packages
+from urdfctl.source.packages import package_name
+from urdfctl.source.span import SourceSpan
+from urdfctl.startup.patterns import lazy_pattern
+
+_IN_PACKAGE = lazy_pattern(r"\$\(find ([\w-]+)\)(/.*)")
+_ARGUMENT = lazy_pattern(r"\$\((?:arg|eval|env|optenv) [^)]*\)")
+
+
+def renamed_parameters(packages: Packages, old: Collection[str], new: str) -> Iterator[Edit]:
+    """Yield the edits of launch files that load files with some old paths, so that they load a new one."""
+    for path in packages.files(".launch", ".launch.xml"):
+        root = root_of(packages.read(path))
+        for element in elements(root) if root is not None else ():
+            written = attribute(element, "file") if element.tagName == "rosparam" else ""
+            head = written.rpartition("/")[0]
+            tag = element.source.start_tag(element.start)
+            if _files(packages, written) & {*old} and tag is not None:
+                yield Edit(SourceSpan(element.source, *tag.attributes["file"]), f"{head}/{os.path.basename(new)}")
+
+
+def _files(packages: Packages, written: str) -> set[str]:
+    """The files of the packages that an address means, with any values of its arguments."""
+    found = _IN_PACKAGE.fullmatch(written)
+    if found is None:
+        return set()
+    pattern = "".join("*" if index % 2 else glob.escape(part) for index, part in enumerate(_split(found[2])))
+    folders = (os.path.dirname(path) for path in packages.files("package.xml") if package_name(path) == found[1])
+    return {path for folder in folders for path in glob.glob(glob.escape(folder) + pattern)}
+
+
+def _split(text: str) -> Iterator[str]:
+    """The parts of a text between its arguments, and the arguments, in turn."""
+    end = 0
+    for match in _ARGUMENT.finditer(text):
+        yield from (text[end : match.start()], match[0])
+        end = match.end()
+    yield text[end:]
