@@ -104,6 +104,12 @@ def migrated(folder: Folder, files: dict[str, str], *words: str) -> dict[str, st
     return {path.relative_to(folder.path / "new").as_posix(): path.read_text() for path in found}
 
 
+MOCK = (
+    "component 'arm_system' uses mock_components/GenericSystem, which moves nothing: "
+    "name the plugin of the real hardware in <plugin>"
+)
+
+
 @pytest.mark.parametrize(
     ("interface", "commands", "states"),
     [
@@ -121,6 +127,7 @@ def test_the_interface_of_a_transmission_becomes_commands_and_states(
     component = f"""\
   <ros2_control name="arm_system" type="system">
     <hardware>
+      <!-- TODO(urdfctl): {MOCK} -->
       <plugin>mock_components/GenericSystem</plugin>
     </hardware>
     <joint name="shoulder">
@@ -480,10 +487,19 @@ def test_a_sample_migrates_without_errors_and_leaves_only_its_hardware_to_a_pers
     assert [text.partition(": name ")[2] for text in left] == (
         ["the plugin of the real hardware in <plugin>"] if simulator == "none" else []
     )
-    lint = folder.run("lint", sample, "--distro", distro, "--fail-on", "warning")
+    lint = folder.run("lint", sample, "--distro", distro, "--fail-on", "warning", "--ignore", "UC708")
     assert lint.returncode == 0, lint.stdout
+    todos = folder.run("lint", sample, "--distro", distro, "--select", "UC708").stdout
+    assert todos.count("UC708") == len(left)
     again = folder.run("migrate", sample, *words[:4])
     assert (again.returncode, again.stdout) == (0, "")
+
+
+def test_hardware_that_is_left_to_a_person_is_a_todo_at_its_line_in_the_report(folder: Folder) -> None:
+    after = migrated(folder, {"urdf/arm.xacro": arm(transmission("EffortJointInterface"))})
+    lines = after["urdf/arm.xacro"].splitlines()
+    line = next(number for number, text in enumerate(lines, 1) if "TODO(urdfctl)" in text)
+    assert f"`urdf/arm.xacro:{line}`: {MOCK}" in after["MIGRATION.md"]
 
 
 def test_wheels_that_no_robot_has_are_left_to_a_person_to_measure(folder: Folder) -> None:

@@ -66,3 +66,11 @@ def host_plugin(packages: Packages) -> SimulatorPlugin | None:
     if simulated_by(packages) not in ("gz", "gazebo-classic"):
         return None
     return host(options_of(packages), catalog_with(packages.settings.additions))
+
+
+def without_hardware(packages: Packages, component: str) -> str:
+    """Return what a person must decide about the hardware plugin of a component; empty if it is known."""
+    if simulated_by(packages) != "none" or packages.wishes.hardware is not None:
+        return ""
+    moves = f"{system_plugin(packages)}, which moves nothing"
+    return f"component '{component}' uses {moves}: name the plugin of the real hardware in <plugin>"

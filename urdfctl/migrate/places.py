@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from urdfctl.migrate.markup import elements, root_of
 from urdfctl.migrate.packages import Packages
 from urdfctl.source.dom import Element
-from urdfctl.source.span import Place
+from urdfctl.source.span import Place, SourceSpan
 
 _OF_XML = (".xacro", ".urdf", ".gazebo", ".xml", ".inc")
 ElementKey = tuple[str, int]
@@ -23,6 +23,11 @@ def key_of(at: Place) -> ElementKey:
 def key_of_element(element: Element) -> ElementKey:
     """Return the key of an element."""
     return os.path.realpath(element.source.path), element.start
+
+
+def place_of(span: SourceSpan) -> Place:
+    """Return the place of some bytes."""
+    return Place(span.source, span.start, end=span.end)
 
 
 def plugin_elements(packages: Packages, *endings: str) -> Iterator[Element]:

@@ -19,8 +19,10 @@ from urdfctl.migrate.hardware import (
     leaves_classic,
     simulated_by,
     system_plugin,
+    without_hardware,
 )
 from urdfctl.migrate.markup import (
+    ancestors,
     attribute,
     child,
     content,
@@ -32,12 +34,12 @@ from urdfctl.migrate.markup import (
     step_of,
 )
 from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.places import plugin_elements
+from urdfctl.migrate.places import place_of, plugin_elements
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
-from urdfctl.migrate.todo import for_you
+from urdfctl.migrate.todo import for_you, todo_line
 from urdfctl.migrate.wishes import Part
 from urdfctl.source.dom import Element
-from urdfctl.source.span import Place, SourceSpan
+from urdfctl.source.span import SourceSpan
 
 CONTROL = "gazebo_ros2_control"
 _OF_ROS1 = "gazebo_ros_control"
@@ -100,10 +102,16 @@ def _hardware(packages: Packages) -> Iterator[Proposal]:
                 continue
             message = f"the simulated hardware became '{new}'"
             entries = [Entry(EntryKind.DONE, message, element.at, authority=_CONTROL)]
-            if simulated_by(packages) == "none" and packages.wishes.hardware is None:
-                text = f"{new} moves nothing: name the plugin of the real hardware in <plugin>"
-                entries.append(Entry(EntryKind.FOR_YOU, text, element.at, option=HARDWARE_OPTION))
-            yield Proposal(tuple(replaced(packages, element, f"<plugin>{new}</plugin>\n")), entries=tuple(entries))
+            text = f"<plugin>{new}</plugin>\n"
+            if todo := without_hardware(packages, _component_of(element)):
+                text = f"{todo_line(path, todo)}\n{text}"
+                entries.append(Entry(EntryKind.FOR_YOU, todo, element.at, option=HARDWARE_OPTION))
+            yield Proposal(tuple(replaced(packages, element, text)), entries=tuple(entries))
+
+
+def _component_of(plugin: Element) -> str:
+    """The name of the component that a plugin belongs to, as it is written."""
+    return next((attribute(one, "name") for one in ancestors(plugin) if one.tagName == "ros2_control"), "")
 
 
 def _interfaces(packages: Packages) -> Iterator[Proposal]:
@@ -121,11 +129,7 @@ def _interfaces(packages: Packages) -> Iterator[Proposal]:
             message = (
                 f"'{at.text}' became '{edits[0].text}': gz has no PID loop of the joint; its controllers command it"
             )
-            yield Proposal(tuple(edits), entries=(Entry(EntryKind.DECIDED, message, _place(at), authority=_CONTROL),))
-
-
-def _place(span: SourceSpan) -> Place:
-    return Place(span.source, span.start, end=span.end)
+            yield Proposal(tuple(edits), entries=(Entry(EntryKind.DECIDED, message, place_of(at), authority=_CONTROL),))
 
 
 def _systems(packages: Packages) -> Iterator[Proposal]:

@@ -32,6 +32,7 @@ from urdfctl.migrate.markup import (
 from urdfctl.migrate.places import ElementKey, key_of_element
 from urdfctl.migrate.ros1.parts import Converted, Unreadable
 from urdfctl.migrate.ros1.uses import unit_of
+from urdfctl.migrate.todo import todo_line
 from urdfctl.source.dom import Element
 from urdfctl.source.span import SourceSpan, SourceText
 from urdfctl.startup.records import NamedTuple
@@ -224,17 +225,19 @@ def _call_text(call: Element, name: str) -> str:
 # -- writing ---------------------------------------------------------------------------------------------------------
 
 
-def written_component(component: Component, name: str, plugin: str, more: str = "") -> Iterator[Edit]:
+def written_component(component: Component, name: str, plugin: str, more: str = "", todo: str = "") -> Iterator[Edit]:
     """Yield the edits that write a component in place of its parts. Raises Unreadable if it cannot be written there.
 
     more: further parts.
+    todo: what a person must decide about the plugin; empty if nothing.
     """
     items = component.items
     place = _common(component)
     step = step_of(place.source)
     if any(around.tagName not in {*CONDITIONS, MACRO, "robot"} for around in (place, *ancestors(place))):
         raise Unreadable(f"it is in <{place.tagName}>")
-    hardware = f"<hardware>\n{step}<plugin>{plugin}</plugin>\n</hardware>\n"
+    note = f"{step}{todo_line(place.source.path, todo)}\n" if todo else ""
+    hardware = f"<hardware>\n{note}{step}<plugin>{plugin}</plugin>\n</hardware>\n"
     properties = "".join(
         f'<xacro:property name="{name}" value="$(arg {argument})"/>\n'
         for name, argument in dict.fromkeys(argument for item in items for argument in item.arguments)

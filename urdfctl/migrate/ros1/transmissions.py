@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.hardware import HARDWARE_OPTION, simulated_by, system_plugin
+from urdfctl.migrate.hardware import HARDWARE_OPTION, simulated_by, system_plugin, without_hardware
 from urdfctl.migrate.markup import attribute, element_at, elements, root_of, step_of
 from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.places import ElementKey, key_of_element
+from urdfctl.migrate.places import ElementKey, key_of_element, place_of
 from urdfctl.migrate.ros1.followers import followers_of
 from urdfctl.migrate.ros1.following import following, idle
 from urdfctl.migrate.ros1.gathering import Component, Gathering, label_of, prefix_of, written_component
@@ -95,13 +95,17 @@ def _components(packages: Packages, uses: Uses, parts: list[tuple[Element, Conve
     for component, name in zip(components, names, strict=True):
         try:
             more = following(packages, uses, component)
-            edits += list(written_component(component, name, system_plugin(packages), more))
+            todo = without_hardware(packages, name)
+            own = list(written_component(component, name, system_plugin(packages), more, todo))
         except Unreadable as reason:
             yield _left(packages, component.items[0].element, str(reason))
             if lifted:
                 return
             continue
-        entries += _entries(packages, component, name, texts)
+        edits += own
+        entries += _entries(component, name, texts)
+        at = next(edit.span for edit in own if todo in edit.text)
+        entries += [Entry(EntryKind.FOR_YOU, todo, place_of(at), option=HARDWARE_OPTION)] if todo else []
     if edits:
         yield Proposal(edits=tuple(dict.fromkeys([*lifted, *edits])), entries=tuple(entries))
 
@@ -138,22 +142,12 @@ def _share(one: Component, other: Component) -> bool:
     return bool(robots[0] & robots[1])
 
 
-def _entries(
-    packages: Packages, component: Component, name: str, texts: Mapping[ElementKey, Converted]
-) -> Iterator[Entry]:
+def _entries(component: Component, name: str, texts: Mapping[ElementKey, Converted]) -> Iterator[Entry]:
     at = component.items[0].element.at
     joints = list(dict.fromkeys(joint for item in component.items for joint in item.names))
     shown = ", ".join(joints[:3]) + (f" and {len(joints) - 3} more" if len(joints) > 3 else "")  # noqa: PLR2004
     message = f"transmissions of {shown} became the joints of component '{name}' in <ros2_control>"
     yield Entry(EntryKind.DONE, message, at, authority=_AUTHORITY)
-    plugin = system_plugin(packages)
-    if simulated_by(packages) == "none" and packages.wishes.hardware is None:
-        yield Entry(
-            EntryKind.FOR_YOU,
-            f"component '{name}' uses {plugin}, which moves nothing: name the plugin of the real hardware in <plugin>",
-            at,
-            option=HARDWARE_OPTION,
-        )
     parts = [part for item in component.items if (part := texts.get(key_of_element(item.element)))]
     dropped = [part for part in parts if part.dropped]
     if dropped:
