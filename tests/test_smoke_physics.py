@@ -198,6 +198,34 @@ def test_a_body_rests_at_half_its_height_and_never_jumps(
 
 
 @pytest.mark.parametrize("engine", EACH_ENGINE)
+@pytest.mark.parametrize(
+    ("shape", "reach"),
+    [
+        ('<sphere radius="0.15"/>', 0.15),
+        ('<box size="0.4 0.3 0.2"/>', 0.2 * math.sin(0.7) + 0.1 * math.cos(0.7)),
+        ('<cylinder radius="0.05" length="0.16"/>', 0.05 * math.sin(0.7) + 0.08 * math.cos(0.7)),
+        ('<mesh filename="tetrahedron.obj"/>', 0.2 * math.sin(0.7)),
+    ],
+    ids=["sphere", "box", "cylinder", "mesh"],
+)
+def test_a_tilted_body_is_put_down_where_it_touches_the_ground(
+    engine: str, shape: str, reach: float, tmp_path: Path
+) -> None:
+    """It is turned by 0.7 rad about y. The mesh has corners at its origin and 0.2 m ahead, aside and up.
+
+    pybullet adds a margin of some millimetres to a mesh.
+    """
+    path = tmp_path / "tetrahedron.obj"
+    corners = "v 0 0 0\nv 0.2 0 0\nv 0 0.2 0\nv 0 0 0.2\n"
+    path.write_text(f"{corners}f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n", encoding="utf-8")
+    level = lying(shape.replace("tetrahedron.obj", str(path)))
+    tilted = level.replace('<origin xyz="0 0 0"/>', '<origin xyz="0 0 0" rpy="0 0.7 0"/>')
+    assert tilted != level
+    with grounded(engine, tilted) as robot:
+        assert robot.standing().z == pytest.approx(reach, abs=0.01)
+
+
+@pytest.mark.parametrize("engine", EACH_ENGINE)
 def test_a_body_that_is_fixed_to_the_world_stays_where_it_is(engine: str) -> None:
     opened = open_engine(engine, Setup(lying(BOX), "body", True, {}))
     run(opened, 0.01)

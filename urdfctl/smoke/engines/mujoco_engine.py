@@ -61,12 +61,24 @@ class Mujoco:
         for shape in range(model.ngeom):
             if int(model.geom_bodyid[shape]) == 0:
                 continue
-            turn = data.geom_xmat[shape].reshape(3, 3)
-            box = model.geom_aabb[shape]
-            centre = float(data.geom_xpos[shape][2] + turn[2] @ box[:3])
-            lowest.append(centre - float(abs(turn[2]) @ box[3:]))
+            lowest.append(float(data.geom_xpos[shape][2]) - self._reach_down(shape))
         data.qpos[2] -= min(lowest, default=0.0) - 0.001
         self._library.mj_forward(model, data)
+
+    def _reach_down(self, shape: int) -> float:
+        """How far a shape reaches below its origin as it is turned, in m."""
+        model, kinds = self._model, self._library.mjtGeom
+        up = self._data.geom_xmat[shape].reshape(3, 3)[2]
+        kind, size, mesh = int(model.geom_type[shape]), model.geom_size[shape], int(model.geom_dataid[shape])
+        if kind == kinds.mjGEOM_SPHERE:
+            return float(size[0])
+        if kind == kinds.mjGEOM_CYLINDER:
+            return float(size[0] * math.hypot(up[0], up[1]) + size[1] * abs(up[2]))
+        if kind == kinds.mjGEOM_MESH:
+            first = int(model.mesh_vertadr[mesh])
+            return -float((model.mesh_vert[first : first + int(model.mesh_vertnum[mesh])] @ up).min())
+        box = model.geom_aabb[shape]
+        return float(abs(up) @ box[3:] - up @ box[:3])
 
     def position(self, joint: str) -> float:
         """Return the position of a joint, in rad or m."""
