@@ -256,6 +256,28 @@ arm:
     assert "state_publish_rate" not in after
 
 
+LOOP = """\
+arm_controller:
+  type: effort_controllers/JointPositionController
+  joint: shoulder
+  pid: {p: 100, d: 1.5}
+"""
+FORWARDED = "arm_controller: {type: effort_controllers/JointEffortController, joint: shoulder}\n"
+PERIOD = PLUGIN.replace("    </plugin>", "      <controlPeriod>0.004</controlPeriod>\n    </plugin>")
+
+
+@pytest.mark.parametrize(
+    ("controllers", "plugin", "rate"),
+    [(LOOP, PLUGIN, 1000), (LOOP, PERIOD, 250), (FORWARDED, PLUGIN, 100), (LOOP, "", 100)],
+)
+def test_gains_for_gazebo_keep_the_rate_at_which_its_plugin_closed_the_loop(
+    folder: Folder, controllers: str, plugin: str, rate: int
+) -> None:
+    files = {"config/arm.yaml": controllers, "urdf/arm.xacro": arm(transmission("EffortJointInterface"), plugin)}
+    after = migrated(folder, files, "--only", "urdf,yaml")["config/arm.yaml"]
+    assert f"\n    update_rate: {rate}  # Hz\n" in after
+
+
 def test_a_gain_that_the_target_renamed_is_a_double_too(folder: Folder) -> None:
     before = """\
 arm_controller:

@@ -167,7 +167,8 @@ def measured(pair: dict[str, Any], options: argparse.Namespace, folder: Path) ->
         row[kind] = Score(len(one & other), len(other), len(one))
         row[f"people {kind}"] = Score(len(kept & other), len(other), len(kept))
         row[f"missing {kind}"], row[f"more {kind}"] = sorted(other - one), sorted(one - other)
-    row["runs"] = runs_of(before_folder.resolve(), out, distro) if options.runs else None
+    came_from = "noetic" if pair["kind"].startswith("ros1") else None
+    row["runs"] = runs_of(before_folder.resolve(), out, distro, came_from=came_from) if options.runs else None
     if not options.keep:
         shutil.rmtree(out, ignore_errors=True)
     return row

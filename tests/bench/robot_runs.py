@@ -37,11 +37,14 @@ def moved_joints(folder: Path, distro: str | None = None) -> set[str]:
     return {one["joint"] for one in report["measurements"] if (one["robot"], one["controller"]) in passed}
 
 
-def runs_of(before: Path, after: Path, distro: str) -> dict[str, Any]:
-    """Return what lint and smoke say of a migrated folder: errors, joints that move, and those that no longer do."""
+def runs_of(before: Path, after: Path, distro: str, *, came_from: str | None = None) -> dict[str, Any]:
+    """Return what lint and smoke say of a migrated folder: errors, joints that move, and those that no longer do.
+
+    came_from: the distro before the migration; None for the one that the files indicate.
+    """
     known = {(error.code, error.message) for error in errors_in(before)}
     errors = [error for error in sorted(errors_in(after, distro)) if (error.code, error.message) not in known]
-    moved = moved_joints(before), moved_joints(after, distro)
+    moved = moved_joints(before, came_from), moved_joints(after, distro)
     return {"errors": errors, "moved": [sorted(joints) for joints in moved], "lost": sorted(moved[0] - moved[1])}
 
 

@@ -30,13 +30,14 @@ def place_of(span: SourceSpan) -> Place:
     return Place(span.source, span.start, end=span.end)
 
 
-def plugin_elements(packages: Packages, *endings: str) -> Iterator[Element]:
+def plugin_elements(packages: Packages, *endings: str, at_first: bool = False) -> Iterator[Element]:
     """Yield the `<plugin>` elements in the XML files, as they are written.
 
     endings: those of other files to look into, too.
+    at_first: whether to yield them as they were before the migration, instead of as they are now.
     """
     for path in packages.files(*_OF_XML, *endings):
-        source = packages.read(path)
+        source = packages.read(packages.scratch.real(path) if at_first else path)
         root = root_of(source) if b"<plugin" in source.data else None
         if root is not None and root.tagName in {"robot", "gazebo", "sdf"}:
             yield from (element for element in elements(root) if element.tagName == "plugin")

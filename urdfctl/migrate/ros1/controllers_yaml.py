@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterator, Sequence
 
 from urdfctl.diagnostic import Edit
@@ -22,6 +23,8 @@ from urdfctl.source.yaml import Mapping, Node
 
 _FORM = "rcl_yaml_param_parser: parameters are below ros__parameters of their node"
 _PID_GAINS = "gz_ros2_control src/gz_system.cpp: position_proportional_gain, one for all joints"
+_STEPS = 1000
+"""Steps of a world in a second, by default: gazebo_ros_control updates in each (gazebo_ros_control_plugin.cpp)."""
 _ANY = "/**"
 """Stands for any namespace in a parameter file (rclcpp parameter_map.cpp)."""
 
@@ -67,16 +70,24 @@ class _File:
             yield manager_text(namespace, known, rate, simulated=simulated_by(self.packages) != "none")
 
     def _rate(self, sections: Sequence[ControllerSection]) -> tuple[int, str]:
-        for plugin in plugin_elements(self.packages):
+        for plugin in plugin_elements(self.packages, at_first=True):
             period = child(plugin, "controlPeriod")
             try:
                 return round(1 / float(content(period) if period is not None else "")), "from <controlPeriod>"
             except (ValueError, ZeroDivisionError):
                 continue
         published = max((section.rate or 0.0 for section in sections), default=0.0)
+        if published <= _STEPS and self._is_tuned_in_gazebo(sections):
+            return _STEPS, "at which gazebo_ros_control closed the loops that the gains are for"
         if published > RATE:
             return round(published), "at which a controller published"
         return RATE, "usual: ROS 1 has no such parameter"
+
+    def _is_tuned_in_gazebo(self, sections: Sequence[ControllerSection]) -> bool:
+        """Return whether controllers have gains, and are simulated as before: other rates may not suit the gains."""
+        plugins = (attribute(plugin, "filename") for plugin in plugin_elements(self.packages, at_first=True))
+        tuned = any(re.search(r"^gains\b", section.lines, re.MULTILINE) for section in sections)
+        return tuned and simulated_by(self.packages) != "none" and any("_control" in name for name in plugins)
 
     def _namespace(self, item: Item) -> str:
         parts = [part for part in f"{self.loaded_into}/{item.namespace}".split("/") if part]

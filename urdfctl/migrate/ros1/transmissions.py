@@ -146,7 +146,8 @@ def _entries(component: Component, name: str, texts: Mapping[ElementKey, Convert
     at = component.items[0].element.at
     joints = list(dict.fromkeys(joint for item in component.items for joint in item.names))
     shown = ", ".join(joints[:3]) + (f" and {len(joints) - 3} more" if len(joints) > 3 else "")  # noqa: PLR2004
-    message = f"transmissions of {shown} became the joints of component '{name}' in <ros2_control>"
+    of_joints = f" of {shown}" if shown else ""
+    message = f"transmissions{of_joints} became the joints of component '{name}' in <ros2_control>"
     yield Entry(EntryKind.DONE, message, at, authority=_AUTHORITY)
     parts = [part for item in component.items if (part := texts.get(key_of_element(item.element)))]
     dropped = [part for part in parts if part.dropped]
