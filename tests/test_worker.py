@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import fcntl
+import mmap
 import os
 import re
 import resource
@@ -129,6 +130,13 @@ def test_a_job_that_is_too_late_costs_the_others_nothing(quick: None) -> None:
 def test_a_job_that_wants_too_much_memory_is_told_so_and_is_no_crash() -> None:
     [found] = results(lambda job: {"length": len(bytearray(1 << 30))}, Limits(20.0, 512 << 20, {}))
     assert found == WorkerFailure("it needs more memory than one robot may use (see --memory)", our_fault=False)
+
+
+@needs_fork
+def test_memory_that_the_starting_process_has_mapped_is_not_counted() -> None:
+    with mmap.mmap(-1, 1 << 30):
+        found = results(lambda job: {"length": len(bytearray(1 << 26))}, Limits(20.0, 512 << 20, {}))
+    assert found == [{"length": 1 << 26}]
 
 
 @needs_fork

@@ -31,7 +31,7 @@ class Limits(NamedTuple):
     """The limits of one job.
 
     seconds: wall-clock time, in s.
-    memory: address space, in bytes.
+    memory: address space beyond that of the process that starts the workers, in bytes.
     environ: the environment variables that the job sees.
     """
 
@@ -60,7 +60,7 @@ Result = Json | WorkerFailure
 
 
 def restrict(limits: Limits) -> None:
-    """Limit the memory and the environment of this process."""
+    """Limit the environment of this process, and the memory that it takes beyond what it has."""
     if sys.platform == "win32":
         raise NotImplementedError
     import resource
@@ -68,11 +68,24 @@ def restrict(limits: Limits) -> None:
     gc.disable()  # a worker lives for milliseconds, and the memory limit still holds
     os.environ.clear()
     os.environ.update(limits.environ)
-    _limit(resource.RLIMIT_AS, limits.memory)
+    _limit(resource.RLIMIT_AS, _address_space() + limits.memory)
     _limit(resource.RLIMIT_CORE, 0)
     if signal.getsignal(signal.SIGINT) != signal.SIG_IGN:  # a shell's background jobs ignore it
         signal.signal(signal.SIGINT, signal.SIG_DFL)  # the parent reports the interruption
     signal.signal(signal.SIGALRM, _raise_over_budget(limits))
+
+
+def _address_space() -> int:
+    """Return the bytes of memory that this process has mapped (proc(5), statm); 0 where it is not told."""
+    if sys.platform == "win32":
+        raise NotImplementedError
+    import resource
+
+    try:
+        with open("/proc/self/statm", "rb") as file:
+            return int(file.read().split()[0]) * resource.getpagesize()
+    except (OSError, ValueError, IndexError):
+        return 0
 
 
 def start_clock(limits: Limits) -> None:
