@@ -160,7 +160,7 @@ def _systems(packages: Packages) -> Iterator[Proposal]:
 
 
 def _is_own(element: Element, library: str) -> bool:
-    """Whether a plugin is none of gazebo_ros_pkgs, and is for Gazebo Classic: gz names the class of each plugin."""
+    """Whether a plugin is for Gazebo Classic, and not from gazebo_ros_pkgs: gz names the class of each plugin."""
     filename, name = attribute(element, "filename"), attribute(element, "name")
     known = (CONTROL, _OF_ROS1, *SYSTEMS, *SENSORS, *LOOSE, *NO_SUCCESSOR)
     is_for_classic = filename.endswith(".so") and not library.startswith(_OF_GZ) and "::" not in name

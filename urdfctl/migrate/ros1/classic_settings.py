@@ -35,7 +35,7 @@ def snake_case(name: str) -> str:
 
 
 def _same(words: str = "", **others: str) -> dict[str, tuple[str, ...]]:
-    """Settings that are only spelt otherwise in ROS 2, and others with their new names."""
+    """Return settings with their names in ROS 2: the same in snake case, or new ones."""
     return {**{name: (snake_case(name),) for name in words.split()}, **{name: (new,) for name, new in others.items()}}
 
 
