@@ -7,16 +7,13 @@ from collections.abc import Iterator, Sequence
 
 from urdfctl.model.geometry import (
     UPRIGHT,
-    ZERO,
     Pose,
     Rotation,
     Vector,
     about,
     dot,
     minus,
-    plus,
     product,
-    scaled,
     transposed,
     turned,
 )
@@ -75,12 +72,9 @@ def resting(mechanism: Mechanism, shapes: Shapes) -> Resting | None:
     """Return how a robot comes to rest on flat ground with its joints held at spawn; None if nothing holds it up."""
     poses = mechanism.poses(mechanism.start())
     placed = tuple((name, shape, poses[name]) for name in mechanism.bodies for shape in shapes.known.get(name, ()))
-    mass = sum(body.mass for body in mechanism.bodies.values())
-    if not placed or not mass > 0:
+    if not placed or not sum(body.mass for body in mechanism.bodies.values()) > 0:
         return None
-    centre = ZERO
-    for name, body in mechanism.bodies.items():
-        centre = plus(centre, scaled(poses[name].at(body.centre), body.mass / mass))
+    centre = mechanism.centre_of_mass(poses)
     turn = _settled(_Body(centre, placed))
     down = turned(transposed(turn), (0.0, 0.0, -1.0))
     depth = max(_reach(shape, pose, down) for _, shape, pose in placed)

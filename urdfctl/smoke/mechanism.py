@@ -14,6 +14,7 @@ from urdfctl.model.geometry import (
     Vector,
     about,
     of_angles,
+    plus,
     product,
     scaled,
     transposed,
@@ -153,6 +154,14 @@ class Mechanism(NamedTuple):
                 position = positions[hinge.mimic[0]] * hinge.mimic[1] + hinge.mimic[2]
             poses[hinge.child] = poses[hinge.parent].then(hinge.moved(position) if hinge.moves else hinge.pose)
         return poses
+
+    def centre_of_mass(self, poses: Mapping[str, Pose]) -> Vector:
+        """Return the centre of mass in the root's frame, in m, for some poses of the links. The robot has a mass."""
+        mass = sum(body.mass for body in self.bodies.values())
+        centre = ZERO
+        for name, body in self.bodies.items():
+            centre = plus(centre, scaled(poses[name].at(body.centre), body.mass / mass))
+        return centre
 
     def below(self, link: str) -> set[str]:
         """Return a link and all links that hang on it."""

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Sequence
 
-from urdfctl.model.geometry import Vector, minus, plus, scaled, turned
+from urdfctl.model.geometry import minus, turned
 from urdfctl.smoke.ground import TIPPED, Resting, resting
 from urdfctl.smoke.loads import sampled_poses
 from urdfctl.smoke.mechanism import Mechanism
@@ -86,24 +86,14 @@ def _is_still(mechanism: Mechanism, link: str, moved: Collection[str]) -> bool:
 def _tipping(mechanism: Mechanism, at_rest: Resting, hull: Sequence[tuple[float, float]]) -> str:
     """When the centre of mass is not over the base: at spawn, or in the first of many poses; empty if never."""
     start = mechanism.start()
-    origin = _centre(mechanism, start)
+    origin = mechanism.centre_of_mass(mechanism.poses(start))
     for pose in (start, *sampled_poses(mechanism)):
-        x, y, _ = turned(at_rest.turn, minus(_centre(mechanism, pose), origin))
+        x, y, _ = turned(at_rest.turn, minus(mechanism.centre_of_mass(mechanism.poses(pose)), origin))
         if not _inside(hull, (x, y)):
             shown = [f"{name} at {place:.2g}" for name, place in pose.items() if abs(place - start[name]) > 0.01]  # noqa: PLR2004
             more = f" and {len(shown) - 3} more" if len(shown) > 3 else ""  # noqa: PLR2004
             return f"with {', '.join(shown[:3])}{more}" if shown else "at spawn"
     return ""
-
-
-def _centre(mechanism: Mechanism, positions: Mapping[str, float]) -> Vector:
-    """The centre of mass in the root's frame."""
-    poses, mass = mechanism.poses(positions), sum(body.mass for body in mechanism.bodies.values())
-    centre: Vector = (0.0, 0.0, 0.0)
-    for name, body in mechanism.bodies.items():
-        if body.mass:
-            centre = plus(centre, scaled(poses[name].at(body.centre), body.mass / mass))
-    return centre
 
 
 def _hull(points: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
