@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from urdfctl.server.fitting import all_names, fitting_names, kind_at
+from urdfctl.server.fitting import defined_names, fitting_names, kind_at
 from urdfctl.server.items import Item
 from urdfctl.server.scopes import MAP, NUMBER, TEXT, TRUTH, Defined, Scopes, is_number_at, is_positive_at
 from urdfctl.server.spot import Spot
@@ -83,7 +83,8 @@ def _of_names(spot: Spot, visible: list[Defined], scopes: Scopes) -> list[Define
     written, expanded = set[str](), set[str]()
     if kind is not None:
         written = set(fitting_names(spot.question, kind))
-        expanded = set(all_names(spot.question, kind)) if (before, after) == ("${", "}") else set()
+        if (before, after) == ("${", "}"):
+            expanded = {name.text for name in defined_names(spot.question, kind)}
     elif (tag, attribute) in {("link", "name"), ("joint", "name")}:
         data = spot.question.source.data
         written = {one.decode("utf-8", "replace") for one in re.findall(rb"\b%s=[\"']([^\"']*)" % tag.encode(), data)}

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterator
 
 from urdfctl.server.completion_expressions import arguments, values
-from urdfctl.server.fitting import all_names, fitting_interfaces, fitting_names, kind_at
+from urdfctl.server.fitting import defined_names, fitting_interfaces, fitting_names, kind_at
 from urdfctl.server.items import Item
 from urdfctl.server.paths import files_in_package, packages_with
 from urdfctl.server.question import Question
@@ -85,7 +85,8 @@ def _in_attribute(spot: Spot) -> Iterator[Item]:
     if kind is not None:
         fitting = list(fitting_names(question, kind))
         is_unknown = not fitting and not question.is_current
-        yield from (Item(name, kind) for name in (all_names(question, kind) if is_unknown else fitting))
+        texts = (name.text for name in defined_names(question, kind)) if is_unknown else fitting
+        yield from (Item(text, kind) for text in texts)
     elif tag in _INTERFACES and attribute == "name":
         yield from (Item(name, "interface") for name in fitting_interfaces(question))
     elif tag == "node" and attribute == "args":

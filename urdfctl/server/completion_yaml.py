@@ -11,12 +11,12 @@ from urdfctl.control.minimal import minimal_parameters
 from urdfctl.control.session import session_of
 from urdfctl.load.loader import LoadedTarget
 from urdfctl.server.about_parameters import described_parameter
+from urdfctl.server.fitting import defined_names
 from urdfctl.server.items import Item
-from urdfctl.server.names import CONTROLLER, JOINT, LINK, names_in
+from urdfctl.server.names import CONTROLLER, JOINT, LINK
 from urdfctl.server.question import Question
 from urdfctl.server.trial import Trial
 from urdfctl.server.xacro_names import PARAMETER
-from urdfctl.source.opaque import UNKNOWN
 
 _WORD = r"[\"']?(?P<word>[\w/.-]*)$"
 _LISTS_CONTROLLERS = frozenset({"controller_names", "controllers", "chained_controllers", "fallback_controllers"})
@@ -190,10 +190,7 @@ def _scalars(question: Question, keys: list[str]) -> Iterator[Item]:
 
 
 def _named(question: Question, *kinds: str) -> Iterator[Item]:
-    for robot in question.robots:
-        for name in names_in(robot):
-            if name.kind in kinds and name.defines and name.text and UNKNOWN not in name.text:
-                yield Item(name.text, name.kind)
+    yield from (Item(name.text, name.kind) for name in defined_names(question, *kinds))
 
 
 # -- parameters --------------------------------------------------------------------------------------------------------

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 from urdfctl.control.hardware import Kind
 from urdfctl.control.session import session_of
 from urdfctl.load.loader import LoadedTarget
-from urdfctl.server.names import JOINT, LINK, names_in
+from urdfctl.server.names import JOINT, LINK, Name, names_in
 from urdfctl.server.question import Question
 from urdfctl.source.dom import Element
 from urdfctl.source.opaque import UNKNOWN
@@ -38,12 +38,12 @@ def kind_at(tag: str, attribute: str, parent: Callable[[], str]) -> str | None:
     return _KINDS.get((tag, attribute))
 
 
-def all_names(question: Question, kind: str) -> Iterator[str]:
-    """Yield the names of all links or joints of the robots."""
+def defined_names(question: Question, *kinds: str) -> Iterator[Name]:
+    """Yield the known names of some kinds, such as links, where the robots define them."""
     for robot in question.robots:
         for name in names_in(robot):
-            if name.kind == kind and name.defines and name.text and UNKNOWN not in name.text:
-                yield name.text
+            if name.kind in kinds and name.defines and name.text and UNKNOWN not in name.text:
+                yield name
 
 
 class Here(NamedTuple):
@@ -186,18 +186,19 @@ def _mimicked(here: Here) -> Test:
 
 def _controlled(here: Here) -> Test:
     """Joints that no hardware has yet; first of all those that controllers claim."""
-    joints = _moving(here)
-    taken = {one.attrs.get("name") for one in here.all("ros2_control", "joint")}
     is_commanded = any(one.tagName == "command_interface" for one in here.element.elements())
-    free = {name for name, joint in joints.items() if name not in taken and not (is_commanded and _mimics(joint))}
-    claimed = free & {component for _, component, _ in _unmet(here)}
-    return (claimed or free).__contains__
+    return _free(here, "ros2_control", may_mimic=not is_commanded)
 
 
 def _transmitted(here: Here) -> Test:
-    joints = _moving(here)
-    taken = {one.attrs.get("name") for one in here.all("transmission", "joint")}
-    free = {name for name, joint in joints.items() if name not in taken and not _mimics(joint)}
+    return _free(here, "transmission", may_mimic=False)
+
+
+def _free(here: Here, outer: str, *, may_mimic: bool) -> Test:
+    """Moving joints that are in no element of a tag yet; if controllers claim some of them, only these."""
+    taken = {one.attrs.get("name") for one in here.all(outer, "joint")}
+    joints = ((name, joint) for name, joint in _moving(here).items() if name not in taken)
+    free = {name for name, joint in joints if may_mimic or not _mimics(joint)}
     claimed = free & {component for _, component, _ in _unmet(here)}
     return (claimed or free).__contains__
 
