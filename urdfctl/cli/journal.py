@@ -16,7 +16,7 @@ from typing import BinaryIO
 
 from urdfctl.cli.cache import cache_folder
 from urdfctl.cli.writing import print_message, write_beside
-from urdfctl.fix.edits import Change
+from urdfctl.fix.edits import Change, bytes_of
 
 
 @contextmanager
@@ -82,7 +82,7 @@ def _undone(change: Change) -> Iterator[str]:
     file = change.file
     try:
         _remove_temporary(change)
-        if _content(file) != change.after or change.after == change.before:
+        if bytes_of(file) != change.after or change.after == change.before:
             return
         if change.before is None:
             os.unlink(file)
@@ -99,16 +99,8 @@ def _remove_temporary(change: Change) -> None:
     folder, name = os.path.split(change.file)
     for other in os.listdir(folder) if os.path.isdir(folder) else ():
         path = os.path.join(folder, other)
-        if other.startswith(f".{name}.") and change.after is not None and _content(path) == change.after:
+        if other.startswith(f".{name}.") and change.after is not None and bytes_of(path) == change.after:
             os.unlink(path)
-
-
-def _content(path: str) -> bytes | None:
-    try:
-        with open(path, "rb") as file:
-            return file.read()
-    except FileNotFoundError:
-        return None
 
 
 def _take(file: BinaryIO) -> bool:

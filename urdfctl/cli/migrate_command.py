@@ -17,10 +17,10 @@ from urdfctl.cli.words import configured, settings_from
 from urdfctl.cli.writing import encoded, print_bytes, print_message, print_text, write_file
 from urdfctl.cli.writing_all import write_all
 from urdfctl.errors import UserError
-from urdfctl.fix.edits import Change
+from urdfctl.fix.edits import Change, bytes_of
 from urdfctl.migrate.engine import Migration, migrate
 from urdfctl.migrate.report import as_json, as_markdown
-from urdfctl.migrate.scratch import Scratch, bytes_of
+from urdfctl.migrate.scratch import Scratch
 from urdfctl.migrate.step import EntryKind
 from urdfctl.migrate.steps import STEPS
 from urdfctl.migrate.wishes import Part, Wishes

@@ -26,6 +26,15 @@ class Change(NamedTuple):
     after: bytes | None
 
 
+def bytes_of(path: str) -> bytes | None:
+    """Return the content of a file, None if it does not exist."""
+    try:
+        with open(path, "rb") as file:
+            return file.read()
+    except FileNotFoundError:
+        return None
+
+
 def edited(data: bytes, edits: Iterable[Splice]) -> bytes:
     """Return the bytes after edits, which must not clash. ValueError if an edit is out of range."""
     parts: list[bytes] = []

@@ -6,10 +6,9 @@ import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from urdfctl.config.settings import Settings
-from urdfctl.fix.edits import Shift, Splice, Taken, clash, edited
+from urdfctl.fix.edits import Shift, Splice, Taken, bytes_of, clash, edited
 from urdfctl.migrate.acceptance import Before, Objection, objections
 from urdfctl.migrate.packages import Lint, Linted, Packages
-from urdfctl.migrate.scratch import bytes_of
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Step
 from urdfctl.migrate.todo import with_todos
 

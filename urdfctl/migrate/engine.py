@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from urdfctl.config.settings import Settings
 from urdfctl.diagnostic import Diagnostic, Severity
-from urdfctl.fix.edits import Change
+from urdfctl.fix.edits import Change, bytes_of
 from urdfctl.lint.grouping import grouped
 from urdfctl.load.loader import LoadedTarget
 from urdfctl.migrate.acceptance import Before, Objection, before
@@ -17,7 +17,7 @@ from urdfctl.migrate.installs import installs_for_launch_files
 from urdfctl.migrate.memory import Memory
 from urdfctl.migrate.packages import Lint, Linted, Packages
 from urdfctl.migrate.report import ReportLine
-from urdfctl.migrate.scratch import Scratch, bytes_of
+from urdfctl.migrate.scratch import Scratch
 from urdfctl.migrate.step import EntryKind, Step
 from urdfctl.migrate.todo import without_punctuation
 from urdfctl.migrate.trials import Trials

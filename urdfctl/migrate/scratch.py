@@ -9,7 +9,7 @@ import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.errors import UserError
-from urdfctl.fix.edits import Change
+from urdfctl.fix.edits import Change, bytes_of
 from urdfctl.source.files import folders_upwards
 from urdfctl.source.gitignore import GitIgnore
 from urdfctl.source.packages import package_around, package_folders, package_name
@@ -137,15 +137,6 @@ class Scratch:
                 if os.path.isfile(os.path.join(folder, name)):
                     os.makedirs(self.of(folder), exist_ok=True)
                     shutil.copyfile(os.path.join(folder, name), os.path.join(self.of(folder), name))
-
-
-def bytes_of(path: str) -> bytes | None:
-    """Return the content of a file, None if it does not exist."""
-    try:
-        with open(path, "rb") as file:
-            return file.read()
-    except FileNotFoundError:
-        return None
 
 
 def _folders(paths: Sequence[str]) -> list[str]:
