@@ -50,7 +50,7 @@ def edited_file(source: SourceText, edits: Iterable[Splice]) -> EditedFile:
 def _elements_touched(source: SourceText, edits: list[Splice]) -> Iterator[tuple[int, Splice]]:
     """Each edit, with the offset of the innermost element that contains it."""
     root = _xml(source)
-    spans = [(element.start, _end(element)) for element in _elements(root)] if root is not None else []
+    spans = [(element.start, _end(element)) for element in root.walk()] if root is not None else []
     starts = [start for start, _ in spans]
     for edit in edits:
         before = spans[: bisect_left(starts, edit.start)]
@@ -71,14 +71,6 @@ def _xml(source: SourceText) -> Element | None:
         return parse(source).documentElement
     except ReadError:
         return None
-
-
-def _elements(root: Element) -> Iterator[Element]:
-    pending = [root]
-    while pending:
-        element = pending.pop()
-        yield element
-        pending += reversed(element.elements())
 
 
 def _end(element: Element) -> int:

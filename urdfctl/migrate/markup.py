@@ -27,9 +27,7 @@ def root_of(source: SourceText) -> Element | None:
 
 def elements(root: Element) -> Iterator[Element]:
     """Yield an element and all elements in it, in the order of the file."""
-    yield root
-    for child in root.elements():
-        yield from elements(child)
+    yield from root.walk()
 
 
 @once_per_object

@@ -17,11 +17,8 @@ def elements_of(source: SourceText) -> Iterator[Element]:
         root = parse(source).documentElement
     except ReadError:
         return
-    pending = [root] if root is not None else []
-    while pending:
-        element = pending.pop()
-        yield element
-        pending += reversed(element.elements())
+    if root is not None:
+        yield from root.walk()
 
 
 def span_of(element: Element) -> SourceSpan:

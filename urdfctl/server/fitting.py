@@ -78,10 +78,7 @@ def elements_at(question: Question) -> list[Here]:
     found = []
     for robot in question.robots:
         for root in _roots(robot, question.file):
-            pending = [root]
-            while pending:
-                element = pending.pop()
-                pending += reversed(element.elements())
+            for element in root.walk():
                 is_here = element.start == start and element.source.path == question.file
                 if is_here and element.source.data[:start] == question.source.data[:start]:
                     found.append(Here(robot, element))

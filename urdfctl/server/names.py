@@ -140,11 +140,8 @@ def _place(span: SourceSpan) -> tuple[str, int]:
 
 
 def _of_robot(root: Element, known: dict[str, set[str]]) -> Iterator[Name]:
-    pending = [root]
     later: list[tuple[Element, str]] = []
-    while pending:
-        element = pending.pop()
-        pending += reversed(element.elements())
+    for element in root.walk():
         parent = element.parentNode.tagName if isinstance(element.parentNode, Element) else ""
         for attribute, text in element.attrs.items():
             path = parent, element.tagName, attribute

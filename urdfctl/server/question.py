@@ -69,10 +69,7 @@ class Question(NamedTuple):
     def evaluated(self) -> Iterator[Evaluated]:
         """Yield the attributes of the file that have expressions, for each robot shown and each call of a macro."""
         for robot in self.shown:
-            pending = [robot.root] if robot.root is not None else []
-            while pending:
-                element = pending.pop()
-                pending += reversed(element.elements())
+            for element in robot.root.walk() if robot.root is not None else ():
                 if element.source.path != self.file:
                     continue
                 for attribute, value in element.attrs.items():

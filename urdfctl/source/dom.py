@@ -262,6 +262,14 @@ class Element(Node):
         value = self.attrs.get(name)
         return None if value is None else _Attribute(value)
 
+    def walk(self) -> Iterator[Element]:
+        """Yield this element and all in it, in the order of the file. The tree must not change during the iteration."""
+        pending = [self]
+        while pending:
+            element = pending.pop()
+            yield element
+            pending += reversed(element.elements())
+
     def cloneNode(self, deep: bool = False) -> Element:
         """Return a copy that records the macro call or the `insert_block` that produced it."""
         top = self.cloning.call

@@ -66,11 +66,12 @@ def _values(found: Traced, details: Json) -> list[Value]:
     if source is None:
         raise UserError(f"'{line.file}' is not read for '{found.loaded.project.path}'")
     span = _span_of(source, line)
-    values, pending = [], [found.root]
-    while pending:
-        element = pending.pop()
-        pending += reversed(element.elements())
-        values += [value for value in all_values(element) if depends_on(found.recorder, value, span)]
+    values = [
+        value
+        for element in found.root.walk()
+        for value in all_values(element)
+        if depends_on(found.recorder, value, span)
+    ]
     if not values:
         raise UserError(f"no value of the robot depends on {line.file}:{line.line}")
     return values
