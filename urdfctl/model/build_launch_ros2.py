@@ -8,8 +8,9 @@ from collections.abc import Callable, Mapping, Sequence
 
 from urdfctl.model.descriptions import content_of
 from urdfctl.model.launch import Launch, Simulation, Spawn, Word, joined
+from urdfctl.model.launch_facts import LaunchFacts
 from urdfctl.model.launch_moveit import LAUNCHES
-from urdfctl.model.launch_nodes import Gathered, Nodes
+from urdfctl.model.launch_nodes import Nodes
 from urdfctl.model.launch_texts import Scope, Texts, table_of
 from urdfctl.source.launch.terms import (
     Called,
@@ -130,7 +131,7 @@ def _turn(spawn: Spawn, spawns: list[Spawn], order: Mapping[str, int], depth: in
 class _Walk:
     def __init__(self, sources: Sources) -> None:
         self.sources = sources
-        self.facts = Gathered()
+        self.facts = LaunchFacts(sources.locate)
         self.simulations: list[Simulation] = []
         self.arguments: dict[str, str | None] = {}
         self.complete = True
@@ -140,10 +141,7 @@ class _Walk:
         return Texts(scope, self.sources.find, self.sources.environ, self.sources.values)
 
     def nodes(self, scope: Scope) -> Nodes:
-        return Nodes(self.facts, self.texts(scope), self.sources.locate)
-
-    def _exists(self, path: str) -> bool:
-        return bool(self.sources.locate(path)[1])
+        return Nodes(self.facts, self.texts(scope))
 
     # -- actions -----------------------------------------------------------------------------------------------------
 
@@ -234,7 +232,7 @@ class _Walk:
             self._described(name, value, scope)
 
     def _described(self, name: str, value: Term | None, scope: Scope) -> None:
-        content = content_of(value, self.texts(scope), self._exists) if value is not None else None
+        content = content_of(value, self.texts(scope), self.facts.exists) if value is not None else None
         if content is not None:
             scope.contents[name] = content
 
@@ -323,7 +321,7 @@ class _Walk:
         self._includes += 1
         included = None
         if UNKNOWN not in path:
-            self.nodes(scope).reference(path, written.at, "include", sure=state.sure)
+            self.facts.reference(path, written.at, "include", sure=state.sure)
             if self._includes <= _MOST_INCLUDES and state.depth < _MOST_DEPTH * 4:
                 included = self.sources.read(path)
         if included is None:

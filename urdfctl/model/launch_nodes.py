@@ -3,25 +3,19 @@
 from __future__ import annotations
 
 import os
-import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
-from urdfctl.model.controllers import FileReference
-from urdfctl.model.descriptions import content_of, is_of_other_node
-from urdfctl.model.launch import Description, Node, ParameterLoad, Reference, Spawn, Word, joined
-from urdfctl.model.launch_moveit import builder_of, files_of_table
-from urdfctl.model.launch_texts import Content, Texts, replaced_by
-from urdfctl.model.moveit_files import MoveItFiles
+from urdfctl.model.launch import Node, Spawn, Word, joined
+from urdfctl.model.launch_facts import LaunchFacts
+from urdfctl.model.launch_moveit import builder_of
+from urdfctl.model.launch_parameters import DESCRIBED, MANAGERS, NodeParameters
+from urdfctl.model.launch_texts import Content, Texts
 from urdfctl.model.spawner import SpawnerArguments, command_arguments, manager_of, spawner_arguments
-from urdfctl.source.launch.terms import Called, Constant, Items, Member, Missing, OneOf, Perhaps, Table, Term
+from urdfctl.source.launch.terms import Called, Constant, Items, Missing, OneOf, Perhaps, Table, Term
 from urdfctl.source.opaque import UNKNOWN, if_known
 from urdfctl.source.span import Place
 
 SPAWNERS = ("spawner", "spawner.py")
-MANAGERS = ("ros2_control_node",)
-_DESCRIBED = ("robot_state_publisher", *MANAGERS, "move_group")
-_OF_MANAGERS = r"ros2_control|controller_manager"
-_SEMANTIC = "robot_description_semantic"
 _FILE_OPTIONS = ("-file", "--file")
 _SUFFIXES = (".yaml", ".yml", ".urdf", ".xacro", ".rviz", ".sdf", ".world", ".srdf")
 _NAMING = ("controller_name", "controller_names", "controller_info_dict")
@@ -29,28 +23,12 @@ _ALTERNATIVE = {"package": "node_package", "executable": "node_executable", "nam
 """The keywords of a node with their names in older distros."""
 
 
-class Gathered:
-    """The facts that are collected while a launch file is followed."""
-
-    def __init__(self) -> None:
-        self.descriptions: list[Description] = []
-        self.loads: list[ParameterLoad] = []
-        self.spawns: list[Spawn] = []
-        self.elsewhere: list[Spawn] = []
-        self.nodes: list[Node] = []
-        self.references: dict[tuple[str, int], Reference] = {}
-        self.moveit: list[MoveItFiles] = []
-        self.altered = False
-        """Whether an action changes the parameters or remappings of all following nodes."""
-
-
 class Nodes:
     """Adds the effects of single actions to the collected facts."""
 
-    def __init__(self, facts: Gathered, texts: Texts, locate: Callable[[str], tuple[str, bool | None]]) -> None:
+    def __init__(self, facts: LaunchFacts, texts: Texts) -> None:
         self.facts = facts
         self.texts = texts
-        self._locate = locate
 
     # -- nodes -------------------------------------------------------------------------------------------------------
 
@@ -61,10 +39,17 @@ class Nodes:
             if self._is_spawner(package, executable):
                 self.facts.elsewhere.append(self._spawn(term, executable, sure=sure, after=after))
             return
-        parameters = _Parameters(self, term, executable.text, sure=sure)
         words, complete = self._words(term.keywords.get("arguments"))
         name = self._word(term, "name").known if _given(term, "name") is not None else None
         namespace = if_known(self._namespace(term))
+        parameters = NodeParameters(
+            term.keywords.get("parameters"),
+            executable.text,
+            facts=self.facts,
+            texts=self.texts,
+            namespace=namespace,
+            sure=sure,
+        )
         remaps = tuple(self._remaps(term.keywords.get("remappings")))
         self.facts.nodes.append(
             Node(
@@ -122,7 +107,7 @@ class Nodes:
         for given in parsed.values("-n", "--namespace"):
             namespace = joined("", given.text)
         manager, manager_namespace = manager_of(parsed.manager, namespace)
-        references = tuple(self.load(word, program.text, sure=sure, of=if_known(namespace)) for word in files)
+        references = tuple(self.facts.load(word, program.text, sure=sure, of=if_known(namespace)) for word in files)
         names = tuple((word.text, word.at) for word in parsed.names)
         return Spawn(
             names=names,
@@ -167,16 +152,18 @@ class Nodes:
             return
         if builder is not None:
             runs = demo or kind == "generate_move_group_launch"
-            self.facts.moveit.append(builder.files(term.at, self._locate, namespace=namespace, sure=sure, runs=runs))
+            self.facts.moveit.append(
+                builder.files(term.at, self.facts.locate, namespace=namespace, sure=sure, runs=runs)
+            )
             if runs or kind == "generate_rsp_launch":
-                content = builder.description(lambda path: bool(self._locate(path)[1]), term.at)
-                self.described(content, _DESCRIBED[0] if not runs else "move_group", namespace, sure=sure)
+                content = builder.description(self.facts.exists, term.at)
+                self.facts.described(content, DESCRIBED[0] if not runs else "move_group", namespace, sure=sure)
         if demo or kind == "generate_spawn_controllers_launch":
             self.facts.spawns.append(Spawn((), namespace, term.at, sure=sure, complete=False))
         if demo:
             folder = builder.folder if builder else UNKNOWN
             controllers = Word(f"{folder}/config/ros2_controllers.yaml", term.at)
-            self.load(controllers, MANAGERS[0], sure=sure, of=namespace)
+            self.facts.load(controllers, MANAGERS[0], sure=sure, of=namespace)
 
     # -- commands ----------------------------------------------------------------------------------------------------
 
@@ -233,56 +220,12 @@ class Nodes:
             if isinstance(value, (Constant, Called)) and (text := self.texts.of(value)):
                 yield Word(text, value.at)
 
-    # -- files -------------------------------------------------------------------------------------------------------
-
-    def load(self, file: Word, node: str, *, sure: bool, of: str | None, term: Term | None = None) -> FileReference:
-        """Add a parameter file of a controller manager or a spawner, and return the reference to it.
-
-        of: the node's namespace; None if unknown.
-        term: the file as the launch file gives it; None if it is a plain path.
-        """
-        reference = self.reference(file.text, file.at, "parameters", sure=sure)
-        replaced = replaced_by(term, self.texts)
-        self.facts.loads.append(ParameterLoad(reference, "", file.at, sure, node=node, of=of, replaced=replaced))
-        return reference
-
-    def reference(self, path: str, at: Place, use: str, *, sure: bool) -> FileReference:
-        """Add a reference to a file, if its path is known, and return it."""
-        known = if_known(path)
-        located, exists = self._locate(known) if known else (None, None)
-        if known and not os.path.isabs(known):
-            located, exists = None, None  # depends on the folder that the launch is started in
-        reference = FileReference(path, at, located, exists)
-        if located is not None:
-            self.facts.references.setdefault((located, at.start), Reference(reference, use, None, sure))
-        return reference
-
-    def described(self, content: Content, node: str, namespace: str | None, *, sure: bool) -> None:
-        """Add a robot description that is passed to a node."""
-        file = self.reference(content.path or UNKNOWN, content.at, "description", sure=sure)
-        names = tuple(Word(name, at) for name, at in content.names)
-        self.facts.descriptions.append(
-            Description(
-                file=file,
-                arguments=content.arguments,
-                namespace=namespace,
-                at=content.at,
-                sure=sure,
-                names=names,
-                command=content.command,
-                node=node,
-                alternatives=content.alternatives,
-                as_yaml=content.as_yaml,
-                more=content.more,
-            )
-        )
-
     def worlds(self, given: Table | None, texts: Texts, *, sure: bool) -> None:
         """Add the world files in the arguments of a simulator."""
         for value in given.entries.values() if given else ():
             for word in texts.of(value).split():
                 if word.endswith((".world", ".sdf")) and os.path.isabs(word) and UNKNOWN not in word:
-                    self.reference(word, value.at, "argument", sure=sure)
+                    self.facts.reference(word, value.at, "argument", sure=sure)
 
     def _described_by(self, words: Sequence[Word], executable: str, namespace: str | None, *, sure: bool) -> None:
         """Add the files in a node's arguments.
@@ -293,114 +236,10 @@ class Nodes:
             if word.known is None:
                 continue
             named = index > 0 and words[index - 1].text in _FILE_OPTIONS
-            if word.text.endswith(".urdf") and (executable in _DESCRIBED or named):
-                self.described(Content(word.text, (), word.at), executable, namespace, sure=sure)
+            if word.text.endswith(".urdf") and (executable in DESCRIBED or named):
+                self.facts.described(Content(word.text, (), word.at), executable, namespace, sure=sure)
             elif word.text.endswith(_SUFFIXES) and os.path.isabs(word.text):
-                self.reference(word.text, word.at, "argument", sure=sure)
-
-
-class _Parameters:
-    """The `parameters` of a node: names of single parameters, and files. A controller manager's files are loaded.
-
-    names: the names of single parameters.
-    values: the texts of single parameters by name, with UNKNOWN for what is not known.
-    files: the files.
-    complete: False if some of them are unknown.
-    """
-
-    def __init__(self, nodes: Nodes, term: Called, executable: str, *, sure: bool) -> None:
-        self.nodes = nodes
-        self.executable = executable
-        self.sure = sure
-        self.names: list[Word] = []
-        self.values: dict[str, str] = {}
-        self.files: list[Word] = []
-        self.complete = True
-        self.namespace = if_known(nodes._namespace(term))
-        given = term.keywords.get("parameters")
-        if isinstance(given, Items):
-            for value in given.values:
-                self._add(value)
-        elif given is not None:
-            self.complete = False
-
-    def _add(self, term: Term) -> None:
-        if isinstance(term, Perhaps):
-            self.complete = False
-            self._add(term.term)
-        elif isinstance(term, OneOf):
-            self.complete = False
-            for option in term.options:
-                self._add(option)
-        elif isinstance(term, Table):
-            self._table(term)
-        elif isinstance(term, (Member, Called)) and builder_of(term, self.nodes.texts) is not None:
-            self._of_builder(term)
-        elif isinstance(term, (Constant, Called)) or (isinstance(term, Items) and _is_path(term)):
-            self._file(term)
-        elif isinstance(term, Items):
-            for value in term.values:
-                self._add(value)
-        else:
-            self.complete = False
-
-    def _table(self, table: Table) -> None:
-        self.complete = self.complete and table.whole
-        for name, value in table.entries.items():
-            self.names.append(Word(name, table.keys[name]))
-            if isinstance(value, (Constant, Called)) and name != "robot_description":
-                self.values[name] = self.nodes.texts.of(value)
-            if name == "robot_description":
-                self._description(value)
-        read = lambda term: content_of(term, self.nodes.texts, lambda _: False)  # noqa: E731 (one use)
-        files = files_of_table(table, table.at, read, self.nodes._locate)
-        if files is not None:
-            runs = self.executable == "move_group"
-            self.nodes.facts.moveit.append(files._replace(namespace=self.namespace, sure=self.sure, runs=runs))
-
-    def _of_builder(self, term: Member | Called) -> None:
-        """Add the parameters of a MoveItConfigsBuilder: one of its dicts, or all of them (`to_dict()`)."""
-        self.complete = False
-        nodes, builder = self.nodes, builder_of(term, self.nodes.texts)
-        if isinstance(term, Member) and term.name == "robot_description":
-            self.names.append(Word(term.name, term.at))
-            self._description(term)
-        elif builder is not None and (isinstance(term, Called) or term.name == _SEMANTIC):
-            runs = self.executable == "move_group"
-            files = builder.files(term.at, nodes._locate, namespace=self.namespace, sure=self.sure, runs=runs)
-            nodes.facts.moveit.append(files)
-            if runs and isinstance(term, Called):
-                exists = lambda path: bool(nodes._locate(path)[1])  # noqa: E731 (one use)
-                nodes.described(builder.description(exists, term.at), self.executable, self.namespace, sure=self.sure)
-
-    def _description(self, value: Term) -> None:
-        if self.executable not in _DESCRIBED:
-            return
-        nodes = self.nodes
-        if is_of_other_node(value, nodes.texts):
-            return
-        content = content_of(value, nodes.texts, lambda path: bool(nodes._locate(path)[1]))
-        content = content or Content(None, None, value.at)
-        nodes.described(content, self.executable, self.namespace, sure=self.sure)
-
-    def _file(self, term: Constant | Called | Items) -> None:
-        text = self.nodes.texts.of(term)
-        if isinstance(term, Called) and UNKNOWN in text and term.of is not None:
-            self.complete = False  # a method's result: some dict
-            return
-        self.files.append(Word(text, term.at))
-        if re.search(_OF_MANAGERS, self.executable):
-            self.nodes.load(Word(text, term.at), self.executable, sure=self.sure, of=self.namespace, term=term)
-        elif text:
-            self.nodes.reference(text, term.at, "parameters", sure=self.sure)
-
-
-def _is_path(items: Items) -> bool:
-    """Whether a list inside `parameters` is one path in parts: launch_ros joins texts and substitutions."""
-    parts = items.values
-    return bool(parts) and all(
-        isinstance(part, Constant) or (isinstance(part, Called) and part.short != "ParameterFile") for part in parts
-    )
+                self.facts.reference(word.text, word.at, "argument", sure=sure)
 
 
 def _given(term: Called, keyword: str) -> Term | None:
