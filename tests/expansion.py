@@ -12,7 +12,8 @@ from urdfctl.source.dom import Element, Node
 from urdfctl.source.files import Files
 from urdfctl.source.packages import PackageIndex, Packages
 from urdfctl.source.problem import Problem
-from urdfctl.source.xacro.expansion import Expander, Expansion
+from urdfctl.source.xacro.expanded import Expansion
+from urdfctl.source.xacro.expansion import Expander
 
 NAMESPACE = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 

@@ -16,7 +16,8 @@ from urdfctl.expand.xml_writer import write
 from urdfctl.source.files import Files
 from urdfctl.source.packages import PackageIndex, Packages
 from urdfctl.source.problem import Problem
-from urdfctl.source.xacro.expansion import Expander, Expansion
+from urdfctl.source.xacro.expanded import Expansion
+from urdfctl.source.xacro.expansion import Expander
 
 REPOSITORIES: dict[str, list[dict[str, Any]]] = {
     name: list(of_it) for name, of_it in groupby(roots(), lambda root: str(root["path"]).partition("/")[0])

@@ -10,7 +10,8 @@ from urdfctl.source.files import FileProblem
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.problem import Problem, ProblemKind, ReadError
 from urdfctl.source.span import Place, SourceText
-from urdfctl.source.xacro.expansion import HARMLESS, Expander, Expansion
+from urdfctl.source.xacro.expanded import HARMLESS, Expansion
+from urdfctl.source.xacro.expansion import Expander
 from urdfctl.source.xml import parse
 from urdfctl.startup.records import NamedTuple
 

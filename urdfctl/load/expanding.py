@@ -7,7 +7,8 @@ from collections.abc import Mapping
 from urdfctl.load.description import Expanded, MakeExpander, expanded_by, is_library, names_twice
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.problem import ProblemKind
-from urdfctl.source.xacro.expansion import HARMLESS, Expander
+from urdfctl.source.xacro.expanded import HARMLESS
+from urdfctl.source.xacro.expansion import Expander
 
 
 def expanded(

@@ -8,7 +8,8 @@ from urdfctl.load.description import Expanded, MakeExpander, expanded_by, is_lib
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import Place, SourceText
-from urdfctl.source.xacro.expansion import HARMLESS, Expander, Expansion
+from urdfctl.source.xacro.expanded import HARMLESS, Expansion
+from urdfctl.source.xacro.expansion import Expander
 from urdfctl.source.xacro.leftovers import empty_arguments
 from urdfctl.source.xacro.unknown import UnknownExpander
 

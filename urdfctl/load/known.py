@@ -14,7 +14,7 @@ from urdfctl.source.files import Files
 from urdfctl.source.packages import Packages
 from urdfctl.source.same import is_same
 from urdfctl.source.span import Place
-from urdfctl.source.xacro.expansion import Expansion
+from urdfctl.source.xacro.expanded import Expansion
 from urdfctl.source.xacro.influence import Influence
 from urdfctl.startup.hints import TYPE_CHECKING
 from urdfctl.startup.records import NamedTuple

@@ -22,6 +22,7 @@ from urdfctl.source.xacro import private_module
 from urdfctl.source.xacro.blame import Blame, blame_of, cut_out, node_being_evaluated
 from urdfctl.source.xacro.consequences import OF_FILES, OF_VALUES, Problems
 from urdfctl.source.xacro.errors import AbsentFile, failed_expression, judged, problem_of
+from urdfctl.source.xacro.expanded import Expansion
 from urdfctl.source.xacro.influence import Definitions
 from urdfctl.source.xacro.leftovers import (
     empty_arguments,
@@ -40,43 +41,6 @@ from urdfctl.source.xacro.speed import install_speed
 from urdfctl.source.xacro.without_ros import Substitutions
 from urdfctl.source.xml import parse
 from urdfctl.startup.hints import Any
-from urdfctl.startup.records import NamedTuple
-
-HARMLESS = {
-    ProblemKind.LATE_DECLARATION,
-    ProblemKind.XACRO_WARNING,
-    ProblemKind.DUPLICATE_MACRO,
-    ProblemKind.MACRO_OF_OTHER_FILE,
-    ProblemKind.ARGUMENT_UNUSABLE,
-    ProblemKind.UNUSED_ARGUMENT,
-    ProblemKind.UNKNOWN_ARGUMENT,
-    ProblemKind.MANIFEST_MISSING,
-    ProblemKind.CONDITION_REPEATED,
-    ProblemKind.PREFIX_MISSING,
-    ProblemKind.BRACES,
-}
-"""Problems that do not remove a part of the robot."""
-
-
-class Expansion(NamedTuple):
-    """The expansion of one file.
-
-    document: the expanded tree; None if there is none.
-    problems: the problems that were found.
-    library: True for a macro library, whose macros were called with unknown values.
-    """
-
-    document: Document | None
-    problems: list[Problem]
-    library: bool = False
-    partial: bool = False
-    """Whether parts are left out because an argument is unknown."""
-
-    @property
-    def complete(self) -> bool:
-        """False where a problem or an unknown argument cost a part of the robot."""
-        whole = self.document is not None and not self.library and not self.partial
-        return whole and all(p.kind in HARMLESS for p in self.problems)
 
 
 class Expander:

@@ -11,7 +11,7 @@ from urdfctl.source.opaque import UNKNOWN, AnyArgument, NotKnown, Opaque
 from urdfctl.source.problem import ProblemKind
 from urdfctl.source.span import Call, Place
 from urdfctl.source.xacro.blame import Blame
-from urdfctl.source.xacro.expansion import Expansion
+from urdfctl.source.xacro.expanded import Expansion
 from urdfctl.source.xacro.leftovers import unused_arguments
 from urdfctl.source.xacro.unknown import UnknownExpander
 from urdfctl.startup.hints import Any

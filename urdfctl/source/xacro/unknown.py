@@ -10,7 +10,8 @@ from urdfctl.source.dom import Element
 from urdfctl.source.opaque import UNKNOWN, AnyArgument, NotKnown, Opaque
 from urdfctl.source.problem import Problem
 from urdfctl.source.xacro.errors import causes_of
-from urdfctl.source.xacro.expansion import Expander, Expansion
+from urdfctl.source.xacro.expanded import Expansion
+from urdfctl.source.xacro.expansion import Expander
 from urdfctl.source.xacro.expressions import ForbiddenExpression
 from urdfctl.startup.hints import Any
 
