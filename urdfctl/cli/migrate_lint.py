@@ -40,7 +40,8 @@ class Lint:
         launching = [path for path in self._scratch.files() if is_launch(path) or is_yaml(path)]
         workers = InWorkers(settings, request, Loader(settings))
         linter = _Remembering(workers, self._results, self._variants, launching)
-        return lint_files(discovered(self._scratch.folders, config), (), linter, config.robots).targets
+        files = discovered(self._scratch.folders, config).with_generated()  # a launch file may start what xacro wrote
+        return lint_files(files, (), linter, config.robots).targets
 
 
 class _Remembering(NamedTuple):

@@ -6,6 +6,7 @@ import errno
 import os
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from copy import copy
 from fnmatch import fnmatchcase
 from functools import lru_cache
 
@@ -31,7 +32,8 @@ class DiscoveredFiles:
 
     robots, controllers, launches: files that are named.
     candidates: descriptions in folders that no other one includes, and so may be robots.
-    others: all descriptions in folders.
+    others: all descriptions in folders, except those that xacro wrote from another one.
+    generated: the descriptions that xacro wrote from another one.
     launch_candidates: launch files in folders that may say which files belong together.
     controllers_candidates: files in folders that look like controller files.
     """
@@ -66,6 +68,14 @@ class DiscoveredFiles:
         for kind, files in vars(self).items():
             setattr(part, kind, [path for path in files if os.path.abspath(path) in paths])
         return part
+
+    def with_generated(self) -> DiscoveredFiles:
+        """Return the same files, with descriptions that xacro wrote among those that may be robots."""
+        every = copy(self)
+        every.candidates = [*self.candidates, *self.generated]
+        every.others = [*self.others, *self.generated]
+        every.generated = []
+        return every
 
     def descriptions(self) -> list[tuple[str, bool]]:
         """Return each description once, with whether the user named it."""
