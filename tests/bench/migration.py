@@ -11,8 +11,8 @@ A copy of *before* is migrated in place to the distro of *after*. Compared are s
     recall      what of *after* the migration also has
     precision   what of the migration *after* also has
 
-Only what both sides have is compared: joints that are controlled before and after, controllers that are configured
-before and after, parameters that the distro reads. The hardware plugin of a driver that appears only in *after* is left
+Only what both sides have is compared: joints that are controlled before and after, in robots of the same name if there
+are any, controllers that are configured before and after, parameters that the distro reads. The hardware plugin of a driver that appears only in *after* is left
 out: nobody can know it before. `joints` counts those that have a command interface in common, `interfaces` every
 interface: people add some. They rename, drop and re-tune too, so that no score can reach 1. `--runs` also lints the
 result for its distro, and moves the robot's joints before and after.
@@ -93,8 +93,10 @@ def target_of(pair: dict[str, Any]) -> str:
     return OLDEST.get(named, named) if named else newest
 
 
-def simulator_of(after: Facts) -> str | None:
-    """The simulator of a robot by its plugins; None if they name none or both."""
+def simulator_of(after: Facts, kind: str) -> str | None:
+    """The simulator of a robot by the kind of its migration, or by its plugins; None if they name none or both."""
+    if kind == "classic-gz":
+        return "gz"
     names = [name for (name,) in after["plugins"]]
     classic = any(part in name for name in names for part in CLASSIC)
     gz = any(part in name for name in names for part in OF_GZ)
@@ -116,6 +118,7 @@ def compared(kind: str, ours: Facts, theirs: Facts, before: Facts) -> tuple[set[
     own, other = _spelled(ours[kind]), _spelled(theirs[kind])
     if kind == "interfaces":
         joints = before["joints"] & theirs["joints"]
+        other = of_robots({robot for robot, _, _ in before["robots"]}, theirs)
         return {f for f in own if f[:1] in joints}, {f for f in other if f[:1] in joints}
     if kind in {"types", "keys"}:
         names = ours["controllers"] & theirs["controllers"]
@@ -124,6 +127,13 @@ def compared(kind: str, ours: Facts, theirs: Facts, before: Facts) -> tuple[set[
         named = _spelled(before[kind])
         return own, {f for f in other if f in named or not _is_of_driver(f[0])}
     return own, other
+
+
+def of_robots(names: set[str], facts: Facts) -> set[tuple[str, ...]]:
+    """The interfaces of the joints of the robots with these names; of joints that those do not have, all."""
+    own = {(joint, interface) for robot, joint, interface in facts["robots"] if robot in names}
+    joints = {joint for joint, _ in own}
+    return own | {fact for fact in facts["interfaces"] if fact[0] not in joints}
 
 
 def _is_of_driver(plugin: str) -> bool:
@@ -154,7 +164,7 @@ def measured(pair: dict[str, Any], options: argparse.Namespace, folder: Path) ->
     before_folder, after_folder = (options.trees / pair["id"] / side for side in ("before", "after"))
     distro = target_of(pair)
     before, after = facts_of_folder(str(before_folder.resolve())), facts_of_folder(str(after_folder.resolve()), distro)
-    simulator = simulator_of(after)
+    simulator = simulator_of(after, pair["kind"])
     out = (options.keep or folder).resolve() / pair["id"]
     failure = migrated(before_folder.resolve(), out, distro, simulator)
     ours = facts_of_folder(str(out), distro)

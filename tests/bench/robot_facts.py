@@ -31,13 +31,14 @@ _STATES_ONLY = "states only"
 
 Facts = dict[str, set[tuple[str, ...]]]
 """By kind: (joint, interface), (controller, type), (controller, key), (plugin,), (where, type of sensor), (topic,),
-(controller,); also `joints`, all that are controlled, and `controllers`, all that are configured."""
+(controller,); also `joints`, all that are controlled, `controllers`, all that are configured, and `robots`, the interfaces
+with the robot's name: (robot, joint, interface)."""
 
 
 def facts_of_folder(folder: str, distro: str | None = None) -> Facts:
     """Return the facts of everything in a folder that can be expanded."""
     settings = Settings(distro=distro, workspace=folder, timeout=60.0)
-    files = discover_files([folder])
+    files = discover_files([folder]).with_generated()
     plan = [entry.target for entry in planned(files, ())]
     started = [target for target in plan if is_launch(target.path)]
     others = [target for target in plan if not is_launch(target.path)]
@@ -73,6 +74,7 @@ def _of_robot(robot: Robot, facts: dict[str, list[tuple[str, ...]]]) -> None:
     for joint, interface in (*_of_transmissions(robot), *_of_components(robot)):
         facts["joints"].append((joint,))
         facts["interfaces"].append((joint, interface))
+        facts["robots"].append((robot.name or "", joint, interface))
     facts["plugins"] += ((name,) for name in _plugins(robot))
     for gazebo in robot.gazebos:
         for sensor in gazebo.tag.named("sensor"):
