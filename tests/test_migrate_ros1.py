@@ -177,6 +177,19 @@ def test_a_reduction_is_nested_for_hardware_and_dropped_for_a_simulator(folder: 
     assert "the reduction 50 of 1 transmissions is dropped" in simulated["MIGRATION.md"]
 
 
+def test_a_joint_that_another_plugin_moves_is_not_held_by_the_simulator(folder: Folder) -> None:
+    spring = '  <gazebo><plugin name="s" filename="libmy_spring.so"><joint>shoulder</joint></plugin></gazebo>\n'
+    text = arm(transmission("EffortJointInterface"), PLUGIN + spring)
+    after = migrated(folder, {"urdf/arm.xacro": text})
+    assert "command_interface" not in after["urdf/arm.xacro"]
+    assert '<state_interface name="position"/>' in after["urdf/arm.xacro"]
+    assert "joint 'shoulder' has no command interface" in after["MIGRATION.md"]
+    commanded = migrated(folder, {"urdf/arm.xacro": text, "config/c.yaml": EFFORT})["urdf/arm.xacro"]
+    assert '<command_interface name="effort"/>' in commanded
+    without = migrated(folder, {"urdf/arm.xacro": arm(transmission("EffortJointInterface"), spring)})
+    assert '<command_interface name="effort"/>' in without["urdf/arm.xacro"]
+
+
 def test_an_interface_of_its_own_is_left_to_a_person(folder: Folder) -> None:
     text = arm(transmission("my_interfaces/TorqueInterface"))
     after = migrated(folder, {"urdf/arm.xacro": text})

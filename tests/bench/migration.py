@@ -11,11 +11,11 @@ A copy of *before* is migrated in place to the distro of *after*. Compared are s
     recall      what of *after* the migration also has
     precision   what of the migration *after* also has
 
-Only what both sides have is compared: joints that are controlled before and after, in robots of the same name if there
-are any, controllers that are configured before and after, parameters that the distro reads. The hardware plugin of a driver that appears only in *after* is left
-out: nobody can know it before. `joints` counts those that have a command interface in common, `interfaces` every
-interface: people add some. They rename, drop and re-tune too, so that no score can reach 1. `--runs` also lints the
-result for its distro, and moves the robot's joints before and after.
+Only what both sides have is compared: joints that are controlled before and after (in robots of the same name, if there
+are any), controllers that are configured before and after, parameters that the distro reads. The hardware plugin of a
+driver that appears only in *after* is left out: nobody can know it before. `joints` counts those that have a command
+interface in common, `interfaces` every interface: people add some. They rename, drop and re-tune too, so that no score
+can reach 1. `--runs` also lints the result for its distro, and moves the robot's joints before and after.
 
 The row `people` compares *before* with *after* in the same way: what people kept. Nothing here judges: the exit status
 is 1 only if a migration failed, or a joint that moved before no longer does.

@@ -31,8 +31,8 @@ _STATES_ONLY = "states only"
 
 Facts = dict[str, set[tuple[str, ...]]]
 """By kind: (joint, interface), (controller, type), (controller, key), (plugin,), (where, type of sensor), (topic,),
-(controller,); also `joints`, all that are controlled, `controllers`, all that are configured, and `robots`, the interfaces
-with the robot's name: (robot, joint, interface)."""
+(controller,); also `joints`, all that are controlled, `controllers`, all that are configured, and `robots`: (robot,
+joint, interface)."""
 
 
 def facts_of_folder(folder: str, distro: str | None = None) -> Facts:

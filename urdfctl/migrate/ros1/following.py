@@ -11,17 +11,18 @@ from urdfctl.migrate.ros1.followers import followers_of
 from urdfctl.migrate.ros1.gathering import Component, Path, prefix_of
 from urdfctl.migrate.ros1.interfaces import states_of
 from urdfctl.migrate.ros1.parts import joint_text
+from urdfctl.migrate.ros1.passive import Passive
 from urdfctl.migrate.ros1.uses import Use, Uses
 from urdfctl.model.robot import Robot
 
 
-def idle(packages: Packages, uses: Uses, its_uses: Sequence[Use]) -> Iterator[tuple[Path, str]]:
-    """Yield the robots in which the joint of a transmission mimics another one, with what is written for it there."""
+def idle(passive: Passive, its_uses: Sequence[Use]) -> Iterator[tuple[Path, str]]:
+    """Yield the robots in which nothing commands the joint of a transmission, with what is written for it there."""
     for use in its_uses:
-        followers = followers_of(packages, uses.robots[use.robot].project)
+        joints = passive.of(use.robot)
         names = [joint.name for joint in use.value.joints if joint.name]
-        if names and all(name in followers for name in names):
-            texts = (joint_text(name, (), states_of(()), "  ", followers[name]) for name in names)
+        if names and all(name in joints for name in names):
+            texts = (joint_text(name, (), states_of(()), "  ", joints[name]) for name in names)
             yield (use.robot, use.calls), "".join(texts)
 
 

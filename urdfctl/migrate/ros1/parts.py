@@ -41,12 +41,12 @@ class Unreadable(Exception):
 
 
 def converted(
-    element: Element, uses: Sequence[Use], followers: Mapping[str, str], *, simulated: bool, step: str
+    element: Element, uses: Sequence[Use], passive: Mapping[str, str], *, simulated: bool, step: str
 ) -> Converted:
     """Return what a `<transmission>` becomes.
 
     uses: where robots use it.
-    followers: the joints that mimic another one, each with the parameters to write. They are not commanded.
+    passive: the joints that nothing commands, each with the parameters to write.
     simulated: whether only a simulator reads it, which has no reductions.
     step: the blanks to indent by.
 
@@ -60,7 +60,7 @@ def converted(
         raise Unreadable("it has no joint")
     texts, arguments = [], []
     for joint in joints:
-        text, its_arguments = _joint(element, joint, uses, followers, step)
+        text, its_arguments = _joint(element, joint, uses, passive, step)
         texts.append(text)
         arguments += its_arguments
     kept, dropped = _reduction(element, uses, kind, simulated=simulated)
@@ -71,7 +71,7 @@ def converted(
 
 
 def _joint(
-    element: Element, joint: Element, uses: Sequence[Use], followers: Mapping[str, str], step: str
+    element: Element, joint: Element, uses: Sequence[Use], passive: Mapping[str, str], step: str
 ) -> tuple[str, list[tuple[str, str]]]:
     written = [content(one) for one in children(joint, "hardwareInterface") if content(one)]
     written = (
@@ -89,7 +89,7 @@ def _joint(
         names += found.names
         arguments += found.arguments
     evaluated = {name for value in _all_evaluated(joint, uses) for name in commands_of(value) or ()}
-    known = [followers.get(name) for name in _names(joint, uses)]
+    known = [passive.get(name) for name in _names(joint, uses)]
     parameters = known[0] if known and all(each is not None for each in known) else None
     return joint_text(
         attribute(joint, "name"),

@@ -9,10 +9,10 @@ from urdfctl.migrate.hardware import HARDWARE_OPTION, simulated_by, system_plugi
 from urdfctl.migrate.markup import attribute, element_at, elements, root_of, step_of
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.places import ElementKey, key_of_element, place_of
-from urdfctl.migrate.ros1.followers import followers_of
 from urdfctl.migrate.ros1.following import following, idle
 from urdfctl.migrate.ros1.gathering import Component, Gathering, label_of, prefix_of, written_component
 from urdfctl.migrate.ros1.parts import Converted, Unreadable, converted
+from urdfctl.migrate.ros1.passive import HELD, Passive
 from urdfctl.migrate.ros1.uses import Uses
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import for_you
@@ -29,6 +29,7 @@ _NESTED = (
 
 def _transmissions(packages: Packages) -> Iterator[Proposal]:
     uses = Uses(packages)
+    passive = Passive(packages, uses)
     done = _joints_of_components(packages)
     known = [element for key in uses.by_element if (element := uses.element(key)) is not None]
     parts: list[tuple[Element, Converted]] = []
@@ -36,13 +37,13 @@ def _transmissions(packages: Packages) -> Iterator[Proposal]:
         if {attribute(joint, "name") for joint in element.elements() if joint.tagName == "joint"} & done:
             continue
         try:
-            parts.append((element, _converted(packages, uses, element)))
+            parts.append((element, _converted(packages, uses, passive, element)))
         except Unreadable as reason:
             yield _left(packages, element, str(reason))
     for key in uses.inserted:
         if (element := uses.element(key)) is not None:
             yield _left(packages, element, "it is passed to a macro as a block")
-    yield from _components(packages, uses, parts)
+    yield from _components(packages, uses, passive, parts)
 
 
 def _left(packages: Packages, element: Element, reason: str) -> Proposal:
@@ -52,14 +53,11 @@ def _left(packages: Packages, element: Element, reason: str) -> Proposal:
     return for_you((found or element).at, text)
 
 
-def _converted(packages: Packages, uses: Uses, element: Element) -> Converted:
+def _converted(packages: Packages, uses: Uses, passive: Passive, element: Element) -> Converted:
     its_uses = uses.by_element.get(key_of_element(element), [])
-    robots = {use.robot for use in its_uses}
-    followers = {
-        joint: text for robot in robots for joint, text in followers_of(packages, uses.robots[robot].project).items()
-    }
+    joints = {joint: text for use in its_uses for joint, text in passive.of(use.robot).items()}
     simulated = simulated_by(packages) != "none"
-    return converted(element, its_uses, followers, simulated=simulated, step=step_of(element.source))
+    return converted(element, its_uses, joints, simulated=simulated, step=step_of(element.source))
 
 
 def _joints_of_components(packages: Packages) -> set[str]:
@@ -74,13 +72,15 @@ def _joints_of_components(packages: Packages) -> set[str]:
     return names
 
 
-def _components(packages: Packages, uses: Uses, parts: list[tuple[Element, Converted]]) -> Iterator[Proposal]:
+def _components(
+    packages: Packages, uses: Uses, passive: Passive, parts: list[tuple[Element, Converted]]
+) -> Iterator[Proposal]:
     sources: Mapping[str, SourceText] = _Sources(packages)
     gathering = Gathering(sources)
     for element, part in parts:
         its_uses = uses.by_element.get(key_of_element(element), [])
         paths = [(use.robot, use.calls) for use in its_uses]
-        gathering.add(element, part, paths, dict(idle(packages, uses, its_uses)))
+        gathering.add(element, part, paths, dict(idle(passive, its_uses)))
     try:
         components = list(gathering.components())
     except Unreadable as reason:
@@ -103,7 +103,7 @@ def _components(packages: Packages, uses: Uses, parts: list[tuple[Element, Conve
                 return
             continue
         edits += own
-        entries += _entries(component, name, texts)
+        entries += [*_entries(component, name, texts), *_moved(component, passive)]
         at = next(edit.span for edit in own if todo in edit.text)
         entries += [Entry(EntryKind.FOR_YOU, todo, place_of(at), option=HARDWARE_OPTION)] if todo else []
     if edits:
@@ -162,6 +162,18 @@ def _entries(component: Component, name: str, texts: Mapping[ElementKey, Convert
     if any(part.kept for part in parts):
         message = f"transmissions with a reduction are nested in component '{name}'; its hardware plugin must load them"
         yield Entry(EntryKind.DECIDED, message, at, authority=_NESTED)
+
+
+def _moved(component: Component, passive: Passive) -> Iterator[Entry]:
+    """Yield the decision on the joints of a component that another plugin of the simulator moves."""
+    robots = {robot for item in component.items for robot, _ in item.paths}
+    joints = sorted({joint for robot in robots for joint in passive.moved(robot)})
+    if joints:
+        names = f"'{joints[0]}'" + (f" and {len(joints) - 1} more" if len(joints) > 1 else "")
+        message = (
+            f"joint {names} has no command interface, or the simulator would hold it against the plugin that moves it"
+        )
+        yield Entry(EntryKind.DECIDED, message, component.items[0].element.at, authority=HELD)
 
 
 TRANSMISSIONS = Step(
