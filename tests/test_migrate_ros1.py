@@ -177,6 +177,24 @@ def test_a_reduction_is_nested_for_hardware_and_dropped_for_a_simulator(folder: 
     assert "the reduction 50 of 1 transmissions is dropped" in simulated["MIGRATION.md"]
 
 
+def test_a_description_for_both_generations_is_switched_to_ros_2(folder: Folder) -> None:
+    component = """\
+  <xacro:if value="${is_ros2}">
+    <ros2_control name="arm" type="system">
+      <hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+      <joint name="shoulder"><command_interface name="velocity"/><state_interface name="position"/></joint>
+    </ros2_control>
+  </xacro:if>
+"""
+    switch = '  <xacro:property name="is_ros2" value="{}"/>\n'
+    text = arm(switch.format("false") + transmission("EffortJointInterface"), component)
+    after = migrated(folder, {"urdf/arm.xacro": text})
+    assert after["urdf/arm.xacro"] == text.replace('value="false"', 'value="true"')
+    assert "switch 'is_ros2' is true" in after["MIGRATION.md"]
+    alone = arm(switch.format("false"))
+    assert migrated(folder, {"urdf/arm.xacro": alone})["urdf/arm.xacro"] == alone
+
+
 def test_a_joint_that_another_plugin_moves_is_not_held_by_the_simulator(folder: Folder) -> None:
     spring = '  <gazebo><plugin name="s" filename="libmy_spring.so"><joint>shoulder</joint></plugin></gazebo>\n'
     text = arm(transmission("EffortJointInterface"), PLUGIN + spring)

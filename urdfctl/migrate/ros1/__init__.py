@@ -11,11 +11,13 @@ from urdfctl.migrate.ros1.moveit_files import MOVEIT_FILES
 from urdfctl.migrate.ros1.moveit_launch import MOVEIT_LAUNCH
 from urdfctl.migrate.ros1.prefixes import PREFIXES
 from urdfctl.migrate.ros1.simulator_plugin import MIMIC_PLUGINS, SIMULATOR_PLUGIN
+from urdfctl.migrate.ros1.switches import SWITCHES
 from urdfctl.migrate.ros1.transmissions import TRANSMISSIONS
 from urdfctl.migrate.step import Step
 
 ROBOT_STEPS: tuple[Step, ...] = (
     PREFIXES,
+    SWITCHES,
     MIMIC_PLUGINS,
     TRANSMISSIONS,
     SIMULATOR_PLUGIN,
