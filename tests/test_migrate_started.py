@@ -2,9 +2,18 @@
 
 from __future__ import annotations
 
+import pytest
 from folder import Folder
 from test_migrate_ros1 import PLUGIN, arm, migrated, transmission
 
+CONTROLLERS = """\
+joint_state_controller:
+  type: joint_state_controller/JointStateController
+  publish_rate: 50
+ctl:
+  type: effort_controllers/JointEffortController
+  joint: shoulder
+"""
 SPAWNED = """\
 <launch>
   <param name="robot_description" command="$(find xacro)/xacro $(find arm)/urdf/arm.xacro"/>
@@ -53,3 +62,23 @@ def test_the_bridge_of_the_robots_topics_is_started(folder: Folder) -> None:
     after = migrated(folder, {"urdf/arm.xacro": robot, "launch/arm.launch": SPAWNED})
     assert "- ros_topic_name: imu\n" in after["config/bridge.yaml"]
     assert '"config_file": [FindPackageShare("arm"), "/config/bridge.yaml"]' in after["launch/arm.launch.py"]
+
+
+@pytest.mark.parametrize("form", ["py", "xml"])
+def test_a_shell_splits_the_names_that_an_argument_has_for_a_spawner(folder: Folder, form: str) -> None:
+    spawner = """\
+  <arg name="names" default="joint_state_controller ctl"/>
+  <rosparam file="$(find arm)/config/c.yaml"/>
+  <node name="spawner" pkg="controller_manager" type="spawner" args="$(arg names)"/>
+</launch>
+"""
+    launch = SPAWNED.replace("</launch>\n", spawner)
+    robot = arm(transmission("EffortJointInterface"), PLUGIN.replace("/arm", "/"))
+    files = {"urdf/arm.xacro": robot, "config/c.yaml": CONTROLLERS}
+    after = migrated(folder, {**files, "launch/arm.launch": launch}, "--launch", form)
+    text = after[f"launch/arm.launch.{form}"]
+    assert ("shell=True" if form == "py" else 'shell="true"') in text
+    assert "word of its own" not in text
+    folder.write({f"new/{name}": content for name, content in after.items()})
+    shown = folder.run("show", "new", "--distro", "jazzy").stdout
+    assert "joint_state_controller, ctl" in shown

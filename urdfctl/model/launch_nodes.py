@@ -39,7 +39,7 @@ class Nodes:
             if self._is_spawner(package, executable):
                 self.facts.elsewhere.append(self._spawn(term, executable, sure=sure, after=after))
             return
-        words, complete = self._words(term.keywords.get("arguments"))
+        words, complete = self._split(term, "arguments")
         name = self._word(term, "name").known if _given(term, "name") is not None else None
         namespace = if_known(self._namespace(term))
         parameters = NodeParameters(
@@ -81,13 +81,13 @@ class Nodes:
         if term.short in {"Node", "LifecycleNode"}:
             if not self._is_spawner(self._word(term, "package"), self._word(term, "executable")):
                 return None
-            words, complete = self._words(term.keywords.get("arguments"))
+            words, complete = self._split(term, "arguments")
             return spawner_arguments(words, complete=complete)
-        command = command_arguments(self._command_words(term)[0])
+        command = command_arguments(self._split(term, "cmd")[0])
         return command[1] if command else None
 
     def _spawn(self, term: Called, program: Word, *, sure: bool, after: tuple[str, ...]) -> Spawn:
-        words, complete = self._words(term.keywords.get("arguments"))
+        words, complete = self._split(term, "arguments")
         parsed = spawner_arguments(words, complete=complete)
         files = [*parsed.values("-p", "--param-file"), *self._files(term.keywords.get("parameters"))]
         at = term.keywords["arguments"].at if "arguments" in term.keywords else term.at
@@ -169,7 +169,7 @@ class Nodes:
 
     def command(self, term: Called, *, sure: bool, held: bool, after: tuple[str, ...]) -> tuple[Word, ...]:
         """Add a process, which may load controllers. Return the words of its command line."""
-        words, complete = self._command_words(term)
+        words, complete = self._split(term, "cmd")
         command = command_arguments(words)
         if command is not None:
             program, parsed = command
@@ -179,13 +179,14 @@ class Nodes:
             (self.facts.spawns if held else self.facts.elsewhere).append(spawn)
         return words
 
-    def _command_words(self, term: Called) -> tuple[tuple[Word, ...], bool]:
-        words, complete = self._words(term.given("cmd", 0))
+    # -- words -------------------------------------------------------------------------------------------------------
+
+    def _split(self, term: Called, keyword: str) -> tuple[tuple[Word, ...], bool]:
+        """The words of a process, and whether they are fully known. A shell splits them again (launch ExecuteLocal)."""
+        words, complete = self._words(term.given(keyword, 0 if keyword == "cmd" else None))
         if self.texts.truth(term.keywords.get("shell")):
             words = tuple(Word(part, word.at) for word in words for part in word.text.split())
         return words, complete
-
-    # -- words -------------------------------------------------------------------------------------------------------
 
     def _word(self, term: Called, keyword: str) -> Word:
         given = _given(term, keyword)

@@ -187,14 +187,18 @@ def _spawner(reading: Notes, element: Element, words: Sequence[Text], files: Seq
         if plain(space).strip("/") or not is_literal(space)
         else []
     )
-    for name in names:
-        if len(name) == 1 and name[0].kind == "arg" and " " in reading.defaults.get(name[0].text, ""):
-            reading.left.append((element, f"give each name in argument '{name[0].text}' as a word of its own"))
     known = [file for file in files if reading.target.is_controllers_file(_file_text(file))]
     passed = (
         [word for file in known for word in (literal("--param-file"), file)] if reading.target.takes_param_file else []
     )
-    yield Action("node", "spawner", package="controller_manager", words=(*names, *manager, *passed))
+    flags = (("shell", "True"),) if any(_has_several(reading, name) for name in names) else ()
+    yield Action("node", "spawner", package="controller_manager", words=(*names, *manager, *passed), flags=flags)
+
+
+def _has_several(reading: Notes, word: Text) -> bool:
+    """Whether a word is an argument that may have several words: in ROS 2 only a shell splits them."""
+    default = reading.defaults.get(word[0].text, "") if len(word) == 1 and word[0].kind == "arg" else "literal"
+    return len(default.split()) != 1
 
 
 def _option(word: Text) -> tuple[str, Text | None]:

@@ -33,7 +33,7 @@ _SUBSTITUTIONS: dict[str, tuple[str, int]] = {
     "not-equals": ("NotEqualsSubstitution", 2),
 }
 """The substitutions of XML and YAML: the class in Python, and the maximum number of arguments."""
-_OF_NODES = {"package": "pkg", "executable": "exec", "name": "name", "namespace": "namespace"}
+_OF_NODES = {"package": "pkg", "executable": "exec", "name": "name", "namespace": "namespace", "shell": "shell"}
 _WHOLE = {"eval": "PythonExpression", "command": "Command"}
 _PLAIN = {"log", "set_env", "unset_env", "append_env", "reset_env", "shutdown"} | {
     "set_ros_log_dir", "node_container", "load_composable_node", "let_env", "cmd", "reset",
