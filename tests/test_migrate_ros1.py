@@ -295,6 +295,29 @@ arm:
     assert "state_publish_rate" not in after
 
 
+def test_extra_joints_become_a_list_of_names(folder: Folder) -> None:
+    before = """\
+joint_states:
+  type: joint_state_controller/JointStateController
+  extra_joints:
+    - name: caster  # follows
+      position: 0.01
+      effort: 0.0
+    - {name: "wheel", position: 0.01}
+"""
+    files = {"config/controllers.yaml": before, "urdf/arm.xacro": arm(transmission("EffortJointInterface"))}
+    after = migrated(folder, files, "--only", "urdf,yaml")
+    assert '    extra_joints:\n      - caster\n      - "wheel"\n' in after["config/controllers.yaml"]
+    told = "parameter 'extra_joints' of 'joint_states' became a list of names, without position, effort"
+    assert told in after["MIGRATION.md"]
+
+
+def test_a_type_that_a_later_distro_drops_is_no_reason_to_leave_a_file_in_the_form_of_ros_1(folder: Folder) -> None:
+    before = "gripper: {type: position_controllers/GripperActionController, joint: shoulder}\n"
+    after = migrated(folder, {"config/gripper.yaml": before})["config/gripper.yaml"]
+    assert "gripper:\n  ros__parameters:\n    joint: shoulder\n" in after
+
+
 LOOP = """\
 arm_controller:
   type: effort_controllers/JointPositionController

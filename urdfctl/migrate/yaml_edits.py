@@ -24,7 +24,7 @@ class MapEdits:
 
     def replace(self, node: Node, text: str) -> None:
         """Replace a key or a value."""
-        self._splices.append((node.start, node.end, text))
+        self._splices.append((node.start, _end(node), text))
 
     def insert(self, parent: Mapping, line: str, *, after: Entry | None = None) -> None:
         """Insert `key: value` into a map: after an entry of it, or at its end."""

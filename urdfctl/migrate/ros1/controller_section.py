@@ -203,6 +203,22 @@ class _Writer:
             for item in value.items:
                 if isinstance(item, Scalar) and (new := _as_double(item)) != item.text:
                     edits.replace(item, new)
+        elif isinstance(value, List) and "string_array" in parameter.types:
+            self._name_items(edits, value, name)
+
+    def _name_items(self, edits: MapEdits, value: List, name: str) -> None:
+        """Replace each map of a list by its name: ROS 2 has no lists of maps."""
+        maps = [item for item in value.items if isinstance(item, Map)]
+        names = [item.get("name") for item in maps]
+        if not maps or not all(isinstance(one, Scalar) for one in names) or len(maps) < len(value.items):
+            return
+        for item, own in zip(maps, names, strict=True):
+            assert isinstance(own, Scalar)  # noqa: S101 (all of them were looked at)
+            edits.replace(item, self.source.data[own.start : own.end].decode("utf-8", "surrogateescape"))
+        others = dict.fromkeys(entry.key.text for item in maps for entry in item.entries if entry.key.text != "name")
+        dropped = f", without {', '.join(others)}" if others else ""
+        message = f"parameter '{name}' of '{self.item.name}' became a list of names{dropped}"
+        self.entries.append(Entry(EntryKind.DONE, message, value.at, authority=_RENAMED))
 
     def _text(self, edits: MapEdits, added: Sequence[str]) -> str:
         """The parameters as YAML, indented by nothing: as they are written, with the edits."""
