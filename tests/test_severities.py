@@ -75,3 +75,13 @@ def test_explain_says_what_the_runtime_does() -> None:
     assert "Runtime: goes on without the part.\n" in rule_explanation(rule_of("UC204"))
     told = " ".join(rule_explanation(rule_of("UC114")).split())
     assert "warning, because only Gazebo does, and the robot may not run" in told
+
+
+def test_a_rule_is_explained_where_the_process_works(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The server explains rules while another thread lints relative paths."""
+
+    def fails(folder: str) -> None:
+        pytest.fail(f"the working directory becomes {folder}")
+
+    monkeypatch.setattr("os.chdir", fails)
+    assert "robot.urdf:" in rule_explanation(rule_of("UC204"))

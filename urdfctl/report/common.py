@@ -55,10 +55,15 @@ def is_robot(target: TargetResult) -> bool:
     return not (is_yaml(target.path) or is_launch(target.path))
 
 
-def shown(path: str) -> str:
-    """Return a path as reports show it: relative if it is in the current folder, with forward slashes."""
-    current = os.getcwd().rstrip(os.sep) + os.sep
-    return path.removeprefix(current).replace(os.sep, "/")
+def shown(path: str, folder: str | None = None) -> str:
+    """Return a path as reports show it: relative if it is in a folder (default: the current one), with forward
+    slashes."""
+    return path.removeprefix(_inside(folder)).replace(os.sep, "/")
+
+
+def _inside(folder: str | None) -> str:
+    """How the paths of a folder's files begin."""
+    return (folder or os.getcwd()).rstrip(os.sep) + os.sep
 
 
 def visible(text: str) -> str:
@@ -95,34 +100,35 @@ _CONTROLS = (*range(0x20), *range(0x7F, 0xA0), *range(0x2028, 0x202F), *range(0x
 _ESCAPES = {code: repr(chr(code))[1:-1] for code in _CONTROLS}
 
 
-def relative(diagnostic: Diagnostic) -> Diagnostic:
-    """Return a diagnostic with paths as reports show them."""
+def relative(diagnostic: Diagnostic, folder: str | None = None) -> Diagnostic:
+    """Return a diagnostic with paths as reports show them: relative to a folder, by default the current one."""
     fix = diagnostic.fix
     if fix:
-        edits = tuple(edit._replace(at=_located(edit.at)) for edit in fix.edits)
-        fix = fix._replace(title=relative_message(fix.title), edits=edits)
+        edits = tuple(edit._replace(at=_located(edit.at, folder)) for edit in fix.edits)
+        fix = fix._replace(title=relative_message(fix.title, folder), edits=edits)
     chains = diagnostic.expanded_from
     return diagnostic._replace(
-        message=relative_message(diagnostic.message),
-        at=_located(diagnostic.at),
-        expanded_from=tuple(tuple(step._replace(file=shown(step.file)) for step in chain) for chain in chains),
-        notes=tuple(map(_relative_remark, diagnostic.notes)),
+        message=relative_message(diagnostic.message, folder),
+        at=_located(diagnostic.at, folder),
+        expanded_from=tuple(tuple(step._replace(file=shown(step.file, folder)) for step in chain) for chain in chains),
+        notes=tuple(_relative_remark(note, folder) for note in diagnostic.notes),
         fix=fix,
-        also=tuple(map(_relative_remark, diagnostic.also)),
+        also=tuple(_relative_remark(remark, folder) for remark in diagnostic.also),
     )
 
 
-def _relative_remark(remark: Remark) -> Remark:
-    return remark._replace(message=relative_message(remark.message), at=_located(remark.at) if remark.at else None)
+def _relative_remark(remark: Remark, folder: str | None) -> Remark:
+    at = _located(remark.at, folder) if remark.at else None
+    return remark._replace(message=relative_message(remark.message, folder), at=at)
 
 
-def relative_message(message: str) -> str:
-    """Return a message with paths as reports show them."""
-    current = os.getcwd().rstrip(os.sep) + os.sep
-    if current == os.sep or current not in message:
+def relative_message(message: str, folder: str | None = None) -> str:
+    """Return a message with paths as reports show them: relative to a folder, by default the current one."""
+    begins = _inside(folder)
+    if begins == os.sep or begins not in message:
         return message
-    return re.sub(r"(?<![\w./-])" + re.escape(current), "", message)
+    return re.sub(r"(?<![\w./-])" + re.escape(begins), "", message)
 
 
-def _located(at: Location) -> Location:
-    return at._replace(file=shown(at.file))
+def _located(at: Location, folder: str | None) -> Location:
+    return at._replace(file=shown(at.file, folder))

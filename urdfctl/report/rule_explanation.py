@@ -13,7 +13,7 @@ from urdfctl.lint.selection import Selection
 from urdfctl.lint.target import lint_target
 from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
-from urdfctl.report.common import Report
+from urdfctl.report.common import Report, relative
 from urdfctl.report.text import render
 from urdfctl.rule import Rule, Runtime
 from urdfctl.rules.examples import companions, options_of, unmarked
@@ -67,23 +67,23 @@ def _files(files: dict[str, str]) -> list[str]:
 def _output(rule: Rule) -> str:
     """Return the real output of lint for the bad example."""
     files, _ = unmarked(rule.bad)
-    before = os.getcwd()
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory() as made:
+        folder = os.path.realpath(made)
         for name, text in files.items():
             path = os.path.join(folder, name)
             os.makedirs(os.path.dirname(path), exist_ok=True)
             with open(path, "w", encoding="utf-8") as file:
                 file.write(text)
         options, arguments = options_of(rule)
-        try:
-            os.chdir(folder)
-            selection = Selection()
-            settings = Settings(workspace=os.getcwd(), **options)
-            controllers, launch = companions(files)
-            target = Target(next(iter(files)), arguments, controllers=controllers, launch=launch)
-            linted = lint_target(Loader(settings), target, selection).result
-            findings = [finding for finding in merge([linted.outcome], selection) if finding.code == rule.code]
-            report = Report((), tuple(findings))
-            return textwrap.indent("\n".join(render(report).splitlines()[:-1]), "  ")
-        finally:
-            os.chdir(before)
+        selection = Selection()
+        controllers, launch = companions(files)
+        target = Target(
+            os.path.join(folder, next(iter(files))),
+            arguments,
+            controllers=tuple(os.path.join(folder, name) for name in controllers),
+            launch=os.path.join(folder, launch) if launch else None,
+        )
+        linted = lint_target(Loader(Settings(workspace=folder, **options)), target, selection).result
+        findings = (finding for finding in merge([linted.outcome], selection) if finding.code == rule.code)
+        report = Report((), tuple(relative(finding, folder) for finding in findings))
+        return textwrap.indent("\n".join(render(report).splitlines()[:-1]), "  ")
