@@ -6,7 +6,8 @@ import os
 import random
 import re
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import islice, zip_longest
 from pathlib import Path
 from typing import NamedTuple
 
@@ -27,7 +28,7 @@ _IN_XML = {
     "property": r"\$\{(?:[^{}]*[^\w.{}])?([A-Za-z_]\w*)[^{}]*\}",
     "macro": r"<(xacro:(?!arg|property|include|macro|if|unless|insert_block)\w+)",
     "macro parameter": r"<xacro:(?!arg|property|include|macro|if|unless|insert_block)\w+[^<>]*?\s(\w+=\"[^\"]*\")",
-    "spawner argument": r"\sargs=\"(?:[^\"]*\s)?([\w-]+)(?:\s[^\"]*)?\"",
+    "spawner argument": r"type=\"spawner\"[^<>]*?\sargs=\"(?:[^\"]*\s)?([\w-]+)(?:\s[^\"]*)?\"",
 }
 _IN_YAML = {
     "type": r"^\s*type:\s*[\"']?([\w/]+)",
@@ -36,19 +37,16 @@ _IN_YAML = {
     "element in a row": r"[\[,]\s*[\"']?([A-Za-z_][\w/.-]*)[\"']?\s*(?=[\],])",
     "frame": r"^\s*\w*(?:frame|link)\w*:\s*[\"']?([A-Za-z_][\w.-]*)",
 }
-_IN_PYTHON = {"spawner argument": r"arguments=\[[^\]]*?[\"']([\w-]+)[\"']"}
+_IN_PYTHON = {"spawner argument": r"executable=[\"']spawner[\"'],\s*arguments=\[[^\]]*?[\"']([\w-]+)[\"']"}
 
 
 Codes = Counter[tuple[str, str]]
 """How many findings of each code are in each file."""
 
 
-UNDECIDED = {
-    "property": frozenset({"UC135", "UC136", "UC137", "UC143"}),
-    "type": frozenset({"UC431", "UC463", "UC464", "UC465", "UC614"}),
-}
-"""Codes that a word alone does not decide: whether a number is possible, when the rest of its expression is written;
-whether a controller has what its type needs, when its parameters, package.xml and the other controllers are."""
+UNDECIDED = {"type": frozenset({"UC431", "UC463", "UC464", "UC465", "UC614"})}
+"""Codes that a word alone does not decide: whether a controller has what its type needs, when its parameters,
+package.xml and the other controllers are written."""
 
 
 class Place(NamedTuple):
@@ -57,6 +55,10 @@ class Place(NamedTuple):
     kind: str
     start: int
     end: int
+
+
+Word = tuple[Path, str, Place]
+"""A file, its text, and a word in it."""
 
 
 class Insertion(NamedTuple):
@@ -91,6 +93,8 @@ def places(path: Path, text: str) -> list[Place]:
 def insertions(folder: Path, number: int, seed: int, *, each: int = 6) -> Iterator[Insertion]:
     """Yield what is inserted for random words of the files of a folder. number: of words. each: at most so many items.
 
+    The words are of as many kinds as there are.
+
     Every second word is taken out as a whole; of the others, the first half is there already.
     """
     rng = random.Random(seed)  # noqa: S311
@@ -99,14 +103,15 @@ def insertions(folder: Path, number: int, seed: int, *, each: int = 6) -> Iterat
     files = [
         path for path in map(Path, sorted(before.files)) if path.suffix in _SUFFIXES and path.is_relative_to(folder)
     ]
-    words = []
+    words: dict[str, list[Word]] = {}
     for path in files:
         with path.open(encoding="utf-8", newline="", errors="surrogateescape") as file:
             text = file.read()
-        words += [(path, text, place) for place in places(path, text)]
+        for place in places(path, text):
+            words.setdefault(place.kind, []).append((path, text, place))
     expected = codes(before)
-    for path, text, place in rng.sample(words, min(number, len(words))):
-        half = rng.choice((0, (place.end - place.start) // 2))
+    for path, text, place in mixed(words, number, rng):
+        half = rng.choice((0, halfway(text[place.start : place.end])))
         typed = text[: place.start + half] + text[place.end :]
         items, unfinished = offered(workspace, path, typed, place.start + half)
         word = text[place.start : place.end]
@@ -117,6 +122,13 @@ def insertions(folder: Path, number: int, seed: int, *, each: int = 6) -> Iterat
             line = text.count("\n", 0, place.start) + 1
             yield Insertion(path.name, place.kind, word, item.text, line, tuple(sorted(code for _, code in new)))
         workspace.changed(str(path), None)
+
+
+def mixed(words: Mapping[str, Sequence[Word]], number: int, rng: random.Random) -> list[Word]:
+    """Return random words, in turn one of each kind."""
+    shuffled = [rng.sample(of_one_kind, len(of_one_kind)) for _, of_one_kind in sorted(words.items())]
+    in_turn = (word for turn in zip_longest(*shuffled) for word in turn if word is not None)
+    return list(islice(in_turn, number))
 
 
 def offered(workspace: Workspace, path: Path, typed: str, offset: int) -> tuple[list[Item], Codes]:
@@ -132,11 +144,17 @@ def offered(workspace: Workspace, path: Path, typed: str, offset: int) -> tuple[
     is_current = read is not None and read.data == data(typed)
     source = read if read is not None and is_current else SourceText(read.path if read else str(path), data(typed))
     position = source.position(len(data(typed[:offset])))
-    items = items_at(
-        Question(robots, source, position.line, position.column, is_current, packages=workspace.packages_for(str(path)))
+    question = Question(
+        robots, source, position.line, position.column, is_current, packages=workspace.packages_for(str(path))
     )
+    items = items_at(question, workspace.attempts(str(path)))
     fitting = [item for item in items if item.text.startswith(typed[offset - item.replaces : offset])]
     return [item for item in fitting if not item.text.endswith(":")], unfinished
+
+
+def halfway(word: str) -> int:
+    """Return how much of a word is typed halfway; of a parameter with its value, half of its name."""
+    return len(re.split("[:=]", word)[0]) // 2
 
 
 def filled(item: Item, word: str) -> Item:

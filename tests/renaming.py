@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import random
 import re
+from collections import Counter
 from collections.abc import Collection, Iterator
 
 from urdfctl.config.settings import Settings
@@ -42,13 +43,13 @@ def differences(target: Target, number: int, seed: int) -> Iterator[str]:
             texts[real] = texts[real][: edit.start] + edit.text.encode() + texts[real][edit.end :]
         olds = [each.text for each in around.all if each.span == name.span] or [name.text]
         after = lint_target(Loader(Settings(), texts), target, Selection())
-        if _flat(before, olds) != _flat(after, olds) or _codes(before) != _codes(after):
+        if _flat(before, olds) != _flat(after, olds) or _codes(after) - _codes(before):
             yield f"{name.kind} '{name.text}' of {os.path.basename(name.span.file)}:{position.line}"
 
 
-def _codes(linted: LintedTarget) -> list[str]:
+def _codes(linted: LintedTarget) -> Counter[str]:
     """What is found: a use that was forgotten would name what does not exist."""
-    return sorted(finding.code for finding in linted.result.outcome.diagnostics)
+    return Counter(finding.code for finding in linted.result.outcome.diagnostics)
 
 
 Flat = list[tuple[str, tuple[tuple[str, str], ...], str]]

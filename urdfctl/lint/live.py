@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import time
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from functools import partial
 
@@ -18,6 +19,7 @@ from urdfctl.run.here import run_all_here
 from urdfctl.run.limits import Json, Limits, Result
 
 Focus = tuple[str, ...]
+_now = getattr(time, "thread_time", time.monotonic)  # a browser has no threads
 
 
 class Outdated(Exception):
@@ -27,6 +29,7 @@ class Outdated(Exception):
 class LiveLinter:
     """Lints targets and remembers their results until a file that they read changes.
 
+    seconds: how long each target took the last time, in seconds of processor time.
     overlay: the texts to read instead of the files on disk, by real path.
     is_outdated: asked before each target that is not known; if it returns True, Outdated is raised.
     """
@@ -45,6 +48,7 @@ class LiveLinter:
         self._memory = RuleMemory()
         self._results: dict[tuple[Target, Focus], TargetResult] = {}
         self._variants: dict[Target, list[Target]] = {}
+        self.seconds: dict[Target, float] = {}
 
     def changed(self, overlay: Mapping[str, bytes], paths: Collection[str]) -> None:
         """Read these texts from now on, and forget what was found in targets that read one of the paths.
@@ -77,7 +81,9 @@ class LiveLinter:
 
     def _lint(self, target: Target, details: Json) -> TargetResult:
         job = job_for(lint_work, target, self.settings, selection=self.selection, details=details)
+        started = _now()
         result = self._result(lint_work, job)
+        self.seconds[target] = _now() - started
         return result_from_json(result) if isinstance(result, dict) else failed(target, self.settings, result)
 
     def _result(self, function: WorkFunction, job: Json) -> Result:

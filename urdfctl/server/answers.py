@@ -132,7 +132,7 @@ def _about_completion(server: Window) -> None:
     @server.feature(types.TEXT_DOCUMENT_COMPLETION, types.CompletionOptions(trigger_characters=list("\"'<{ :/[-")))
     def completion(window: Window, params: types.CompletionParams) -> list[types.CompletionItem]:
         question = window.question(params.text_document.uri, params.position)
-        items = items_at(question) if question else []
+        items = items_at(question, window.attempts(params.text_document.uri)) if question else []
         positions = window.positions()
         return [
             types.CompletionItem(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from urdfctl.server.attempts import Attempts, harmless
 from urdfctl.server.completion_xml import in_xml
 from urdfctl.server.completion_yaml import in_yaml
 from urdfctl.server.items import Item
@@ -10,12 +11,16 @@ from urdfctl.server.spawning import in_python
 from urdfctl.source.files import is_yaml
 
 
-def items_at(question: Question) -> list[Item]:
-    """Return what can be written at a place, without repeats."""
+def items_at(question: Question, attempts: Attempts | None = None) -> list[Item]:
+    """Return what can be written at a place, without repeats.
+
+    attempts: lints the robots with each item; what causes a finding is left out.
+    """
     if not question.robots:
         return []
     if question.file.endswith(".py"):
         found = in_python(question)
     else:
         found = in_yaml(question) if is_yaml(question.file) else in_xml(question)
-    return list({(item.text, item.kind): item for item in found}.values())
+    items = list({(item.text, item.kind): item for item in found}.values())
+    return harmless(question, items, attempts) if attempts else [item for item in items if not item.is_doubtful]

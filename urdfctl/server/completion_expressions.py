@@ -29,7 +29,8 @@ def values(spot: Spot) -> Iterator[Item]:
     if begun.count("'") % 2 or spot.found["dot"]:
         return
     scopes = spot.scopes()
-    expected = _expected(spot, scopes, spot.found["before"] + re.split(r"[{}]", spot.after)[0])
+    end = "[{}<>" + (opened["quote"] if opened else "") + "]"
+    expected = _expected(spot, scopes, spot.found["before"] + re.split(end, spot.after)[0])
     if re.match(r"\w*\s*[\[.]", spot.after):
         expected = MAP
     must_be_positive = opened is not None and is_positive_at(opened["tag"], opened["name"])

@@ -38,8 +38,7 @@ def _packages(spot: Spot) -> Iterator[Item]:
 
 def _files(spot: Spot) -> Iterator[Item]:
     tag = spot.opened["tag"] if spot.opened else spot.tag
-    found = files_in_package(spot.question, tag, spot.found["package"], spot.found["word"])
-    yield from (Item(path, "file") for path in found)
+    yield from files_in_package(spot.question, tag, spot.found["package"], spot.found["word"])
 
 
 # -- macros ------------------------------------------------------------------------------------------------------------

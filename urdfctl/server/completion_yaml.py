@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from urdfctl.catalog.entries import ControllerType, Parameter
 from urdfctl.catalog.map_parameters import expanded, matching
@@ -87,7 +87,11 @@ def _at(question: Question, keys: list[str]) -> Iterator[tuple[Trial, str]]:
 
 def _types(question: Question) -> Iterator[Item]:
     """The types of the distro that fit a controller's parameters and claims, first those that need nothing else."""
-    name = [key for key in _own(_keys_above(question)) if key != "ros__parameters"][-1:]
+    keys = [key for key in _own(_keys_above(question)) if key != "ros__parameters"]
+    known_names = {"controller_manager", *(trial.controller.name for trial in _trials(question))}
+    if known_names.isdisjoint(keys) and _has_other_types(question):
+        return
+    name = keys[-1:]
     for robot in question.robots:
         project = robot.project
         if not project.distros:
@@ -96,19 +100,34 @@ def _types(question: Question) -> Iterator[Item]:
         found = (project.catalog.controller(each, distro) for each in project.catalog.known_types(distro))
         known = [kind for kind in found if kind is not None]
         trials = [trial for trial in _trials(question) if trial.controller.name in name]
-        possible = [kind for kind in known if all(_is_possible(kind, trial) for trial in trials)]
+        possible = _possible(known, trials)
         for kind in sorted(possible, key=lambda one: any(trial.faults(one, _given(trial)) for trial in trials)):
             yield Item(kind.type, "type", f"a controller type of {distro}")
+
+
+def _has_other_types(question: Question) -> bool:
+    """Whether a file has types, and none of them can be that of a controller: the planners of MoveIt, for example."""
+    typed = re.search(r"[^\s\"'#]*$", question.before)
+    begun, end = (len(typed[0].encode()) if typed else 0), question.offset
+    others = question.source.data[: end - begun] + question.source.data[end:]
+    found = re.findall(rb"^\s*type:[ \t]*[\"']?([\w:./-]+)", others, re.MULTILINE)
+    return bool(found) and not any(b"/" in one for one in found)
 
 
 def _given(trial: Trial) -> dict[str, object]:
     return {name: value for name, value in trial.values.items() if name not in {"type", "use_sim_time"}}
 
 
-def _is_possible(kind: ControllerType, trial: Trial) -> bool:
-    """Return whether a controller can have a type: it fits the parameters, or there are none yet."""
+def _possible(kinds: Sequence[ControllerType], trials: Sequence[Trial]) -> list[ControllerType]:
+    """The types that a controller can have: they fit its parameters best, or there are none yet."""
+    wrong = [sum(_misfits(kind, trial) for trial in trials) for kind in kinds]
+    return [kind for kind, number in zip(kinds, wrong, strict=True) if number == min(wrong)]
+
+
+def _misfits(kind: ControllerType, trial: Trial) -> int:
+    """How much is wrong with a controller of a type that is not wrong now."""
     given = _given(trial)
-    return not given or not trial.faults(kind, given) - trial.now()
+    return len(trial.faults(kind, given) - trial.now()) if given else 0
 
 
 def _elements(question: Question, keys: list[str], word: str) -> Iterator[Item]:

@@ -13,9 +13,11 @@ class Item(NamedTuple):
         file or option.
     about: what is known about it, as Markdown.
     replaces: how many code points before the place it replaces: the word that is typed already.
+    is_doubtful: whether it is offered only if it was tried out, and causes no finding.
     """
 
     text: str
     kind: str
     about: str = ""
     replaces: int = 0
+    is_doubtful: bool = False

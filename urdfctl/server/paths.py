@@ -6,6 +6,7 @@ import os
 import re
 from collections.abc import Iterator
 
+from urdfctl.server.items import Item
 from urdfctl.server.question import Question
 from urdfctl.source.files import first_bytes
 from urdfctl.source.packages import PackageNotFound
@@ -39,11 +40,11 @@ def packages_with(question: Question, rest: str) -> Iterator[str]:
             yield name
 
 
-def files_in_package(question: Question, tag: str, package: str, begun: str) -> Iterator[str]:
-    """Yield the paths of the files in a package that an element can read, relative to the package.
+def files_in_package(question: Question, tag: str, package: str, begun: str) -> Iterator[Item]:
+    """Yield the files in a package that an element can read, by their paths relative to the package.
 
-    begun: the part of the path that is written already. Left out are files that xacro reads already, and robots of
-    their own.
+    begun: the part of the path that is written already. Left out are files that xacro reads already; robots of their
+    own are last.
     """
     if question.packages is None:
         return
@@ -52,13 +53,29 @@ def files_in_package(question: Question, tag: str, package: str, begun: str) -> 
     except PackageNotFound:
         return
     suffixes = _SUFFIXES.get(tag) or ((os.path.splitext(begun)[1],) if "." in begun else ())
-    read = {os.path.realpath(source.path) for source in question.sources()} | {os.path.realpath(question.file)}
+    read = {os.path.realpath(path) for path in _read_now(question)}
+    own = {os.path.realpath(question.file)}
+    robots: list[Item] = []
     for path in _below(folder):
         relative = os.path.relpath(path, folder).replace(os.sep, "/")
         if not relative.startswith(begun) or not (not suffixes or path.lower().endswith(suffixes)):
             continue
-        if tag != "xacro:include" or (os.path.realpath(path) not in read and not _is_robot(path)):
-            yield relative
+        if os.path.realpath(path) in (read if tag == "xacro:include" else own):
+            continue
+        if tag == "xacro:include" and _is_robot(path):
+            robots.append(Item(relative, "file", is_doubtful=True))
+        else:
+            yield Item(relative, "file")
+    yield from robots
+
+
+def _read_now(question: Question) -> Iterator[str]:
+    """Yield the files that the robots read, without those that the open text names no more."""
+    yield question.file
+    texts = [question.source.data, *(one.data for one in question.sources() if one.path != question.file)]
+    for source in question.sources():
+        if question.is_current or any(os.path.basename(source.path).encode() in text for text in texts):
+            yield source.path
 
 
 def _below(folder: str) -> Iterator[str]:

@@ -17,6 +17,7 @@ from urdfctl import __version__
 from urdfctl.diagnostic import Diagnostic
 from urdfctl.errors import UserError
 from urdfctl.lint.results import TargetResult
+from urdfctl.server.attempts import Attempts
 from urdfctl.server.checking import Checking
 from urdfctl.server.diagnostics import shown_diagnostic
 from urdfctl.server.folders import FoundByFolder
@@ -24,8 +25,7 @@ from urdfctl.server.positions import Positions, path_of
 from urdfctl.server.question import Question
 from urdfctl.server.variants import robot_name
 from urdfctl.server.versions import Versions, versioned
-from urdfctl.server.workspace import Checked, Wishes, Workspace
-from urdfctl.source.files import MAX_BYTES, first_bytes
+from urdfctl.server.workspace import Checked, Wishes, Workspace, text_on_disk
 from urdfctl.source.span import SourceText
 
 
@@ -91,7 +91,7 @@ class Window(LanguageServer):
             return
         if text is not None:
             self.looked_at = path
-        if text is not None and path in self._tested and text.encode("utf-8", "surrogatepass") != _on_disk(path):
+        if text is not None and path in self._tested and text.encode("utf-8", "surrogatepass") != text_on_disk(path):
             del self._tested[path]
         if not self._folders:
             self.begin([os.path.dirname(path)], self._wishes)
@@ -151,12 +151,17 @@ class Window(LanguageServer):
         source = SourceText(read.path if read else path, text)
         return Question(robots, source, line, column, is_current=False, is_chosen=is_chosen, packages=packages)
 
+    def attempts(self, uri: str) -> Attempts | None:
+        """Return what lints the robots of a file with other texts of it; None for what is no file of a folder."""
+        path = path_of(uri)
+        return None if path is None or self.checking is None else self.checking.workspace_of(path).attempts(path)
+
     def unsaved(self) -> set[str]:
         """Return the real paths of the open files whose text differs from that on disk."""
         found = set()
         for uri, document in dict(self.workspace.text_documents).items():
             path = path_of(uri)
-            if path is not None and document.source.encode("utf-8", "surrogatepass") != _on_disk(path):
+            if path is not None and document.source.encode("utf-8", "surrogatepass") != text_on_disk(path):
                 found.add(path)
         return found
 
@@ -225,13 +230,6 @@ class Window(LanguageServer):
     def versioned(self, edit: types.WorkspaceEdit) -> types.WorkspaceEdit:
         """Return an edit that is only for the open texts as they are, if the editor understands that."""
         return versioned(edit, self.workspace.text_documents, self.client_capabilities)
-
-
-def _on_disk(path: str) -> bytes | None:
-    try:
-        return first_bytes(path, MAX_BYTES)
-    except OSError:
-        return None
 
 
 def _robot(result: TargetResult, is_shown: bool) -> dict[str, Any]:  # noqa: FBT001

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Mapping
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from urdfctl.config.file import config_for, with_environ
 from urdfctl.config.settings import Settings, passed_on, settings_with
@@ -15,13 +16,16 @@ from urdfctl.lint.merging import merge
 from urdfctl.lint.planning import discovered
 from urdfctl.lint.results import TargetResult
 from urdfctl.lint.selection import Selection, selection_with
+from urdfctl.lint.target import lint_target
 from urdfctl.load.loader import LoadedTarget, Loader
 from urdfctl.load.target import Target
 from urdfctl.model.project import Project
 from urdfctl.run.here import Clock
 from urdfctl.run.limits import Limits
+from urdfctl.server.attempts import Attempts, Codes, codes_of
 from urdfctl.server.variants import Variant, variants_among
 from urdfctl.source.budget import OverBudget
+from urdfctl.source.files import MAX_BYTES, first_bytes
 from urdfctl.source.packages import Packages, package_around
 from urdfctl.startup.records import NamedTuple
 
@@ -104,6 +108,8 @@ class Workspace:
         self._chosen: list[Target] = []
         self._readers: tuple[LintRun | None, dict[str, list[tuple[Target, TargetResult]]]] = None, {}
         self._whole: dict[Target, LoadedTarget] = {}
+        self._saved: dict[Target, Codes] = {}
+        self._packages = Loader(self.settings)
         self._linter = LiveLinter(self.settings, self._selection, self.texts, is_outdated)
 
     def changed(self, path: str, text: bytes | None) -> None:
@@ -131,6 +137,7 @@ class Workspace:
     def forget(self) -> None:
         """Lint everything again: files were created or deleted."""
         self._edition += 1
+        self._packages = Loader(self.settings)
         self._linter = LiveLinter(self.settings, self._selection, dict(self.texts), self._is_outdated)
 
     def variants(self, path: str) -> list[Variant]:
@@ -178,31 +185,57 @@ class Workspace:
         chosen = list(dict.fromkeys([first, *others]))[:_MOST_ROBOTS]
         key = tuple(chosen), self._edition
         if self._loaded is None or self._loaded[0] != key:
-            loader = Loader(self.settings, dict(self.texts))
+            loader = self._packages.with_overlay(dict(self.texts))
             self._loaded = key, [self._read(loader, target) for target in chosen]
         return self._loaded[1]
 
+    def attempts(self, path: str) -> Attempts:
+        """Return what lints the robots that read a file with other texts of it. Nothing of that is kept."""
+        real = os.path.realpath(path)
+        targets = list(dict.fromkeys([self.target_with(path), *(target for target, _ in self._pairs_with(path))]))
+        loader, texts = self._packages, dict(self.texts)
+
+        def lint(robot: int, text: bytes, seconds: float) -> Sequence[Diagnostic] | None:
+            target = targets[robot]
+            if self._linter.seconds.get(target, 0.0) > seconds:
+                return None
+            tried = loader.with_overlay({**texts, real: text})
+            try:
+                with self._clock():
+                    return self._reported(lint_target(tried, target, self._selection).result.outcome.diagnostics)
+            except OverBudget:
+                return None
+
+        return Attempts(lint, min(len(targets), _MOST_ROBOTS), lambda robot: self._saved.get(targets[robot], Counter()))
+
+    def _reported(self, findings: Iterable[Diagnostic]) -> list[Diagnostic]:
+        """The findings that the configuration does not ignore."""
+        return [finding for finding in findings if not self.config.ignores(finding.at.file, finding.code)]
+
     def packages_for(self, path: str) -> Packages:
         """Return the packages of the workspace as a file sees them."""
-        return Loader(self.settings, dict(self.texts)).reading(path)[1]
+        return self._packages.with_overlay(dict(self.texts)).reading(path)[1]
 
     def _read(self, loader: Loader, target: Target) -> LoadedTarget:
         """The robot of a target; as it was last, or as it is on disk, while a text that is typed cannot be parsed."""
         loaded = self._load(loader, target)
-        if loaded.root is not None:
-            self._whole[target] = loaded
-        elif target not in self._whole:
-            self._whole[target] = self._load(Loader(self.settings), target) if self.texts else loaded
+        before = self._whole.get(target)
+        if before is None and self.texts and _may_lack(loaded):
+            before = self._load(self._packages.with_overlay({}), target)
+        self._whole[target] = before if before is not None and _lacks(loaded, before) else loaded
         return self._whole[target]
 
     def _load(self, loader: Loader, target: Target) -> LoadedTarget:
         """The robot of a target; nothing of it if that takes longer than the user would wait."""
-        seconds = min(self.settings.timeout, _PATIENCE)
         try:
-            with Clock(Limits(seconds, self.settings.memory, self.settings.environ)):
+            with self._clock():
                 return loader.load(target)
         except OverBudget:
             return LoadedTarget(Project(None, os.path.abspath(target.path), complete=False), None, {})
+
+    def _clock(self) -> Clock:
+        """Ends what takes longer than the user would wait."""
+        return Clock(Limits(min(self.settings.timeout, _PATIENCE), self.settings.memory, self.settings.environ))
 
     def check(self, path: str | None = None) -> Checked:
         """Return the findings in the package around a file, or in the whole folder.
@@ -217,18 +250,32 @@ class Workspace:
             run = lint_files(files, self._wishes.arguments, self._linter, self.config.robots)
         if path is None or self._run is None:
             self._run = run
+        self._keep_saved(run)
         merged = merge([result.outcome for result in run.results], self._selection)
         findings: dict[str, list[Diagnostic]] = {}
-        for finding in merged:
-            if not self.config.ignores(finding.at.file, finding.code):
-                findings.setdefault(os.path.abspath(finding.at.file), []).append(finding)
+        for finding in self._reported(merged):
+            findings.setdefault(os.path.abspath(finding.at.file), []).append(finding)
         read = frozenset(os.path.abspath(file) for result in run.results for file in result.files)
         found = {file: tuple(each) for file, each in findings.items()}
         return Checked(self.folder, is_whole=path is None, run=run, findings=found, files=read)
 
+    def _keep_saved(self, run: LintRun) -> None:
+        """Keep what is found in each target when all texts are saved: what is typed since then may not be finished."""
+        if all(text == text_on_disk(path) for path, text in self.texts.items()):
+            found = ((target, self._reported(result.outcome.diagnostics)) for target, result in run.targets)
+            self._saved = {target: codes_of(findings) for target, findings in found}
+
     def reads(self, path: str) -> bool:
         """Return whether anything that was linted last reads a file."""
         return bool(self._pairs_with(path))
+
+
+def text_on_disk(path: str) -> bytes | None:
+    """Return the text of a saved file; None if it cannot be read."""
+    try:
+        return first_bytes(path, MAX_BYTES)
+    except OSError:
+        return None
 
 
 _PATIENCE = 5.0
@@ -239,6 +286,18 @@ _MOST_ROBOTS = 8
 
 def _weight(result: TargetResult) -> tuple[object, ...]:
     return not result.library, result.complete, bool(result.controllers), result.launch is not None, len(result.files)
+
+
+def _may_lack(loaded: LoadedTarget) -> bool:
+    """Return whether something is missing that a text which cannot be parsed may hold."""
+    return bool(loaded.project.problems) and (loaded.root is None or loaded.project.controllers is None)
+
+
+def _lacks(loaded: LoadedTarget, before: LoadedTarget) -> bool:
+    """Return whether the robot or its controllers cannot be read any more."""
+    has_root, had_root = loaded.root is not None, before.root is not None
+    has_controllers, had_controllers = loaded.project.controllers is not None, before.project.controllers is not None
+    return _may_lack(loaded) and (had_root > has_root or had_controllers > has_controllers)
 
 
 def _readers(run: LintRun) -> dict[str, list[tuple[Target, TargetResult]]]:
