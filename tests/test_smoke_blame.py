@@ -118,3 +118,55 @@ def test_an_interface_that_no_hardware_offers_is_named_with_its_kind(
     yaml = manager("100", "", "arm").replace("interface_name: position", parameters).replace(FORWARD, type_name)
     [result] = in_jazzy(tmp_path, yaml).controllers
     assert result.reason == f"no hardware offers the {kind} interface 'elbow/velocity'"
+
+
+# -- links that Gazebo drops ----------------------------------------------------------------------------------------
+
+IN_GAZEBO = HARDWARE.replace("mock_components/GenericSystem", "gz_ros2_control/GazeboSimSystem")
+TOOL = """
+    <link name="tool"/>
+    <joint name="wrist" type="continuous"><parent link="fore"/><child link="tool"/></joint>
+"""
+MASS = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
+OF_THE_WRIST = """
+    <ros2_control name="hand" type="system">
+      <hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
+      <joint name="wrist"><command_interface name="position"/><state_interface name="position"/></joint>
+    </ros2_control>
+"""
+
+
+def test_a_link_that_gazebo_drops_stops_only_the_controllers_of_the_joints_that_go_with_it(tmp_path: Path) -> None:
+    yaml = manager("100", "", "arm", "hand") + "hand:\n  ros__parameters: {joints: [wrist], interface_name: position}\n"
+    yaml = yaml.replace(f"hand:\n  ros__parameters: {{{PARAMETERS}}}\n", "")
+    made = in_jazzy(tmp_path, yaml, IN_GAZEBO + OF_THE_WRIST + TOOL)
+    assert verdicts(made) == {"arm": "skipped activate", "hand": "failed activate"}
+    [finding] = [one for one in made.linted.outcome.diagnostics if one.code == "UC905"]
+    assert "link 'tool' of joint 'wrist' has no <inertial>" in finding.message
+
+
+def test_a_robot_of_which_gazebo_drops_all_moving_joints_is_not_spawned(tmp_path: Path) -> None:
+    robot = f'<robot name="loose"><link name="fore">{MASS}</link>{TOOL}{OF_THE_WRIST}</robot>'
+    made = in_jazzy(tmp_path, manager("100", "", "arm").replace("elbow", "wrist"), robot)
+    assert verdicts(made) == {"arm": "failed load"}
+
+
+TRANSMISSION_OF_THE_WRIST = ELBOW.replace("elbow", "wrist")
+GAZEBO_OF_ROS1 = """
+    <launch>
+      <include file="$(find gazebo_ros)/launch/empty_world.launch"/>
+      <param name="robot_description" textfile="$(dirname)/robot.urdf"/>
+      <rosparam file="$(dirname)/arm.yaml" command="load"/>
+      <node name="spawner" pkg="controller_manager" type="spawner" args="arm"/>
+    </launch>
+"""
+
+
+@pytest.mark.parametrize(
+    ("more", "expected"), [("", {"arm": "skipped activate"}), (TRANSMISSION_OF_THE_WRIST, {"arm": "failed activate"})]
+)
+def test_gazebo_of_ros_1_starts_no_controller_if_a_transmission_has_a_joint_that_it_drops(
+    more: str, expected: dict[str, str], tmp_path: Path
+) -> None:
+    parts = {"robot.urdf": ELBOW + more + TOOL, "arm.yaml": f"arm: {EFFORT}\n", "robot.launch": GAZEBO_OF_ROS1}
+    assert verdicts(smoked(target_of(tmp_path, parts), distro="noetic")) == expected

@@ -39,3 +39,5 @@ class StageDependsOn(Enum):
     """Gains are missing: some controllers of ROS 1 are not loaded, others crash when they are started."""
     MANAGER = "manager"
     """The fault depends on the other controllers: `urdfctl.control.life` finds it and its stage."""
+    LOST_JOINTS = "lost joints"
+    """Gazebo drops links with their joints: the controllers of these joints stop, or the robot if none is left."""

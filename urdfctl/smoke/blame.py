@@ -11,7 +11,8 @@ from urdfctl.model.parameters import Parameters
 from urdfctl.model.project import Project
 from urdfctl.rules.controllers.controllers_file_not_a_map import controllers_file_not_a_map
 from urdfctl.rules.controllers.manager_name_misspelt import manager_name_misspelt
-from urdfctl.smoke.stages import stops_parameters
+from urdfctl.smoke.lost_joints import without_their_joints
+from urdfctl.smoke.stages import loses_joints, stops_parameters
 from urdfctl.source.span import Place
 
 
@@ -43,7 +44,7 @@ def stops_whole_file(code: str) -> bool:
 
 def is_common(error: Diagnostic, project: Project, everyone: Sequence[Configured]) -> bool:
     """Return whether an error is not about single controllers, but about their file or their manager."""
-    return stops_whole_file(error.code) or not concerned(error, project, everyone)
+    return stops_whole_file(error.code) or not (loses_joints(error) or concerned(error, project, everyone))
 
 
 def stopped(error: Diagnostic, project: Project, everyone: Sequence[Configured], ros: int) -> list[Configured]:
@@ -51,6 +52,8 @@ def stopped(error: Diagnostic, project: Project, everyone: Sequence[Configured],
     if stops_whole_file(error.code):
         whole = project.launch is not None if ros == 1 else _configures_manager(error.at.file, project)
         return [each for each in everyone if whole or _is_in_file(error.at.file, each.controller)]
+    if loses_joints(error):
+        return without_their_joints(error, project, everyone)
     about = concerned(error, project, everyone)
     if about or project.controllers is None:
         return about

@@ -32,8 +32,16 @@ from urdfctl.rules.smoke.controller_not_loaded import controller_not_loaded
 from urdfctl.rules.smoke.hardware_not_started import hardware_not_started
 from urdfctl.rules.smoke.robot_not_spawned import robot_not_spawned
 from urdfctl.smoke.blame import concerned, is_common, labels_of, stopped, stops_whole_file
+from urdfctl.smoke.lost_joints import lost_joints, stops_every_controller
 from urdfctl.smoke.results import ROBOT, ControllerResult, Trouble, Verdict, trouble_of
-from urdfctl.smoke.stages import found_by_manager, stage_stopped, stops_controller, stops_hardware, stops_robot
+from urdfctl.smoke.stages import (
+    found_by_manager,
+    loses_joints,
+    stage_stopped,
+    stops_controller,
+    stops_hardware,
+    stops_robot,
+)
 from urdfctl.smoke.words import line_of_stage, line_of_stop, reason_of
 from urdfctl.startup.records import NamedTuple
 
@@ -127,8 +135,10 @@ def life_cycle(project: Project, distro: str, findings: Sequence[Diagnostic]) ->
     """Return the lives of all controllers of a project in one distro, given lint's findings for that distro."""
     errors = [finding for finding in findings if finding.severity is Severity.ERROR]
     session = session_of(project, distro)
-    of_robot = [error for error in errors if stops_robot(error)]
+    of_robot = [e for e in errors if stops_robot(e) or (loses_joints(e) and not lost_joints(e, project))]
     of_hardware = [e for e in errors if stops_hardware(e) or _stops_node_of_hardware(project, session, e)]
+    if generation(distro) == 1:
+        of_hardware += [error for error in errors if stops_every_controller(error, project)]
     troubles: list[Trouble] = []
     blocked: Refusal | None = None
     if of_robot:

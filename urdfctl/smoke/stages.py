@@ -36,6 +36,11 @@ def found_by_manager(error: Diagnostic) -> bool:
     return _stage_of(error.code) is StageDependsOn.MANAGER
 
 
+def loses_joints(error: Diagnostic) -> bool:
+    """Return whether an error of lint is about links that Gazebo drops."""
+    return _stage_of(error.code) is StageDependsOn.LOST_JOINTS
+
+
 def stops_controller(error: Diagnostic) -> bool:
     """Return whether an error of lint stops controllers: by itself, and not by what a controller manager works out."""
     return _stage_of(error.code) not in {None, Stage.SPAWN, Stage.HARDWARE, StageDependsOn.MANAGER}
@@ -48,6 +53,8 @@ def stage_stopped(error: Diagnostic, configured: Configured, ros: int) -> Stage:
         return _stage_without_gains(configured) if stage is StageDependsOn.GAINS else Stage.LOAD
     if stage is StageDependsOn.PARAMETER_CHECKS:
         return _stage_of_parameter_checks(configured)
+    if stage is StageDependsOn.LOST_JOINTS:
+        return Stage.ACTIVATE
     return stage if isinstance(stage, Stage) and stage in CONTROLLER_STAGES else Stage.LOAD
 
 

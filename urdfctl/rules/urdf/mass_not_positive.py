@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.control.simulator_plugins import sure_simulator
-from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rule import Finding, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.common import label, whole_robot_in
 from urdfctl.rules.urdf.bodies import LEAST_MASS, inertial_of, vanishing
 from urdfctl.rules.written import where_written
@@ -14,6 +14,7 @@ from urdfctl.rules.written import where_written
 @rule(
     "UC135",
     severity=Severity.WARNING,
+    stage=StageDependsOn.LOST_JOINTS,
     runtime="drops",
     because="only Gazebo does, and the robot may not run there",
     authority="sdformat src/parser_urdf.cc CreateSDF(): 'a mass value of less than or equal to zero'; "

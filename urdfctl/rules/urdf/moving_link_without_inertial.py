@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.control.simulator_plugins import sure_simulator
-from urdfctl.rule import Finding, Project, Severity, rule
+from urdfctl.rule import Finding, Project, Severity, StageDependsOn, rule
 from urdfctl.rules.common import whole_robot_in
 from urdfctl.rules.urdf.bodies import inertial_of, vanishing
 
@@ -13,6 +13,7 @@ from urdfctl.rules.urdf.bodies import inertial_of, vanishing
 @rule(
     "UC133",
     severity=Severity.WARNING,
+    stage=StageDependsOn.LOST_JOINTS,
     runtime="drops",
     because="only Gazebo does, and the robot may not run there",
     authority="sdformat src/parser_urdf.cc CreateSDF(): 'link[...] has no <inertial> block defined', 'parent joint[...] ignored'",
