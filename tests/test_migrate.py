@@ -239,11 +239,15 @@ Propose = Callable[[Packages], Iterator[Proposal]]
 
 
 def result_of(
-    folder: Path, *steps: tuple[str, Propose], lint: Callable[[Scratch], Any] = Lint, distro: str = "jazzy"
+    folder: Path,
+    *steps: tuple[str, Propose],
+    lint: Callable[[Scratch], Any] = Lint,
+    distro: str = "jazzy",
+    is_needed: bool = False,
 ) -> Migration:
     """The migration of the package arm by some steps, given by name and function."""
     scratch = Scratch([str(folder / "arm")])
-    own = [Step(name, Part.URDF, "a change", propose) for name, propose in steps]
+    own = [Step(name, Part.URDF, "a change", propose, is_needed=is_needed) for name, propose in steps]
     result = migrate(scratch, Wishes(distro), Settings(workspace=scratch.root), lint(scratch), own)
     scratch.close()
     return result
@@ -277,6 +281,16 @@ def test_a_change_that_would_cause_a_finding_of_a_new_kind_is_left_out_and_repor
     result = result_of(tmp_path, ("breaking", BREAKING))
     assert result.changes == ()
     assert "not changed by step 'breaking'" in result.lines[0].message
+
+
+def test_what_lint_finds_in_a_file_that_must_change_is_reported_and_does_not_keep_its_old_form(tmp_path: Path) -> None:
+    Folder(tmp_path).write(FILES)
+    result = result_of(tmp_path, ("breaking", BREAKING), is_needed=True)
+    [change] = result.changes
+    assert b"positon" in (change.after or b"")
+    found = [line for line in result.lines if "'positon'" in line.message]
+    assert found
+    assert {line.kind for line in found} == {EntryKind.FOR_YOU}
 
 
 def test_the_steps_that_must_be_left_out_of_many_files_are_found_at_once(tmp_path: Path) -> None:

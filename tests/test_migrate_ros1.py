@@ -318,6 +318,35 @@ def test_a_type_that_a_later_distro_drops_is_no_reason_to_leave_a_file_in_the_fo
     assert "gripper:\n  ros__parameters:\n    joint: shoulder\n" in after
 
 
+def test_a_controller_with_the_name_of_a_joint_gets_another_one_wherever_it_is_named(folder: Folder) -> None:
+    yaml = """\
+states: {type: joint_state_controller/JointStateController}
+shoulder: {type: position_controllers/JointPositionController, joint: shoulder}
+shoulder_lift: {type: position_controllers/JointPositionController, joint: shoulder}
+controller_list:
+  - {name: shoulder, joints: [shoulder]}
+"""
+    launch = """\
+<launch>
+  <arg name="started" default="states shoulder"/>
+  <param name="robot_description" command="xacro $(find arm)/urdf/arm.xacro"/>
+  <rosparam ns="arm" file="$(find arm)/config/c.yaml"/>
+  <node pkg="controller_manager" type="spawner" name="spawner" ns="arm" args="$(arg started)"/>
+  <node pkg="controller_manager" type="spawner" name="second" ns="arm" args="--stopped shoulder_lift"/>
+</launch>
+"""
+    files = {"urdf/arm.xacro": arm(transmission("PositionJointInterface"), PLUGIN), "config/c.yaml": yaml}
+    after = migrated(folder, {**files, "launch/arm.launch": launch})
+    assert "\n/arm/shoulder_controller:\n  ros__parameters:\n    joints: [shoulder]\n" in after["config/c.yaml"]
+    assert "\n/arm/shoulder_lift:\n  ros__parameters:\n" in after["config/c.yaml"]
+    started = " ".join(after["launch/arm.launch.py"].split())
+    assert 'arguments=[ "states", "shoulder_controller", "-c"' in started
+    assert 'arguments=[ "--inactive", "shoulder_lift", "-c"' in started
+    assert "controller 'shoulder' became 'shoulder_controller'" in after["MIGRATION.md"]
+    assert "the names in argument 'started' are written out" in after["MIGRATION.md"]
+    assert "controller_names:\n    - shoulder_controller\n" in after["config/moveit_controllers.yaml"]
+
+
 LOOP = """\
 arm_controller:
   type: effort_controllers/JointPositionController

@@ -55,7 +55,7 @@ class Trials:
             for kind, suspects in searches.items():
                 suspects.judge(is_gone=kind not in kinds, worse=worse)
             while all(suspects.is_done for suspects in searches.values()):
-                new = dict(_next(attempt, found, searches))
+                new = dict(self._next(attempt, found, searches))
                 if not new:
                     break
                 searches.update(new)
@@ -90,6 +90,32 @@ class Trials:
             self._stages.append(_Stage(attempt.copy(barred), dict(scratch.written)))
         found = attempt.judged(self.state, self.lint, self.settings) if scratch.written else []
         return attempt, found
+
+    def _next(
+        self, attempt: Attempt, found: Sequence[Objection], searches: Mapping[Kind, _Suspects]
+    ) -> Iterator[tuple[Kind, _Suspects]]:
+        """Yield the searches for the first new objection, and for those of the same code that may be of the same step."""
+        like: tuple[str, str] | None = None
+        for objection in reversed({one.kind: one for one in reversed(found)}.values()):
+            known = searches.get(objection.kind)
+            if known is not None and not known.is_back:
+                continue
+            candidates = self._candidates(attempt, objection)
+            its = objection.kind[0], candidates[0][0] if candidates else ""
+            like = like or its
+            if its == like:
+                yield objection.kind, _Suspects(objection, candidates, known.choice if known else ())
+
+    def _candidates(self, attempt: Attempt, objection: Objection) -> list[Key]:
+        """The steps that may be responsible for an objection: those that changed its own file first, the last one first.
+
+        What lint finds is no reason to leave out a step without which the target cannot read the file.
+        """
+        own, files = os.path.realpath(objection.file), {os.path.realpath(file) for file in objection.files}
+        needed = {step.name for step in self.steps if step.is_needed and objection.finding is not None}
+        touched = [key for key in reversed(attempt.touched) if key[0] not in needed]
+        direct = [key for key in touched if key[1] == own]
+        return direct + [key for key in touched if key[1] in files and key not in direct]
 
 
 class _Stage(NamedTuple):
@@ -140,22 +166,6 @@ class _Suspects:
             self.choice = self.all = (*self._base, *end.value) if end.value else ()
 
 
-def _next(
-    attempt: Attempt, found: Sequence[Objection], searches: Mapping[Kind, _Suspects]
-) -> Iterator[tuple[Kind, _Suspects]]:
-    """Yield the searches for the first new objection, and for those of the same code that may be of the same step."""
-    like: tuple[str, str] | None = None
-    for objection in reversed({one.kind: one for one in reversed(found)}.values()):
-        known = searches.get(objection.kind)
-        if known is not None and not known.is_back:
-            continue
-        candidates = _candidates(attempt, objection)
-        its = objection.kind[0], candidates[0][0] if candidates else ""
-        like = like or its
-        if its == like:
-            yield objection.kind, _Suspects(objection, candidates, known.choice if known else ())
-
-
 def _search(candidates: Sequence[Key]) -> Search:
     """Search the first candidate alone, then all of them, then the one among the first few that makes the difference.
 
@@ -173,11 +183,3 @@ def _search(candidates: Sequence[Key]) -> Search:
         low, high = (low, middle) if (yield candidates[:middle]) else (middle, high)
     alone = candidates[high - 1 : high]
     return alone if (yield alone) else candidates[:high]
-
-
-def _candidates(attempt: Attempt, objection: Objection) -> list[Key]:
-    """The steps that may be responsible for an objection: those that changed its own file first, the last one first."""
-    own, files = os.path.realpath(objection.file), {os.path.realpath(file) for file in objection.files}
-    touched = list(reversed(attempt.touched))
-    direct = [key for key in touched if key[1] == own]
-    return direct + [key for key in touched if key[1] in files and key not in direct]

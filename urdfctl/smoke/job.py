@@ -27,6 +27,7 @@ from urdfctl.smoke.anchors import diagnostics_of
 from urdfctl.smoke.assignments import TaskFile
 from urdfctl.smoke.fitting import Misfit, misfits
 from urdfctl.smoke.judgement import changed, judged
+from urdfctl.smoke.pairing import has_joints_of_controllers, only_ones, pairs_to_try
 from urdfctl.smoke.plan import MOTION, Plan, Tried
 from urdfctl.smoke.planning import plan_of
 from urdfctl.smoke.results import ROBOT, ControllerResult, Smoked, Trouble, Verdict, trouble_of
@@ -59,6 +60,7 @@ class PreparedRobot(NamedTuple):
 
     `plan` is None if nothing should move. The findings of an engine are placed at the `anchors`, except those whose
     codes are `silent` for a subject. `troubles` holds the findings so far, and `misfits` the tasks that do not fit it.
+    `fits`: the robot has all joints that its controllers claim.
     """
 
     smoked: Smoked
@@ -67,6 +69,7 @@ class PreparedRobot(NamedTuple):
     troubles: tuple[Trouble, ...] = ()
     silent: Mapping[str, Sequence[str]] = {}
     misfits: tuple[Misfit, ...] = ()
+    fits: bool = False
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> PreparedRobot:
@@ -80,6 +83,7 @@ class PreparedRobot(NamedTuple):
             troubles=tuple(Trouble.from_json(fields) for fields in data["troubles"]),
             silent=data["silent"],
             misfits=tuple(Misfit(*misfit) for misfit in data["misfits"]),
+            fits=data["fits"],
         )
 
     def to_json(self) -> dict[str, Any]:
@@ -94,6 +98,7 @@ class PreparedRobot(NamedTuple):
             "troubles": self.troubles,
             "silent": dict(self.silent),
             "misfits": self.misfits,
+            "fits": self.fits,
         }
 
 
@@ -109,7 +114,7 @@ def smoke_all(
     `chosen` is given all robots before any moves, and returns the indices of those to go on with.
     """
     parallel = parallel or processors()
-    robots = list(_read_all(targets, settings, wanted, parallel))
+    robots = _paired(list(_read_all(targets, settings, wanted, parallel)), targets, settings, wanted, parallel)
     _check_tasks(robots, wanted)
     indices = list(range(len(robots)) if chosen is None else chosen([robot.smoked for robot in robots]))
     kept = [robots[index] for index in indices]
@@ -127,6 +132,18 @@ def smoke_all(
         for engine, result in _compared(of_robot):
             smoked = moved(smoked, robot, engine, result)
         yield smoked._replace(interrupted=simulations.interrupted)
+
+
+def _paired(
+    robots: list[PreparedRobot], targets: Sequence[Target], settings: Sequence[Settings], wanted: Wanted, parallel: int
+) -> list[PreparedRobot]:
+    """The robots, in which a launch file that spawns controllers without a robot has the only one that fits it."""
+    pairs = pairs_to_try(targets, [robot.smoked for robot in robots])
+    own = [settings[pair.position] for pair in pairs]
+    tried = list(_read_all([pair.target for pair in pairs], own, wanted, parallel)) if pairs else []
+    for index, position in only_ones(pairs, [robot.fits for robot in tried]).items():
+        robots[index] = tried[position]._replace(smoked=tried[position].smoked._replace(paired=True))
+    return robots
 
 
 def _compared(results: list[tuple[str, Tried | WorkerFailure]]) -> Sequence[tuple[str, Tried | WorkerFailure]]:
@@ -190,8 +207,9 @@ def prepared_robot(loader: Loader, target: Target, wanted: Wanted) -> PreparedRo
     mechanism = judgement.mechanism
     names = [way.name for way in judgement.cycle.ways]
     wrong = tuple(misfits(given, mechanism, judgement.tasks, names)) if given and mechanism else ()
+    fits = has_joints_of_controllers(seen.project)
     if plan is None:
-        return PreparedRobot(smoked, None, misfits=wrong)
+        return PreparedRobot(smoked, None, misfits=wrong, fits=fits)
     return PreparedRobot(
         smoked=smoked,
         plan=plan,
@@ -199,6 +217,7 @@ def prepared_robot(loader: Loader, target: Target, wanted: Wanted) -> PreparedRo
         troubles=judgement.troubles,
         silent=judgement.silenced(),
         misfits=wrong,
+        fits=fits,
     )
 
 

@@ -20,7 +20,7 @@ from urdfctl.smoke.stages import loses_joints
 def lost_joints(error: Diagnostic, project: Project) -> frozenset[str]:
     """Return the names of the joints that Gazebo drops because of an error of lint.
 
-    None are returned if the error is about something else, or if no moving joint is left: the robot cannot be used then.
+    None are returned if the error is about something else, or if no moving joint is left: the robot is lost then.
     """
     robot = project.robot
     if robot is None or not loses_joints(error):
@@ -49,8 +49,9 @@ def stops_every_controller(error: Diagnostic, project: Project) -> bool:
 def without_their_joints(error: Diagnostic, project: Project, everyone: Sequence[Configured]) -> list[Configured]:
     """Return the controllers that claim a joint which is dropped."""
     lost = lost_joints(error, project)
-    return [
-        each
-        for each in everyone
-        if any(claim.component in lost and not claim.best_effort for claim in (*each.claims.command, *each.claims.state))
-    ]
+
+    def needs_one(each: Configured) -> bool:
+        claims = (*each.claims.command, *each.claims.state)
+        return any(claim.component in lost and not claim.best_effort for claim in claims)
+
+    return [each for each in everyone if needs_one(each)]

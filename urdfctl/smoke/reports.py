@@ -104,7 +104,8 @@ def heading(robot: Smoked) -> str:
 def how(robot: Smoked) -> str:
     """Return the controller files, the distro and what it is known from, and the engine of a test."""
     engine = f"{robot.engine}, {robot.seconds:.1f} s" if robot.engine else "not simulated"
-    parts = [", ".join(shown(path) for path in robot.linted.controllers), _distro(robot), engine]
+    paired = "paired by its joints: the launch file loads no robot" if robot.paired else ""
+    parts = [", ".join(shown(path) for path in robot.linted.controllers), _distro(robot), paired, engine]
     return "; ".join(part for part in parts if part)
 
 

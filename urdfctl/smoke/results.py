@@ -113,7 +113,8 @@ class Smoked(NamedTuple):
     `linted` holds the findings of the smoke test instead of those of lint. `distro` is the one whose controller manager
     was modelled. `engine` is None if nothing was simulated, and `seconds` is how long the simulation took. `part_of` is
     the link of another file on which a description hangs that is not a robot. `interrupted`: Ctrl-C ended the run
-    before all was tested.
+    before all was tested. `paired`: the launch file loads no robot, and this is the only one with the joints of its
+    controllers.
     """
 
     linted: TargetResult
@@ -124,6 +125,7 @@ class Smoked(NamedTuple):
     curves: tuple[Curve, ...] = ()
     part_of: str = ""
     interrupted: bool = False
+    paired: bool = False
 
     def without(self, hidden: Sequence[str]) -> Smoked:
         """Return the test in which no controller fails for a finding that is hidden: it is warned instead."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from urdfctl.migrate.ros1.aliases import ALIASES
 from urdfctl.migrate.ros1.classic_plugins import PLUGINS
+from urdfctl.migrate.ros1.controller_names import CONTROLLER_NAMES
 from urdfctl.migrate.ros1.controllers_yaml import CONTROLLERS
 from urdfctl.migrate.ros1.launch_files import LAUNCH_FILES
 from urdfctl.migrate.ros1.manifest import MANIFEST
@@ -22,6 +23,7 @@ ROBOT_STEPS: tuple[Step, ...] = (
     TRANSMISSIONS,
     SIMULATOR_PLUGIN,
     PLUGINS,
+    CONTROLLER_NAMES,
     MOVEIT_FILES,
     ALIASES,
     CONTROLLERS,

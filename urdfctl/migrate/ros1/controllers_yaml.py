@@ -189,6 +189,7 @@ CONTROLLERS = Step(
     summary="Controller files",
     propose=_files,
     generation=1,
+    is_needed=True,
     rows=(
         Row("NAME: {type: T, ...}", "controller_manager and NAME with ros__parameters", "", _FORM),
         Row("gazebo_ros_control/pid_gains", "", "", _PID_GAINS),

@@ -125,6 +125,7 @@ LAUNCH_FILES = Step(
     summary="Launch files",
     propose=_launch_files,
     generation=1,
+    is_needed=True,
     rows=(
         Row(
             '<param name="robot_description" command="xacro ...">', "parameter of robot_state_publisher", "", _AUTHORITY

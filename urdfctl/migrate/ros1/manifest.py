@@ -234,6 +234,7 @@ MANIFEST = Step(
     summary="package.xml and CMakeLists.txt",
     propose=_manifests,
     generation=1,
+    is_needed=True,
     rows=(
         Row("package.xml format 1 or 2, catkin", "format 3, ament_cmake", "", _FORMAT),
         Row("gazebo_ros_control", "gz_ros2_control or gazebo_ros2_control", "", _AUTHORITY),
