@@ -87,8 +87,8 @@ class Step(NamedTuple):
         until it proposes no more changes; so a proposal must not be made again once it is applied.
     rows: what it replaces, for `--list` and docs/migrating.md.
     generation: 1 if it is only for packages that are for ROS 1, wholly or in part.
-    is_needed: whether the target cannot read a file without it. What lint finds in the new form is then reported, and is
-        no reason to keep the old one.
+    is_needed: whether the target cannot read a file without it. What lint finds in the new form is then reported, and
+        is no reason to keep the old one.
     """
 
     name: str

@@ -94,7 +94,7 @@ class Trials:
     def _next(
         self, attempt: Attempt, found: Sequence[Objection], searches: Mapping[Kind, _Suspects]
     ) -> Iterator[tuple[Kind, _Suspects]]:
-        """Yield the searches for the first new objection, and for those of the same code that may be of the same step."""
+        """Yield the searches for the first new objection, and for those of its code that may be of the same step."""
         like: tuple[str, str] | None = None
         for objection in reversed({one.kind: one for one in reversed(found)}.values()):
             known = searches.get(objection.kind)
@@ -107,7 +107,7 @@ class Trials:
                 yield objection.kind, _Suspects(objection, candidates, known.choice if known else ())
 
     def _candidates(self, attempt: Attempt, objection: Objection) -> list[Key]:
-        """The steps that may be responsible for an objection: those that changed its own file first, the last one first.
+        """The steps that may be responsible for an objection: first those that changed its file, the last one first.
 
         What lint finds is no reason to leave out a step without which the target cannot read the file.
         """
