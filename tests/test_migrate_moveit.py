@@ -213,3 +213,16 @@ def test_parameters_that_a_launch_file_of_ros_1_still_loads_are_not_judged_as_th
     files = {"package.xml": MANIFEST, "urdf/arm.xacro": arm(""), "config/kinematics.yaml": KINEMATICS}
     folder.write({**{f"arm/{name}": text for name, text in files.items()}, "arm/launch/arm.launch": launch})
     assert "UC403" not in folder.run("lint", "arm", "--distro", "humble").stdout
+
+
+def test_a_launch_file_does_not_include_those_of_moveit_that_are_left_to_a_person(folder: Folder) -> None:
+    load = '<launch>\n  <rosparam file="$(find arm_moveit)/config/ompl_planning.yaml"/>\n</launch>\n'
+    demo = '<launch>\n  <include file="$(dirname)/ompl_planning_pipeline.launch.xml"/>\n</launch>\n'
+    files = {"launch/ompl_planning_pipeline.launch.xml": load, "launch/demo.launch": demo, "config/second.srdf": SRDF}
+    folder.write({f"arm_moveit/{name}": text for name, text in {"package.xml": MANIFEST, **files}.items()})
+    ran = folder.run("migrate", "arm_moveit", "--from", "noetic", "--to", "humble", "-o", "new")
+    assert ran.returncode == 0, ran.stderr
+    new = folder.path / "new"
+    assert (new / "launch/ompl_planning_pipeline.launch.xml").read_text() == load
+    assert "start here what replaces MoveIt's 'ompl_planning_pipeline.launch.xml'" in (new / "MIGRATION.md").read_text()
+    assert "Include" not in (new / "launch/demo.launch.py").read_text()

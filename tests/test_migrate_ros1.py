@@ -340,10 +340,9 @@ controller_list:
     assert "\n/arm/shoulder_controller:\n  ros__parameters:\n    joints: [shoulder]\n" in after["config/c.yaml"]
     assert "\n/arm/shoulder_lift:\n  ros__parameters:\n" in after["config/c.yaml"]
     started = " ".join(after["launch/arm.launch.py"].split())
-    assert 'arguments=[ "states", "shoulder_controller", "-c"' in started
+    assert 'DeclareLaunchArgument("started", default_value="states shoulder_controller")' in started
     assert 'arguments=[ "--inactive", "shoulder_lift", "-c"' in started
     assert "controller 'shoulder' became 'shoulder_controller'" in after["MIGRATION.md"]
-    assert "the names in argument 'started' are written out" in after["MIGRATION.md"]
     assert "controller_names:\n    - shoulder_controller\n" in after["config/moveit_controllers.yaml"]
 
 

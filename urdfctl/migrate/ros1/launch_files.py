@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import glob
 import os
 from collections.abc import Iterator
 
@@ -14,7 +15,7 @@ from urdfctl.migrate.launch.python_form import python_file
 from urdfctl.migrate.launch.xml_form import xml_file
 from urdfctl.migrate.markup import elements, root_of
 from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.ros1.moveit_launch import packages_of_moveit
+from urdfctl.migrate.ros1.moveit_launch import LOADED_BY_MOVEIT, MADE_BY_MOVEIT, packages_of_moveit
 from urdfctl.migrate.ros1.roslaunch import Reading
 from urdfctl.migrate.ros1.roslaunch_nodes import Target
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
@@ -31,26 +32,42 @@ _OF_MOVEIT = ("moveit_ros_move_group", "moveit_ros_planning", "moveit_setup_assi
 
 
 def _launch_files(packages: Packages) -> Iterator[Proposal]:
+    left: set[tuple[str, str]] = set()
+    wanted = []
+    for path, root in _of_ros1(packages):
+        own = _package(path)
+        if _is_of_moveit(path, root) and own not in set(packages_of_moveit(packages)):
+            left.add((own, os.path.basename(path)))
+            text = "write the launch files of MoveIt anew with MoveItConfigsBuilder, or its Setup Assistant"
+            manifest = os.path.join(os.path.dirname(os.path.dirname(path)), "package.xml")
+            yield Proposal(entries=(Entry(EntryKind.FOR_YOU, text, file=manifest, authority=_MOVEIT),))
+        else:
+            wanted.append((path, root))
+    for path, root in wanted:
+        target = _target(packages, path)._replace(left=frozenset(left), own_package=_package(path))
+        yield from _migrated(packages, path, root, target)
+
+
+def _of_ros1(packages: Packages) -> Iterator[tuple[str, Element]]:
+    """The launch files of ROS 1, with their root elements."""
     for path in packages.files(".launch", ".launch.xml", "launch.xml"):
         source = packages.read(path)
         root = root_of(source) if b"<launch" in source.data else None
-        if root is None or root.tagName != "launch" or is_of_ros2(root) or "/.ros" in path:
-            continue
-        yield from _migrated(packages, path, root)
+        if root is not None and root.tagName == "launch" and not is_of_ros2(root) and "/.ros" not in path:
+            yield path, root
 
 
-def _migrated(packages: Packages, path: str, root: Element) -> Iterator[Proposal]:
+def _package(path: str) -> str:
+    """The name of the package of a file; empty if it is in none."""
     folder = package_around(os.path.dirname(path))
-    own = package_name(os.path.join(folder, "package.xml")) if folder else None
-    if _is_of_moveit(path, root) and own not in set(packages_of_moveit(packages)):
-        text = "write the launch files of MoveIt anew with MoveItConfigsBuilder, or its Setup Assistant"
-        manifest = os.path.join(os.path.dirname(os.path.dirname(path)), "package.xml")
-        yield Proposal(entries=(Entry(EntryKind.FOR_YOU, text, file=manifest, authority=_MOVEIT),))
-        return
+    return (package_name(os.path.join(folder, "package.xml")) if folder else None) or ""
+
+
+def _migrated(packages: Packages, path: str, root: Element, target: Target) -> Iterator[Proposal]:
     new = _new_path(path, packages.wishes.launch)
     if os.path.exists(new):
         return
-    reading = Reading(_target(packages, path)._replace(own_package=own or ""))
+    reading = Reading(target)
     actions = reading.actions(root)
     name = os.path.basename(path)
     text = (xml_file if packages.wishes.launch == "xml" else python_file)(actions, f"Migrated from {name}.")
@@ -80,8 +97,10 @@ def _new_path(path: str, form: str) -> str:
 
 def _is_of_moveit(path: str, root: Element) -> bool:
     nodes = {element.attrs.get("pkg") for element in elements(root)}
-    folder = os.path.dirname(os.path.dirname(path))
-    return bool(nodes & {*_OF_MOVEIT}) or os.path.exists(os.path.join(folder, ".setup_assistant"))
+    folder, name = os.path.dirname(os.path.dirname(path)), os.path.basename(path)
+    has_its_name = name in MADE_BY_MOVEIT or name.endswith(LOADED_BY_MOVEIT)
+    is_configured = has_its_name and bool(glob.glob(os.path.join(glob.escape(folder), "config", "*.srdf")))
+    return bool(nodes & {*_OF_MOVEIT}) or is_configured or os.path.exists(os.path.join(folder, ".setup_assistant"))
 
 
 def _target(packages: Packages, path: str) -> Target:

@@ -28,7 +28,7 @@ MADE_BY_MOVEIT: Mapping[str, str] = {
     "default_warehouse_db.launch": "warehouse_db",
 }
 """By launch file of ROS 1: the one of ROS 2 that other launch files include, without its ending."""
-_LOADED = (
+LOADED_BY_MOVEIT = (
     "planning_pipeline.launch.xml",
     "controller_manager.launch.xml",
     "sensor_manager.launch.xml",
@@ -53,7 +53,7 @@ def _launch_files(packages: Packages) -> Iterator[Proposal]:
             continue
         made = dict(_made(launches, old))
         created = tuple((path, _text(robot, name, maker)) for path, maker in made.items())
-        deleted = tuple(path for file, path in old.items() if file in _MADE or file.endswith(_LOADED))
+        deleted = tuple(path for file, path in old.items() if file in _MADE or file.endswith(LOADED_BY_MOVEIT))
         if deleted:
             what = "moveit_configs_utils makes the launch files of MoveIt, and loads the parameters of the others"
             entry = Entry(EntryKind.DONE, what, file=os.path.join(folder, "package.xml"), authority=_AUTHORITY)

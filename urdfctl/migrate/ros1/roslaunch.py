@@ -27,6 +27,7 @@ from urdfctl.source.dom import Text as Characters
 _DESCRIPTION = "robot_description"
 _OF_WORLD = ("gazebo_ros", "gazebo_worlds")
 _LAUNCH_ENDINGS = (".launch.xml", ".launch", ".xml")
+_SURE_ENDINGS = (".launch.xml", ".launch")
 
 
 class Reading(Notes):
@@ -65,7 +66,7 @@ class Reading(Notes):
             if "value" in attrs:
                 yield Action("let", attrs.get("name", ""), parsed(attrs["value"]))
             else:
-                default = parsed(self._world(attrs["default"])) if "default" in attrs else None
+                default = self._value(element, self._world(attrs["default"])) if "default" in attrs else None
                 yield Action("argument", attrs.get("name", ""), default, about=attrs.get("doc", ""))
         elif element.tagName == "group":
             inner = tuple(self._children(element, root))
@@ -91,13 +92,16 @@ class Reading(Notes):
     def _include(self, element: Element) -> Iterator[Action]:
         file = parsed(element.attrs.get("file", ""))
         given = tuple(
-            (child.attrs.get("name", ""), parsed(child.attrs.get("value", child.attrs.get("default", ""))))
+            (child.attrs.get("name", ""), self._value(child, child.attrs.get("value", child.attrs.get("default", ""))))
             for child in element.elements()
             if child.tagName == "arg"
         )
         packages = [part.text for part in file if part.kind == "find"]
         if packages and packages[0] in _OF_WORLD:
             yield from simulator_actions(self, dict(given))
+            return
+        if self._is_left(file):
+            self.left.append((element, f"start here what replaces MoveIt's '{file[-1].text.rpartition('/')[2]}'"))
             return
         made = self._made_by_moveit(file)
         if made:
@@ -107,6 +111,20 @@ class Reading(Notes):
         if "ns" in element.attrs:
             action = Action("group", value=parsed(element.attrs["ns"]), inner=(action,))
         yield action
+
+    def _value(self, element: Element, text: str) -> Text:
+        """The value of an argument, which may be the path of a launch file that is migrated too."""
+        value = parsed(text)
+        is_launch = text.endswith(_SURE_ENDINGS) and not self._is_left(value)
+        packages = [part.text for part in value if part.kind == "find"]
+        is_own = not packages or packages[0] in self.target.own
+        return self._new_path(element, value) if is_launch and is_own else value
+
+    def _is_left(self, file: Text) -> bool:
+        """Whether a launch file is left to a person, so that no new one can be started."""
+        package = next((part.text for part in file if part.kind == "find"), self.target.own_package)
+        name = file[-1].text.rpartition("/")[2] if file and file[-1].kind == "text" else ""
+        return (package, name) in self.target.left
 
     def _made_by_moveit(self, file: Text) -> str:
         """The end of the path of an included launch file that MoveIt makes, with other arguments; empty for others."""
@@ -180,7 +198,7 @@ class Reading(Notes):
             self.left.append((element, text))
         elif file == DECLARED_IN:
             return  # the spawner starts the broadcaster, which the controller file declares
-        elif not self.target.is_controllers_file(file):
+        elif not self.names_controllers(file):
             self.left.append((element, f"ROS 2 has no global parameters: give '{file}' to the node that reads it"))
         elif not self.target.simulated and not self.target.has_manager:
             self.target = self.target._replace(has_manager=True)

@@ -19,6 +19,7 @@ from urdfctl.migrate.launch.actions import (
 )
 from urdfctl.migrate.ros1.joint_states import DECLARED_IN, NEW_NAME, OLD_NAME
 from urdfctl.source.dom import Element
+from urdfctl.startup.patterns import lazy_pattern
 from urdfctl.startup.records import NamedTuple
 
 
@@ -37,6 +38,7 @@ class Target(NamedTuple):
     bridge: the package with the file for the bridge of the robot's topics; empty if there is none.
     placed: the joints whose position at the start is in the description.
     moveit: the packages whose launch files MoveIt makes.
+    left: the launch files that are left to a person, by package and name.
     own_package: the package of the launch file; empty if it has none.
     """
 
@@ -53,6 +55,7 @@ class Target(NamedTuple):
     bridge: str = ""
     placed: frozenset[str] = frozenset()
     moveit: frozenset[str] = frozenset()
+    left: frozenset[tuple[str, str]] = frozenset()
     own_package: str = ""
 
     @property
@@ -75,6 +78,10 @@ class Notes:
         self.decided: list[tuple[Element, str]] = []
         self.defaults: dict[str, str] = {}
 
+    def names_controllers(self, written: str) -> bool:
+        """Return whether a file name is that of a controller file, by the defaults of the arguments in it."""
+        return self.target.is_controllers_file(_ARGUMENT.sub(lambda one: self.defaults.get(one[1], one[0]), written))
+
 
 _RENAMED = {
     ("rviz", "rviz"): ("rviz2", "rviz2"),
@@ -88,6 +95,7 @@ _RENAMED = {
     ("tf", "static_transform_publisher"): ("tf2_ros", "static_transform_publisher"),
     ("robot_state_publisher", "state_publisher"): ("robot_state_publisher", "robot_state_publisher"),
 }
+_ARGUMENT = lazy_pattern(r"\$\(arg ([\w-]+)\)")
 _DROPPED_WORDS = ("--shutdown-timeout", "--wait-for")
 _SPAWNER_WORDS = {"--timeout": "--controller-manager-timeout", "--stopped": "--inactive"}
 _SAME = frozenset(
@@ -187,7 +195,7 @@ def _spawner(reading: Notes, element: Element, words: Sequence[Text], files: Seq
         if plain(space).strip("/") or not is_literal(space)
         else []
     )
-    known = [file for file in files if reading.target.is_controllers_file(_file_text(file))]
+    known = [file for file in files if reading.names_controllers(_file_text(file))]
     passed = (
         [word for file in known for word in (literal("--param-file"), file)] if reading.target.takes_param_file else []
     )
