@@ -258,6 +258,17 @@ def test_an_unknown_joint_stops_the_simulation(robot: Robot, simulator: str, exp
     assert '<joint name="elbow">' in robot.fixed(finding)
 
 
+@pytest.mark.parametrize(
+    ("library", "expected"), [("libgazebo_ros_control.so", "error"), ("libgazebo_ros_skid_steer_drive.so", "warning")]
+)
+def test_an_unknown_joint_is_a_warning_if_another_plugin_moves_the_robot(
+    robot: Robot, library: str, expected: str
+) -> None:
+    plugin = f'<gazebo><plugin name="p" filename="{library}"/></gazebo>'
+    found = robot.lint(SOUND.replace('"elbow"', '"elbw"') + plugin)
+    assert [one.severity.value for one in found if one.code == "UC206"] == [expected]
+
+
 def test_a_link_in_place_of_a_joint_is_noted(robot: Robot) -> None:
     finding = robot.only("UC206", SOUND.replace('"elbow"', '"fore"'))
     assert finding.fix is None

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from urdfctl.catalog.distros import ROS1
-from urdfctl.control.gazebo_ros1 import in_gazebo
+from urdfctl.control.gazebo_ros1 import control_plugins, in_gazebo
 from urdfctl.model.robot import Joint, Robot
 from urdfctl.model.transmission import Transmission, TransmissionEnd
 from urdfctl.names import nearest
@@ -57,11 +57,12 @@ def transmission_joint_unknown(project: Project) -> Iterator[Finding]:
     Gazebo's hardware simulation stops there, and there is no controller manager. Real hardware offers a joint that is
     in no joint state and no controller, and lacks the intended joint. If a macro from another file names several
     joints, and none is similar to a joint of the robot, the macro belongs to another robot. Then its call is reported.
+    If other plugins of Gazebo move the robot, nothing that is known reads its transmissions: a warning.
     """
     robot = project.robot
     if robot is None or not robot.joints:
         return
-    severity = Severity.ERROR if in_gazebo(project) else Severity.WARNING
+    severity = _severity(project, robot)
     known = joints_by_name(project)
     named = list(known_joints(project))
     if all(name in known for _, _, name in named):
@@ -78,6 +79,12 @@ def transmission_joint_unknown(project: Project) -> Iterator[Finding]:
         message = f"{transmission.label} names joint '{name}', which the robot does not have{hint}"
         finding = at_written(joint.at["name"], name, right, message, tuple(_links(robot, name)))
         yield finding._replace(severity=severity)
+
+
+def _severity(project: Project, robot: Robot) -> Severity:
+    gazebo = in_gazebo(project)
+    is_moved_by_others = bool(robot.plugins) and not control_plugins(project) and project.controllers is None
+    return Severity.ERROR if gazebo and (gazebo is Severity.ERROR or not is_moved_by_others) else Severity.WARNING
 
 
 def _wrong_calls(
