@@ -181,6 +181,35 @@ def test_parameters_without_a_definition_are_said_to_be_unchecked_once(folder: F
     assert [one[1] for one in said(folder, ARM, "{x: 1}", **{"ours/src/arm.cpp": prefixed})] == ["UC424"]
 
 
+UPSTREAM = "battery_state_broadcaster/BatteryStateBroadcaster"
+
+
+def workspace_with_upstreams_name(definition: str) -> dict[str, str]:
+    """A package with the name and type of an upstream controller, and a definition of its own."""
+    plugins = PLUGINS.replace("our_controllers", "battery_state_broadcaster").replace("Arm", "BatteryState")
+    return {
+        "ours/package.xml": MANIFEST.format("battery_state_broadcaster"),
+        "ours/plugins/ours.xml": plugins.replace("BatteryStateController", "BatteryStateBroadcaster"),
+        "ours/src/arm.yaml": definition,
+        "ours/src/arm.cpp": CODE.replace("ArmController", "BatteryStateBroadcaster"),
+    }
+
+
+def test_an_own_controller_with_the_type_of_an_upstream_one_is_checked_with_its_own_definition(folder: Folder) -> None:
+    other = workspace_with_upstreams_name("arm:\n  cells: {type: string_array}\n")
+    assert said(folder, UPSTREAM, "{cells: [voltage]}", **other) == []
+    assert [one[:2] for one in said(folder, UPSTREAM, "{batteries: [main]}", **other)] == [
+        ("error", "UC431"),
+        ("warning", "UC430"),
+    ]
+
+
+def test_a_copy_of_an_upstream_controller_is_checked_with_the_catalogue(folder: Folder) -> None:
+    copy = workspace_with_upstreams_name("arm:\n  batteries: {type: string_array}\n  sensor_name: {type: string}\n")
+    assert said(folder, UPSTREAM, "{batteries: [main]}", **copy) == []
+    assert [one[1] for one in said(folder, UPSTREAM, "{batteries: [main], cells: [voltage]}", **copy)] == ["UC430"]
+
+
 def test_a_misspelt_own_controller_is_an_error(folder: Folder) -> None:
     message = "controller type 'our_controllers/ArmControler' is unknown; did you mean 'our_controllers/ArmController'?"
     assert said(folder, "our_controllers/ArmControler", "{x: 1}") == [("error", "UC421", message)]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import lru_cache
 from itertools import chain
 
@@ -49,6 +50,11 @@ def typed(project: Project) -> tuple[Typed, ...]:
             known_in = distros if kind in project.own.controllers else project.catalog.distros_of(kind)
             controllers.append(Typed(controller, kind, controller.type, distros, known_in))
     return tuple(controllers)
+
+
+def typed_upstream(project: Project) -> Iterator[Typed]:
+    """Yield the controllers with a literal type that no package of the workspace defines."""
+    return (each for each in typed(project) if each.type not in project.own.controllers)
 
 
 @once_for_the_last

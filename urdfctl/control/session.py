@@ -118,7 +118,7 @@ def _facts(robot: Robot | None, hardware: Hardware) -> RobotFacts:
 def _configured(controller: Controller, project: Project, distro: str, facts: RobotFacts) -> Configured:
     kind = controller.type.value if controller.type else None
     known = project.catalog.controller(kind, distro) if isinstance(kind, str) else None
-    if known is None:
+    if known is None or kind in project.own.controllers:
         return Configured(controller, None, {}, NOT_KNOWN, Exports(complete=False))
     values = readable(known, given_values(controller.parameters))
     claimed = claims(known, controller.name, values, facts)

@@ -269,13 +269,15 @@ class Loader:
         return self._with_own_types(project) if controllers or project.robot else project
 
     def _with_own_types(self, project: Project) -> Project:
-        """The project with the types that the workspace's packages define, if the catalogue lacks one of its types."""
+        """The project with the types that the workspace's packages define, if the catalogue lacks one of its types, or
+        has one that such a package may define in another way."""
         robot = project.robot
         if not project.controllers and not (robot and (robot.ros2_controls or robot.plugins)):
             return project
-        from urdfctl.load.unknown_types import unknown_types
+        from urdfctl.load.unknown_types import shared_types, unknown_types
 
-        wanted = unknown_types(project)
+        crawls = self.index_for(project.path).crawls
+        wanted = unknown_types(project) | shared_types(project, lambda name: any(name in c.packages() for c in crawls))
         if not wanted:
             return project
         key = workspace_of(project.path, self.settings.workspace), frozenset(wanted)
@@ -285,9 +287,9 @@ class Loader:
 
     def _defined_in_workspace(self, path: str, wanted: Collection[str]) -> OwnTypes:
         """What the packages of a file's workspace define of the types that the catalogue lacks."""
-        from urdfctl.load.own_types import own_types
+        from urdfctl.load.own_types import own_types, without_copies
 
-        return own_types(wanted, self._exports_around(path), self.reading(path)[0])
+        return without_copies(own_types(wanted, self._exports_around(path), self.reading(path)[0]))
 
     def _exports_around(self, path: str) -> list[Exports]:
         """What the packages of a file's workspace export."""

@@ -10,8 +10,11 @@ from urdfctl.model.own_types import OwnTypes
 from urdfctl.source.files import FileProblem, Files
 from urdfctl.source.plugin_exports import ExportedClass, definition_files, exported_classes, sources_of_class
 from urdfctl.source.yaml import read_yaml
-from urdfctl.startup.hints import Any
+from urdfctl.startup.hints import TYPE_CHECKING, Any
 from urdfctl.startup.records import NamedTuple
+
+if TYPE_CHECKING:
+    from urdfctl.catalog.entries import ControllerType
 
 _CONTROLLER_BASE = "controller_interface::"
 _PLAIN_BASES = ("ControllerInterface", "ChainableControllerInterface")
@@ -37,7 +40,7 @@ def exports_in(packages: Iterable[tuple[str, str]], files: Files) -> list[Export
 def own_types(wanted: Collection[str], exports: Iterable[Exports], files: Files) -> OwnTypes:
     """Return what the packages export that define some types, or whose name is the prefix of one.
 
-    wanted: the names of controllers and hardware that the catalogue does not have.
+    wanted: the names of controllers and hardware.
     """
     prefixes = {re.split("/|::", name)[0] for name in wanted}
     controllers: dict[str, Mapping[str, Any]] = {}
@@ -51,6 +54,43 @@ def own_types(wanted: Collection[str], exports: Iterable[Exports], files: Files)
             elif one.base.endswith(_HARDWARE_BASES):
                 hardware.append(one.name)
     return OwnTypes(controllers, tuple(hardware))
+
+
+def without_copies(own: OwnTypes) -> OwnTypes:
+    """Return own types without the controllers that the catalogue describes: copies of an upstream package.
+
+    A controller with the type of an upstream one is no copy if its definition has a parameter that upstream has in no
+    distro, or lacks one that upstream requires.
+    """
+    from urdfctl.catalog.catalog import CATALOG
+
+    kept = {
+        name: entry
+        for name, entry in own.controllers.items()
+        if not CATALOG.distros_of(name) or _differs(entry.get("parameters"), _in_each_distro(name))
+    }
+    return own._replace(controllers=kept)
+
+
+def _differs(defined: Mapping[str, Any] | None, upstream: Iterable[ControllerType]) -> bool:
+    if defined is None:
+        return False
+    names = {_pattern(name) for name in defined}
+    of_distros = [{_pattern(name): each.required for name, each in kind.parameters.items()} for kind in upstream]
+    lacking = all(any(required and name not in names for name, required in one.items()) for one in of_distros)
+    return lacking or not names <= {name for one in of_distros for name in one}
+
+
+def _in_each_distro(name: str) -> list[ControllerType]:
+    from urdfctl.catalog.catalog import CATALOG
+
+    found = (CATALOG.controller(name, distro) for distro in CATALOG.distros_of(name))
+    return [kind for kind in found if kind is not None]
+
+
+def _pattern(name: str) -> str:
+    """A parameter's name without the names of its placeholders."""
+    return re.sub("<[^<>]*>", "<>", name)
 
 
 def _controller(one: ExportedClass, exports: Exports, wanted: Collection[str], files: Files) -> dict[str, Any]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2, in_words
-from urdfctl.control.controller_types import typed
+from urdfctl.control.controller_types import typed_upstream
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.migration.common import severity_of_old
 
@@ -43,7 +43,7 @@ def controller_deprecated(project: Project) -> Iterator[Finding]:
     This distro still has the type, but later distros do not. Its successor has a different name, and in some cases
     other parameters.
     """
-    for use in typed(project):
+    for use in typed_upstream(project):
         kinds = {distro: project.catalog.controller(use.type, distro) for distro in use.distros if distro in ROS2}
         there = {distro: kind for distro, kind in kinds.items() if kind}
         severity = severity_of_old(project, [distro for distro, kind in there.items() if kind.deprecated])

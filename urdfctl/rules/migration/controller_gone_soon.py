@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import ROS2
-from urdfctl.control.controller_types import typed
+from urdfctl.control.controller_types import typed_upstream
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 from urdfctl.rules.migration.common import lacking
 
@@ -49,7 +49,7 @@ def controller_gone_soon(project: Project) -> Iterator[Finding]:
 
     The rule checks the distros up to the next one with long-term support.
     """
-    for use in typed(project):
+    for use in typed_upstream(project):
         gone = lacking(project, tuple(distro for distro in use.known_in if distro in ROS2))
         kind = project.catalog.controller(use.type, project.distro) if gone and project.distro else None
         if gone is None or kind is None or kind.deprecated or kind.external:
