@@ -112,6 +112,38 @@ def test_a_named_robot_is_linted_as_it_is_started_and_not_also_alone(folder: Fol
     assert targets(folder, "src/arm_description/urdf/arm.xacro") == TOGETHER
 
 
+MOUNTED = """\
+<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:arg name="on_table" default="false"/>
+  <link name="world"/><link name="base"/><link name="tip"/>
+  <joint name="tip_mount" type="fixed"><parent link="base"/><child link="tip"/></joint>
+  <xacro:if value="$(arg on_table)">
+    <joint name="mount" type="fixed"><parent link="world"/><child link="base"/></joint>
+  </xacro:if>
+</robot>
+"""
+
+
+@pytest.mark.parametrize(
+    ("words", "given", "expected"),
+    [
+        ([], "on_table:=true", "warning"),
+        ([], "on_table:=false", "error"),
+        ([], "", "error"),
+        (["src/arm_description/urdf/arm.xacro", "on_table:=false"], "on_table:=true", "error"),
+    ],
+)
+def test_what_only_the_defaults_show_that_no_launch_file_leaves_is_a_warning(
+    folder: Folder, words: list[str], given: str, expected: str
+) -> None:
+    workspace(folder)
+    launch = LAUNCH.replace("prefix:=left_", given)
+    folder.write({"src/arm_description/urdf/arm.xacro": MOUNTED, "src/arm_bringup/launch/arm.launch.xml": launch})
+    ran = folder.run("lint", *words, "--distro", "jazzy", "--format", "json", "--select", "UC105", "--exit-zero")
+    [finding] = json.loads(ran.stdout)["findings"]
+    assert (finding["severity"], len(finding["notes"])) == (expected, 1 + (expected == "warning"))
+
+
 def test_arguments_on_the_command_line_go_before_those_of_the_launch_file(folder: Folder) -> None:
     workspace(folder)
     found = targets(folder, "src/arm_description/urdf/arm.xacro", "prefix:=right_")

@@ -17,6 +17,7 @@ from urdfctl.lint.planning import (
     with_bringups,
 )
 from urdfctl.lint.results import TargetResult
+from urdfctl.lint.unstarted import as_started
 from urdfctl.load.target import Target
 from urdfctl.source.files import is_launch
 from urdfctl.startup.hints import TYPE_CHECKING
@@ -107,7 +108,10 @@ def lint_files(
     again = {entry.target.launch and os.path.abspath(entry.target.launch) for entry in plan}
     launched = [one for one in launched if one[1][1].launch not in again]
     results = zip(linted([entry.target for entry in plan]), plan, strict=True)
-    reported = [pair for pair, entry in results if entry.is_reported(pair[1])]
+    starts = [result for _, (_, result) in started if result.launch]
+    reported = [
+        (target, as_started(entry, result, starts)) for (target, result), entry in results if entry.is_reported(result)
+    ]
     reported += [pair for _, pair in launched]
     reported += linted(_unread(files.controllers, reported))
     reported = _paired(reported, _unread(files.controllers_candidates, reported), linted)
