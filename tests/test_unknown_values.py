@@ -203,6 +203,31 @@ def test_a_missing_file_that_git_ignores_is_made_later(folder: Folder) -> None:
     }
 
 
+@pytest.mark.parametrize(
+    ("cmake", "expected"),
+    [
+        ("file(DOWNLOAD https://x.org/a ${CMAKE_CURRENT_BINARY_DIR}/arm.urdf)", "warning"),
+        ('set(NAME "arm.urdf")\nadd_custom_command(OUTPUT ${NAME} COMMAND make_it)', "warning"),
+        ("install(FILES urdf/arm.urdf DESTINATION share/arm)", "error"),
+        ("file(DOWNLOAD https://x.org/a ${CMAKE_CURRENT_BINARY_DIR}/other_arm.urdf)", "error"),
+        ("file(DOWNLOAD https://x.org/a other.urdf) # not arm.urdf", "error"),
+        ("", "error"),
+    ],
+)
+def test_a_missing_file_that_the_build_creates_is_no_error(folder: Folder, cmake: str, expected: str) -> None:
+    for included in ("arm.urdf", "$(find arm)/urdf/arm.urdf"):
+        folder.write(
+            {
+                "package.xml": "<package><name>arm</name></package>",
+                "CMakeLists.txt": f"project(arm)\n{cmake}\n",
+                "urdf/whole.xacro": XACRO.format(f'<xacro:include filename="{included}"/>'),
+            }
+        )
+        [finding] = told(folder, "urdf/whole.xacro", select="UC002")
+        assert finding.split()[1] == expected
+        assert ("CMakeLists.txt names it" in finding) == (expected == "warning")
+
+
 # -- consequences ----------------------------------------------------------------------------------------------------
 
 

@@ -18,7 +18,9 @@ _PROJECT = r"(?i)\bproject\s*\(\s*([\w.-]+)"
 _ANY_INSTALL = r"(?si)\binstall\s*(\()([^)]*)\)"
 _NOT_PLAIN = (
     r"(?i)\b(?:foreach|add_subdirectory|include|function|macro|execute_process|ament_auto_package|catkin_install_python"
-    r"|xacro_add_\w+|add_custom_command|add_custom_target|configure_file|install_\w+|\w+_install\w*)\s*\(|INSTALL_TO_SHARE|\bGLOB"
+    r"|xacro_add_\w+|add_custom_command|add_custom_target|configure_file|install_\w+|\w+_install\w*|FetchContent_\w+"
+    r"|ExternalProject_\w+)\s*\(|\bfile\s*\(\s*(?:DOWNLOAD|GENERATE|CONFIGURE|WRITE|APPEND|RENAME|COPY|ARCHIVE_EXTRACT)\b"
+    r"|INSTALL_TO_SHARE|\bGLOB"
 )
 _COMMENT = r"#[^\n]*"
 _LOOP = r"(?si)\bforeach\s*\(\s*(\w+)\s+([^()]*)\)((?:(?!\bforeach\s*\().)*?)\bendforeach\s*\([^()]*\)"
@@ -33,8 +35,11 @@ _MOST_BYTES = 1 << 20
 class InstallMap:
     """The install rules of one package."""
 
-    def __init__(self, folder: str, rules: list[Installed], *, whole: bool = False, makes: bool = False) -> None:
+    def __init__(
+        self, folder: str, rules: list[Installed], *, whole: bool = False, makes: bool = False, build: str = ""
+    ) -> None:
         self.folder = folder
+        self._build = build
         self.rules = rules
         self.whole = whole
         """Whether `rules` is known to be complete."""
@@ -46,6 +51,10 @@ class InstallMap:
         if any(source == rule.source or source.startswith(rule.source.rstrip("/") + "/") for rule in self.rules):
             return True
         return False if self.whole else None
+
+    def makes_named(self, name: str) -> bool:
+        """Return whether the build may generate files, and CMakeLists.txt mentions one of this name."""
+        return self.makes and re.search(rf"(?<![\w.-]){re.escape(name)}(?![\w-])", self._build) is not None
 
     def source_of(self, relative: str) -> str | None:
         """Return the existing source file that is installed at a path relative to share/<package>, if any."""
@@ -73,7 +82,7 @@ def read_install_map(folder: str, package: str) -> InstallMap:
         rules += rules_of_setup(setup, folder, package)
         plain = plain if cmake else is_plain_setup(setup, package)
     makes = bool(cmake) if not setup or cmake else "cmdclass" in setup
-    return InstallMap(folder, rules, whole=plain and bool(cmake) != bool(setup), makes=makes and not plain)
+    return InstallMap(folder, rules, whole=plain and bool(cmake) != bool(setup), makes=makes and not plain, build=cmake)
 
 
 def _read(path: str) -> str:

@@ -280,6 +280,13 @@ class Packages:
                 return build.makes or not (build.whole or _is_missing_from(folder, path))
         return False
 
+    def is_made_by_build(self, path: str) -> bool:
+        """Return whether the CMakeLists.txt of a source package mentions a missing file of it, and may make files."""
+        own = self.own()
+        folders = {**self._found, **({self._index.name_of(own) or "": own} if own else {})}
+        around = [(name, folder) for name, folder in folders.items() if path.startswith(folder + os.sep)]
+        return any(self._index.install_map(folder, name).makes_named(os.path.basename(path)) for name, folder in around)
+
     def is_ignored_by_git(self, path: str) -> bool:
         """Return whether git ignores a missing file: it is created later, and never committed."""
         return self._index.is_ignored_by_git(path)

@@ -48,13 +48,12 @@ def judged(problem: Problem, packages: Packages) -> Problem:
     """Return a problem with a package or a file as severe as it certainly is.
 
     A package that package.xml declares is just not in the workspace. A file in a folder that was only taken for a
-    package may well exist in the real one. A file that git ignores is made later.
+    package may well exist in the real one. A file that git ignores, or that the build makes, is made later.
     """
     if problem.kind is ProblemKind.FILE_NOT_FOUND:
-        ignored = packages.is_ignored_by_git(problem.subject)
-        message = f"{problem.message}; .gitignore lists it: create it before the robot starts"
-        problem = problem._replace(message=message) if ignored else problem
-        return problem._replace(guessed=ignored or packages.is_guessed(problem.subject))
+        made = _made_by(problem.subject, packages)
+        problem = problem._replace(message=f"{problem.message}; {made}") if made else problem
+        return problem._replace(guessed=bool(made) or packages.is_guessed(problem.subject))
     if problem.kind is not ProblemKind.PACKAGE_NOT_FOUND:
         return problem
     declared = packages.declares(problem.subject, problem.at.source.path)
@@ -64,6 +63,13 @@ def judged(problem: Problem, packages: Packages) -> Problem:
         return problem._replace(kind=ProblemKind.PACKAGE_ABSENT)
     here = "in this workspace"
     return problem._replace(message=problem.message.replace(here, f"{here}, and package.xml does not declare it", 1))
+
+
+def _made_by(path: str, packages: Packages) -> str:
+    """What says that a missing file is made later; empty if nothing does."""
+    if packages.is_ignored_by_git(path):
+        return ".gitignore lists it: create it before the robot starts"
+    return "CMakeLists.txt names it, so the build may create it" if packages.is_made_by_build(path) else ""
 
 
 def failed_expression(error: BaseException) -> str:
