@@ -50,6 +50,7 @@ LAUNCH = """\
   <node pkg="controller_manager" exec="spawner" args="mover"/>
 </launch>
 """
+LAUNCH_WITHOUT_CONTROLLERS = LAUNCH.partition('  <node pkg="controller_manager"')[0] + "</launch>\n"
 
 
 def manifest(name: str) -> str:
@@ -110,6 +111,40 @@ def test_any_path_finds_what_is_started_together(folder: Folder, words: list[str
 def test_a_named_robot_is_linted_as_it_is_started_and_not_also_alone(folder: Folder) -> None:
     workspace(folder)
     assert targets(folder, "src/arm_description/urdf/arm.xacro") == TOGETHER
+
+
+SDF = '<sdf version="1.8"><model name="arm"><link name="base"/></model></sdf>\n'
+
+
+@pytest.mark.parametrize(
+    ("dependency", "expected"),
+    [
+        ("robot_state_publisher", "warning UC101 the description is SDF: robot_state_publisher reads it only if"),
+        ("sdformat_urdf", "info UC101 SDF is not checked"),
+    ],
+)
+def test_sdf_may_be_a_description_in_ros_2(folder: Folder, dependency: str, expected: str) -> None:
+    workspace(folder)
+    depends = f"<exec_depend>{dependency}</exec_depend></package>"
+    folder.write(
+        {
+            "src/arm_description/urdf/arm.xacro": SDF,
+            "src/arm_bringup/package.xml": manifest("arm_bringup").replace("</package>", depends),
+            "src/arm_bringup/launch/arm.launch.xml": LAUNCH_WITHOUT_CONTROLLERS,
+        }
+    )
+    ran = folder.run("lint", "--select", "UC101", "--format", "concise")
+    assert f"src/arm_description/urdf/arm.xacro:1:1: {expected}" in ran.stdout
+    assert folder.run("smoke").returncode == 5  # nothing to test
+
+
+def test_sdf_is_no_description_for_a_controller_manager_or_for_ros_1(folder: Folder) -> None:
+    workspace(folder)
+    folder.write({"src/arm_description/urdf/arm.xacro": SDF})
+    says = "error UC101 root element is <sdf>; it must be <robot>"
+    assert says in folder.run("lint", "--distro", "jazzy", "--format", "concise").stdout
+    folder.write({"src/arm_bringup/launch/arm.launch.xml": LAUNCH_WITHOUT_CONTROLLERS})
+    assert says in folder.run("lint", "--distro", "noetic", "--format", "concise").stdout
 
 
 MOUNTED = """\

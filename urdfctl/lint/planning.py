@@ -31,7 +31,8 @@ class Origin(Enum):
     FOUND = "found"
     """A description in a folder: reported if it is a robot."""
     LAUNCHED = "launched"
-    """A launch file in a folder: reported if it has to do with controllers, or has findings of its own."""
+    """A launch file in a folder: reported if it has to do with controllers, starts a robot of which nothing can be read,
+    or has findings of its own."""
     AROUND = "around"
     """A launch file that may start what the user names: reported if it does."""
 
@@ -64,7 +65,7 @@ class PlannedTarget(NamedTuple):
             return bool(self.read(result))
         if self.origin is Origin.LAUNCHED:
             findings = result.outcome.diagnostics
-            return bool(result.controllers) or any(_is_own(finding) for finding in findings)
+            return bool(result.controllers) or result.links == 0 or any(_is_own(finding) for finding in findings)
         return True
 
     def read(self, result: TargetResult) -> set[str]:
