@@ -262,3 +262,29 @@ def test_a_run_names_the_open_distro_once_before_its_summary(folder: Folder) -> 
     assert shown.count(line) == 1
     assert line not in folder.run("lint", "r.urdf", "--distro", "jazzy").stdout
     assert "ROS distro unknown" not in folder.run("lint", "plain.urdf").stdout
+
+
+NEW_PIPELINE = "planning_plugins: [ompl_interface/OMPLPlanner]\nrequest_adapters: [a/B]\n"
+OLD_PIPELINE = "planning_plugin: ompl_interface/OMPLPlanner\nrequest_adapters: a/B\n"
+
+
+@pytest.mark.parametrize(
+    ("pipelines", "library", "distros"),
+    [
+        ([NEW_PIPELINE], "", since("jazzy")),
+        ([OLD_PIPELINE], "", tuple(distro for distro in until("iron") if distro in ROS2)),
+        ([NEW_PIPELINE], "libgazebo_ros_p3d.so", ROS2),
+        ([NEW_PIPELINE, OLD_PIPELINE], "", ROS2),
+        ([NEW_PIPELINE + OLD_PIPELINE], "", ROS2),
+    ],
+)
+def test_the_form_of_planning_pipelines_tells_the_distro_and_is_no_fault_where_others_tell_another(
+    folder: Folder, pipelines: list[str], library: str, distros: tuple[str, ...]
+) -> None:
+    files = {f"config/p{number}_planning.yaml": text for number, text in enumerate(pipelines)}
+    robot = PLAIN.format(plugin(library) if library else "")
+    files |= {"config/r.urdf": robot, "config/r.srdf": '<robot name="r"/>', "config/moveit_controllers.yaml": ""}
+    folder.write({**files, "package.xml": manifest("<buildtool_depend>ament_cmake</buildtool_depend>")})
+    found = lint_target(Loader(Settings()), Target("config/r.urdf"), Selection()).result
+    assert (found.ros, found.distros) == (2, distros)
+    assert "UC670" not in {finding.code for finding in found.outcome.diagnostics}

@@ -31,8 +31,8 @@ class Origin(Enum):
     FOUND = "found"
     """A description in a folder: reported if it is a robot."""
     LAUNCHED = "launched"
-    """A launch file in a folder: reported if it has to do with controllers, starts a robot of which nothing can be read,
-    or has findings of its own."""
+    """A launch file in a folder: reported if it has to do with controllers or a robot without links, or has findings of
+    its own."""
     AROUND = "around"
     """A launch file that may start what the user names: reported if it does."""
 

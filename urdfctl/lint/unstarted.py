@@ -12,8 +12,8 @@ from urdfctl.lint.results import TargetResult
 def as_started(entry: PlannedTarget, result: TargetResult, launched: Iterable[TargetResult]) -> TargetResult:
     """Return the result of a description; its own findings are warnings at most if nobody starts it like that.
 
-    This is so for a description in a folder that is linted with the defaults of its arguments, if every launch file that
-    starts it gives it arguments. What is found there too keeps its severity.
+    This is so for a description in a folder that is linted with the defaults of its arguments, if all launch files that
+    start it give it arguments. What is found there too keeps its severity.
     """
     starts = [each for each in launched if each.path == result.path] if _is_with_defaults(entry) else []
     if not starts or not all(each.arguments for each in starts):

@@ -12,6 +12,7 @@ from urdfctl.load.evidence import (
     items_of_controllers,
     items_of_headers,
     items_of_launch,
+    items_of_moveit,
     items_of_package,
     items_of_robot,
 )
@@ -24,6 +25,7 @@ from urdfctl.startup.records import NamedTuple
 if TYPE_CHECKING:
     from urdfctl.load.controller_files import ControllerFiles
     from urdfctl.model.launch import Launch
+    from urdfctl.model.moveit_parts import MoveIt
 
 _ANY = (*ROS1, *ROS2)
 _SIMULATORS = {
@@ -41,12 +43,14 @@ class Beside(NamedTuple):
 
     package: the folder of the package that contains it.
     sources: the texts of all files that were read.
+    moveit: the configuration of MoveIt.
     """
 
     package: str | None = None
     controllers: ControllerFiles | None = None
     launch: Launch | None = None
     sources: Sequence[SourceText] = ()
+    moveit: MoveIt | None = None
 
 
 def detect_distro(robot: Robot | None, beside: Beside, settings: Settings) -> Evidence:
@@ -70,6 +74,7 @@ def _items(robot: Robot | None, beside: Beside) -> Iterator[Item]:
     yield from items_of_package(beside.package)
     yield from items_of_controllers(beside.controllers)
     yield from items_of_launch(beside.launch)
+    yield from items_of_moveit(beside.moveit)
     yield from items_of_headers(beside.sources)
 
 

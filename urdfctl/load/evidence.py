@@ -6,7 +6,7 @@ import os
 import re
 from collections.abc import Iterable, Iterator
 
-from urdfctl.catalog.distros import ALL, ROS2, since
+from urdfctl.catalog.distros import ALL, ROS2, since, until
 from urdfctl.load.package_distros import distros_of_package
 from urdfctl.model.evidence import Item
 from urdfctl.model.robot import Robot
@@ -18,6 +18,7 @@ from urdfctl.startup.patterns import lazy_pattern
 if TYPE_CHECKING:
     from urdfctl.load.controller_files import ControllerFiles
     from urdfctl.model.launch import Launch
+    from urdfctl.model.moveit_parts import MoveIt, Pipeline
 
 ROS1 = since("indigo")
 """What a robot of ROS 1 may be for when nothing says more: hydro read transmissions in another form, ten years ago."""
@@ -178,6 +179,21 @@ def items_of_launch(launch: Launch | None) -> Iterator[Item]:
         distros = distros_of_package(name)
         if distros:
             yield Item("launched packages", f"the package '{name}'", distros, 2, launch.path)
+
+
+def items_of_moveit(moveit: MoveIt | None) -> Iterator[Item]:
+    """Yield the distros that MoveIt's planning pipelines are written for, if all are written in one form."""
+    pipelines = moveit.pipelines if moveit else ()
+    forms = {form for each in pipelines if (form := _form_of_pipeline(each))}
+    if len(forms) == 1:
+        yield Item("MoveIt", "the form of MoveIt's planning pipelines", forms.pop(), 2)
+
+
+def _form_of_pipeline(pipeline: Pipeline) -> tuple[str, ...]:
+    old, new = pipeline.setting("planning_plugin"), pipeline.setting("planning_plugins")
+    if bool(old) == bool(new):
+        return ()
+    return since("jazzy") if new else (*ROS1, *until("iron"))
 
 
 def items_of_headers(sources: Iterable[SourceText]) -> Iterator[Item]:

@@ -191,14 +191,14 @@ class Loader:
         controller_files = read_controllers([*named, *target.controllers], None, launch, files)
         package = packages.own() or ament_package(packages.beside())
         sources = tuple(_sources(files, launch_file).values())
-        evidence = detect_distro(None, Beside(package, controller_files, launch, sources), self.settings)
+        moveit = self._moveit(path, launch, controller_files, files)
+        evidence = detect_distro(None, Beside(package, controller_files, launch, sources, moveit), self.settings)
         problems = (
             *(launch_file.problems if launch_file else ()),
             *(controller_files.problems if controller_files else ()),
         )
         absent, todos = absent_sources(packages, files), _todos(sources)
-        project = Project(None, path, problems=problems, absent=absent, todos=todos)
-        project = project._replace(moveit=self._moveit(path, launch, controller_files, files))
+        project = Project(None, path, problems=problems, absent=absent, todos=todos, moveit=moveit)
         project = self._completed(project, evidence, controller_files, launch)
         return LoadedTarget(project, None, _sources(files, launch_file))
 
@@ -214,7 +214,8 @@ class Loader:
         launch = launch_file.launch if launch_file else None
         controller_files = _controller_files(controllers, robot, launch, files)
         sources = tuple(_sources(files, launch_file).values())
-        beside = Beside(described.packages.own(), controller_files, launch, sources)
+        moveit = self._moveit(path, launch, controller_files, files)
+        beside = Beside(described.packages.own(), controller_files, launch, sources, moveit)
         evidence = detect_distro(robot, beside, self.settings)
         problems = (
             *expansion.problems,
@@ -224,7 +225,7 @@ class Loader:
         project = Project(robot, path, problems=problems, complete=expansion.complete, library=expansion.library)
         listed, absent = _listed_joints(path, files), absent_sources(described.packages, files)
         project = project._replace(influence=described.influence, listed=listed, absent=absent, todos=_todos(sources))
-        project = project._replace(moveit=self._moveit(path, launch, controller_files, files))
+        project = project._replace(moveit=moveit)
         return self._completed(project, evidence, controller_files, launch)
 
     def _moveit(
