@@ -44,6 +44,39 @@ def test_a_launch_file_with_a_robot_needs_none(folder: Folder) -> None:
     assert variants(folder, NEEDS_MODEL.format('default="small"', DESCRIPTION)) == [{}]
 
 
+def test_values_come_from_parameter_files_if_the_description_is_the_same_for_all(folder: Folder) -> None:
+    inside = (
+        '<param name="robot_description" command="xacro $(dirname)/small.urdf.xacro model:=$(arg model)"/>'
+        '<node pkg="p" type="t" name="n"><rosparam file="$(dirname)/$(arg model)/limits.yaml"/></node>'
+    )
+    files = {"left/limits.yaml": "a: 1", "right/limits.yaml": "a: 1"}
+    assert variants(folder, NEEDS_MODEL.format("", inside), **files) == [{"model": "left"}, {"model": "right"}]
+    assert variants(folder, NEEDS_MODEL.format('default=""', inside), **files) == [{}]
+    assert variants(folder, NEEDS_MODEL.format("", inside.replace("$(arg model)/", "some/")), **files) == [{}]
+
+
+NEEDS_KIND = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:arg name="model" default="none"/>
+  <xacro:include filename="$(arg model)/parts.xacro"/>
+</robot>
+"""
+
+
+def test_a_robot_whose_parts_an_argument_decides_is_linted_with_its_values_and_never_called_complete(
+    folder: Folder,
+) -> None:
+    start = '<launch><arg name="model"/>{}<param name="robot_description" command="{}"/></launch>'
+    command = "xacro $(dirname)/r.urdf.xacro model:=$(arg model)"
+    loading = '<rosparam file="$(dirname)/$(arg model)/limits.yaml"/>'
+    parts = "<robot><link name='base'/><link name='base'/></robot>"
+    files = {"small/parts.xacro": parts, "small/limits.yaml": "a: 1", "r.urdf.xacro": NEEDS_KIND}
+    folder.write({**files, "l.launch": start.format("", command)})
+    assert "some parts could not be expanded" in folder.run("lint", "--select", "UC110").stdout
+    folder.write({"l.launch": start.format(loading, command)})
+    assert "error UC110" in folder.run("lint", "--select", "UC110").stdout
+
+
 def test_without_any_file_nothing_is_guessed(folder: Folder) -> None:
     text = NEEDS_MODEL.format("", DESCRIPTION.replace("$(arg model)", "$(arg model)_arm"))
     assert variants(folder, text) == [{}]

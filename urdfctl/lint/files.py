@@ -141,7 +141,7 @@ def _launched(entries: list[PlannedTarget], linted: LintPlanned, linter: TargetL
     of included launch files that could not be followed."""
     results = list(zip(entries, linted(entries), strict=True))
     known = {os.path.abspath(entry.target.path) for entry in entries}
-    needy = [entry for entry, (_, result) in results if is_launch(result.path) and not entry.target.launch]
+    needy = [entry for entry, (_, result) in results if _lacks_robot(result) and not entry.target.launch]
     choices = linter.variants([entry.target for entry in needy]) if needy else []
     more: list[PlannedTarget] = []
     replaced: set[Target] = set()
@@ -158,6 +158,11 @@ def _launched(entries: list[PlannedTarget], linted: LintPlanned, linter: TargetL
             more += [entry._replace(target=Target(path)) for path in inner]
     kept = [(entry, pair) for entry, pair in results if entry.target not in replaced]
     return [*kept, *zip(more, linted(more), strict=True)]
+
+
+def _lacks_robot(result: TargetResult) -> bool:
+    """Whether a launch file does not say which robot it starts, or the robot is unknown without more arguments."""
+    return is_launch(result.path) or (result.links == 0 and not result.complete)
 
 
 def _paired(

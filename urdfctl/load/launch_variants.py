@@ -35,10 +35,18 @@ class LaunchVariant(NamedTuple):
 
 
 def launch_variants(read: Read) -> list[LaunchVariant]:
-    """Return the arguments to start a launch file with: none if it needs none, or if nothing is known about them."""
+    """Return the arguments to start a launch file with: none if it needs none, or if nothing is known about them.
+
+    A launch file that finds its robot may still need an argument by which the robot's parameter files are loaded.
+    """
     launch = read({})
-    if launch is None or launch.robots:
+    if launch is None:
         return [LaunchVariant()]
+    if launch.robots:
+        missing = [name for name, default in launch.arguments if default is None][:_MOST_REQUIRED]
+        choices = ([{name: value} for value in _values(name, {}, read)] for name in missing)
+        found = next(filter(None, choices), None)
+        return list(_combined(found, {}, [{}], read)) if found else [LaunchVariant()]
     required = [name for name, default in launch.arguments if not default][:_MOST_REQUIRED]
     modes = [{}, *_modes(launch)]
     for mode in modes:
@@ -78,10 +86,15 @@ def _modes(launch: Launch) -> Iterator[Arguments]:
 
 
 def _values(name: str, mode: Arguments, read: Read) -> list[str]:
-    """The values of an argument with which the description of a robot exists."""
+    """The values of an argument with which the description of a robot exists, or its parameter files if the argument
+    does not decide which description it is."""
     marked = read({**mode, name: _MARK})
-    paths = [one.file.path or one.file.text for one in marked.descriptions] if marked else []
-    values = [value for path in paths if _MARK in path for value in _in_files(path)]
+    described = [one.file for one in marked.descriptions] if marked else []
+    loaded = [each.file for each in marked.references if each.use == "parameters"] if marked else []
+    values: list[str] = []
+    for files in (described, loaded):
+        paths = [file.path or file.text for file in files]
+        values = values or [value for path in paths if _MARK in path for value in _in_files(path)]
     return sorted(dict.fromkeys(values), key=lambda value: (len(value), value))[:_MOST_VALUES]
 
 

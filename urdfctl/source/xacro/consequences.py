@@ -45,6 +45,8 @@ class Problems:
         self._cause: int | None = None
         self.may_lack_names = False
         """Whether something that may define or use names could not be evaluated."""
+        self.left_out = False
+        """Whether something that may define or use names was ignored because a value is unknown."""
 
     def add(self, problem: Problem) -> None:
         """Add a problem, if it is new. Raises OverBudget if there are too many."""
@@ -61,6 +63,7 @@ class Problems:
         """
         first, self.may_lack_names = not self.may_lack_names, self.may_lack_names or may_define_names(element)
         if UNKNOWN in problem.message:
+            self.left_out = self.left_out or may_define_names(element)
             return
         if not first and _is_about_names(problem):
             self._count(problem)

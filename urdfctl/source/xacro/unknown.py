@@ -41,9 +41,9 @@ class UnknownExpander(Expander):
         """Whether a condition was unknown, so that both of its branches are kept."""
 
     def expand(self, path: str, arguments: Mapping[str, str]) -> Expansion:
-        """Return the expansion; if a condition was unknown, as that of a library."""
+        """Return the expansion; if a condition was unknown, as that of a library; if an include was, as a partial one."""
         expansion = super().expand(path, arguments)
-        return expansion._replace(library=self.guessed)
+        return expansion._replace(library=self.guessed, partial=self.found.left_out)
 
     def needed(self) -> tuple[list[str], list[str]]:
         """Return the names of the arguments, and of the environment variables, that were used and are not given."""
