@@ -41,7 +41,7 @@ class UnknownExpander(Expander):
         """Whether a condition was unknown, so that both of its branches are kept."""
 
     def expand(self, path: str, arguments: Mapping[str, str]) -> Expansion:
-        """Return the expansion; if a condition was unknown, as that of a library; if an include was, as a partial one."""
+        """Return the expansion: as that of a library if a condition was unknown, as a partial one if an include was."""
         expansion = super().expand(path, arguments)
         return expansion._replace(library=self.guessed, partial=self.found.left_out)
 
