@@ -113,6 +113,18 @@ def test_a_cause_that_says_no_more_than_the_fates_is_not_repeated(monkeypatch: p
     assert trouble.notes == ()
 
 
+def test_distros_in_which_a_type_does_not_exist_share_a_fate(monkeypatch: pytest.MonkeyPatch) -> None:
+    gone = {
+        distro: way("arm", Refusal(Stage.LOAD, f"type 'a/B' does not exist in {distro}, only in foxy; use 'a/C'"))
+        for distro in ("galactic", "humble", "iron")
+    }
+    made = agreed(monkeypatch, cycle("foxy", way("arm")), *(cycle(distro, each) for distro, each in gone.items()))
+    assert fates_in_words(fates(made)["arm"]) == (
+        "it becomes active in foxy; it cannot be loaded in galactic to iron: "
+        "type 'a/B' does not exist there, only in foxy; use 'a/C'"
+    )
+
+
 def test_distros_of_the_same_fate_are_joined_and_the_best_fate_comes_first() -> None:
     told = fates_in_words({"humble": "cannot be loaded: x", "jazzy": "becomes active", "kilted": "cannot be loaded: x"})
     assert told == "it becomes active in jazzy; it cannot be loaded in humble, kilted: x"

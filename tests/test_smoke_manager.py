@@ -447,8 +447,10 @@ GRIPPER_PART = """
 """
 
 
-def test_a_part_that_hangs_on_a_link_of_another_file_is_not_a_robot(tmp_path: Path) -> None:
-    made = smoked(target_of(tmp_path, {"gripper.urdf": GRIPPER_PART}), distro="jazzy")
+@pytest.mark.parametrize("name", ["gripper.urdf", "gripper.xacro"])
+@pytest.mark.parametrize("distro", ["noetic", "jazzy"])
+def test_a_part_that_hangs_on_a_link_of_another_file_is_not_a_robot(tmp_path: Path, name: str, distro: str) -> None:
+    made = smoked(target_of(tmp_path, {name: GRIPPER_PART}), distro=distro)
     assert (made.part_of, made.linted.outcome.diagnostics) == ("tool0", [])
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from types import MappingProxyType
 
 from urdfctl.diagnostic import Diagnostic, Finding, Remark, Severity, diagnosed
 from urdfctl.model.project import Project
@@ -11,6 +12,7 @@ from urdfctl.smoke.results import ROBOT, Trouble
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.suppressions import Suppressed
 
+NOTHING: Mapping[str, str] = MappingProxyType({})
 Anchors = Mapping[str, Diagnostic]
 
 
@@ -70,19 +72,27 @@ def _place_of(error: Diagnostic, sources: Mapping[str, SourceText]) -> Place | N
 
 
 def diagnostics_of(
-    troubles: Iterable[Trouble], anchors: Anchors, silent: Mapping[str, Sequence[str]]
+    troubles: Iterable[Trouble],
+    anchors: Anchors,
+    silent: Mapping[str, Sequence[str]],
+    spare: Mapping[str, str] = NOTHING,
 ) -> Iterator[Diagnostic]:
-    """Yield the findings that are not suppressed, each at its subject; at the robot if the subject has no place."""
+    """Yield the findings that are not suppressed, each at its subject; at the robot if the subject has no place.
+
+    spare: the controllers that are most likely not started, with the reason; their errors are warnings that give it.
+    """
     for trouble in troubles:
         if trouble.code in silent.get(trouble.subject, ()):
             continue
         rule = rule_of(trouble.code)
         anchor = anchors.get(trouble.subject) or anchors[ROBOT]
+        why = spare.get(trouble.controller or "") if rule.severity is Severity.ERROR else None
+        notes = (*trouble.notes, why) if why else trouble.notes
         yield anchor._replace(
             code=rule.code,
             name=rule.name,
-            severity=rule.severity,
+            severity=Severity.WARNING if why else rule.severity,
             message=trouble.message,
-            notes=tuple(map(Remark, trouble.notes)),
+            notes=tuple(map(Remark, notes)),
             fix=None,
         )

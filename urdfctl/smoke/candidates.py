@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from urdfctl.catalog.distros import in_words
@@ -67,7 +68,8 @@ def _fates(cycles: Sequence[Cycle], name: str) -> dict[str, str]:
     fates = {}
     for cycle in cycles:
         refusal = next((way.refusal for way in cycle.ways if way.name == name), None)
-        fates[cycle.distro] = f"{_FAILURES[refusal.stage]}: {refusal.why}" if refusal else _ACTIVE
+        why = re.sub(rf"\bin {cycle.distro}\b", "there", refusal.why) if refusal else ""
+        fates[cycle.distro] = f"{_FAILURES[refusal.stage]}: {why}" if refusal else _ACTIVE
     return fates
 
 

@@ -32,6 +32,7 @@ from urdfctl.smoke.plan import MOTION, Plan, Tried
 from urdfctl.smoke.planning import plan_of
 from urdfctl.smoke.results import ROBOT, ControllerResult, Smoked, Trouble, Verdict, trouble_of
 from urdfctl.smoke.runs import Runs
+from urdfctl.smoke.spare import lenient
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
 
@@ -61,6 +62,7 @@ class PreparedRobot(NamedTuple):
     `plan` is None if nothing should move. The findings of an engine are placed at the `anchors`, except those whose
     codes are `silent` for a subject. `troubles` holds the findings so far, and `misfits` the tasks that do not fit it.
     `fits`: the robot has all joints that its controllers claim.
+    `spare` names the controllers that are most likely not started, with the reason.
     """
 
     smoked: Smoked
@@ -70,6 +72,7 @@ class PreparedRobot(NamedTuple):
     silent: Mapping[str, Sequence[str]] = {}
     misfits: tuple[Misfit, ...] = ()
     fits: bool = False
+    spare: Mapping[str, str] = {}
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> PreparedRobot:
@@ -84,6 +87,7 @@ class PreparedRobot(NamedTuple):
             silent=data["silent"],
             misfits=tuple(Misfit(*misfit) for misfit in data["misfits"]),
             fits=data["fits"],
+            spare=data["spare"],
         )
 
     def to_json(self) -> dict[str, Any]:
@@ -99,6 +103,7 @@ class PreparedRobot(NamedTuple):
             "silent": dict(self.silent),
             "misfits": self.misfits,
             "fits": self.fits,
+            "spare": self.spare,
         }
 
 
@@ -218,6 +223,7 @@ def prepared_robot(loader: Loader, target: Target, wanted: Wanted) -> PreparedRo
         silent=judgement.silenced(),
         misfits=wrong,
         fits=fits,
+        spare=judgement.spare,
     )
 
 
@@ -236,10 +242,11 @@ def moved(smoked: Smoked, robot: PreparedRobot, engine: str, result: Tried | Wor
         troubles = _unexplained(result.troubles, robot.troubles)
     diagnostics = smoked.linted.outcome.diagnostics
     messages = {diagnostic.message for diagnostic in diagnostics}
-    found = diagnostics_of(troubles, robot.anchors, robot.silent)
+    found = diagnostics_of(troubles, robot.anchors, robot.silent, robot.spare)
     new = [diagnostic for diagnostic in found if diagnostic.message not in messages]
     outcome = smoked.linted.outcome._replace(diagnostics=[*diagnostics, *new])
-    controllers = tuple(_judged(controller, result, troubles) for controller in smoked.controllers)
+    after = (_judged(controller, result, troubles) for controller in smoked.controllers)
+    controllers = tuple(lenient(each) if each.name in robot.spare else each for each in after)
     name = f"{smoked.engine} and {engine}" if smoked.engine else engine
     seconds = smoked.seconds + result.seconds
     linted = smoked.linted._replace(outcome=outcome)

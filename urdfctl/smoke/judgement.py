@@ -28,6 +28,7 @@ from urdfctl.smoke.reading import tasks_of
 from urdfctl.smoke.results import ROBOT, ControllerResult, Smoked, Trouble, Verdict, trouble_of
 from urdfctl.smoke.shapes import Shapes, shapes_of, with_rims
 from urdfctl.smoke.simulated import in_simulation
+from urdfctl.smoke.spare import lenient, spare_controllers
 from urdfctl.smoke.stability import loop_troubles
 from urdfctl.smoke.statics import static_troubles
 from urdfctl.smoke.support import Support, support_of
@@ -72,7 +73,13 @@ class Judgement(NamedTuple):
         results = (result_of(way) for way in self.cycle.ways if self.wants(way.name))
         unknown = UNKNOWN_ROBOT if self.mechanism is None else NOT_MOVED
         known = (each._replace(reason=unknown) if each.reason == NOT_MOVED else each for each in results)
-        return tuple(changed(result, self.troubles) for result in known)
+        results = (changed(result, self.troubles) for result in known)
+        return tuple(lenient(result) if result.name in self.spare else result for result in results)
+
+    @property
+    def spare(self) -> dict[str, str]:
+        """The controllers that are most likely not started, each with the reason; none if the user asks for some."""
+        return {} if self.only else spare_controllers(self.seen.project, self.cycle, self.troubles)
 
     @property
     def _places(self) -> list[tuple[str, Place]]:
@@ -97,7 +104,7 @@ class Judgement(NamedTuple):
         of_lint = linted.outcome.diagnostics
         troubles = [trouble for trouble in self.troubles if self.wants(trouble.controller)]
         anchors = {**self.cycle.causes, **anchors_of(self._places, {trouble.subject for trouble in troubles})}
-        diagnostics = list(diagnostics_of(troubles, anchors, self.silenced()))
+        diagnostics = list(diagnostics_of(troubles, anchors, self.silenced(), self.spare))
         crashes = [finding for finding in of_lint if finding.code == rule_crashed.code]
         outcome = Outcome([*crashes, *diagnostics], [], linted.outcome.crashed)
         return Smoked(linted._replace(outcome=outcome), self.results, self.cycle.distro, part_of=self.part_of)
@@ -123,7 +130,7 @@ def judged(
     tasks = _tasks(cycle)
     elsewhere = None if cycle.ways else _link_elsewhere(project)
     troubles = [] if elsewhere else list(cycle.troubles)
-    if cycle.spawned and robot and robot.links and mechanism is None:
+    if cycle.spawned and robot and robot.links and mechanism is None and not elsewhere:
         why = "its links must form one tree, in which each link but the root is the child of exactly one joint"
         troubles.append(trouble_of(robot_not_spawned, ROBOT, why=why))
     support = Support()

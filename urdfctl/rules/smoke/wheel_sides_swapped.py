@@ -6,6 +6,8 @@ from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, Stage, rule
 from urdfctl.rules.smoke.common import ROVER, WHEELS, found_by_smoke_test
+from urdfctl.rules.smoke.does_not_drive_forward import does_not_drive_forward
+from urdfctl.rules.smoke.does_not_turn_left import does_not_turn_left
 
 
 @rule(
@@ -13,6 +15,7 @@ from urdfctl.rules.smoke.common import ROVER, WHEELS, found_by_smoke_test
     stage=Stage.MOVE,
     severity=Severity.ERROR,
     runtime="misbehaves",
+    explains=(does_not_drive_forward, does_not_turn_left),
     message="controller '{controller}' has left and right wheels swapped: its left wheel '{left}' is on the "
     "right side, and its right wheel '{right}' on the left",
     authority="diff_drive_controller: the left wheel's velocity is (linear - angular * separation / 2) / radius",
