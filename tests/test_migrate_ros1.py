@@ -235,6 +235,17 @@ def test_the_plugin_of_gazebo_keeps_its_namespace_and_names_the_controller_file(
     )
 
 
+def test_of_several_files_that_fit_a_robot_one_is_chosen_and_the_report_says_so(folder: Folder) -> None:
+    files = {"urdf/arm.xacro": arm(transmission("EffortJointInterface"), PLUGIN), "config/other.yaml": EFFORT}
+    launch = '<launch>\n  <rosparam file="$(find arm)/config/{}.yaml"/>\n</launch>\n'
+    launches = {f"launch/{name}.launch": launch.format(name) for name in ("controllers", "other")}
+    after = migrated(folder, {**files, **launches, "config/controllers.yaml": EFFORT})
+    assert "<parameters>$(find arm)/config/controllers.yaml</parameters>" in after["urdf/arm.xacro"]
+    told = "'$(find arm)/config/controllers.yaml' is chosen: 1 more controller file names only joints of the robot"
+    assert told in after["MIGRATION.md"]
+    assert "Alternative: `<parameters>$(find arm)/config/other.yaml</parameters>`" in after["MIGRATION.md"]
+
+
 def test_a_plain_urdf_becomes_one_for_xacro_which_finds_its_controller_file(folder: Folder) -> None:
     launch = """\
 <launch>

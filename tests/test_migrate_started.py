@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from folder import Folder
-from test_migrate_ros1 import PLUGIN, arm, migrated, transmission
+from test_migrate_ros1 import EFFORT, PLUGIN, arm, migrated, transmission
 
 CONTROLLERS = """\
 joint_state_controller:
@@ -82,3 +82,32 @@ def test_a_shell_splits_the_names_that_an_argument_has_for_a_spawner(folder: Fol
     folder.write({f"new/{name}": content for name, content in after.items()})
     shown = folder.run("show", "new", "--distro", "jazzy").stdout
     assert "joint_state_controller, ctl" in shown
+
+
+def test_a_controller_file_that_an_argument_chooses_is_passed_to_its_spawner(folder: Folder) -> None:
+    launch = """\
+<launch>
+  <arg name="file" default="$(find arm)/config/controllers.yaml"/>
+  <group ns="arm">
+    <rosparam file="$(arg file)"/>
+    <node pkg="controller_manager" type="spawner" name="spawner" args="ctl"/>
+  </group>
+</launch>
+"""
+    files = {"urdf/arm.xacro": arm(transmission("EffortJointInterface"), PLUGIN), "config/controllers.yaml": EFFORT}
+    after = migrated(folder, {**files, "launch/arm.launch": launch})
+    assert '"ctl", "--param-file", LaunchConfiguration("file")' in " ".join(after["launch/arm.launch.py"].split())
+    assert "$(arg file)" not in after["MIGRATION.md"]
+
+
+def test_the_default_of_an_argument_that_is_a_launch_file_is_the_migrated_one(folder: Folder) -> None:
+    launch = """\
+<launch>
+  <arg name="robot" default="$(dirname)/inc/load.launch.xml"/>
+  <include file="$(arg robot)"/>
+</launch>
+"""
+    files = {"launch/arm.launch": launch, "launch/inc/load.launch.xml": '<launch>\n  <arg name="a"/>\n</launch>\n'}
+    after = migrated(folder, files)
+    assert "launch/inc/load.launch.py" in after
+    assert '[ThisLaunchFileDir(), "/inc/load.launch.py"]' in " ".join(after["launch/arm.launch.py"].split())

@@ -50,6 +50,7 @@ def runs_of(before: Path, after: Path, distro: str, *, came_from: str | None = N
 
 def _report(command: str, folder: Path, distro: str | None) -> dict[str, Any]:
     words = [sys.executable, "-m", "urdfctl", command, str(folder), "--format", "json", "--exit-zero"]
+    words += ["--workspace", str(folder)]  # packages laid out without their .git are one workspace all the same
     words += ["--distro", distro] if distro else []
     run = subprocess.run(words, cwd=HERE, capture_output=True, text=True, check=False, timeout=_SECONDS)
     empty = {"findings": [], "controllers": [], "measurements": []}

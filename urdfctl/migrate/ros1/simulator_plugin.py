@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from urdfctl.diagnostic import Edit
 from urdfctl.load.loader import LoadedTarget
@@ -102,6 +102,7 @@ def _migrated(packages: Packages, element: Element, robots: list[LoadedTarget]) 
             authority=_AUTHORITY,
         )
     ]
+    entries += _chosen(element, files, _fitting(packages, robots))
     if created:
         message = "no launch file says which controllers the robot has: a new file has the joint state broadcaster"
         entries.append(Entry(EntryKind.DECIDED, message, file=created[0][0]))
@@ -109,6 +110,15 @@ def _migrated(packages: Packages, element: Element, robots: list[LoadedTarget]) 
         message = "name the controller file in <parameters>: no launch file says which one belongs to this robot"
         entries.append(Entry(EntryKind.FOR_YOU, message, element.at))
     yield Proposal((merged(edits), *_as_xacro(element, files)), created=created, entries=tuple(entries))
+
+
+def _chosen(element: Element, files: list[str], fitting: list[str]) -> Iterator[Entry]:
+    """The entry on the choice of a controller file among several."""
+    others = _addresses(fitting[1:])
+    if others and files == _addresses(fitting[:1]):
+        more = "1 more controller file names" if len(others) == 1 else f"{len(others)} more controller files name"
+        message = f"'{files[0]}' is chosen: {more} only joints of the robot"
+        yield Entry(EntryKind.DECIDED, message, element.at, option=f"<parameters>{others[0]}</parameters>")
 
 
 def _as_xacro(element: Element, files: list[str]) -> Iterator[Edit]:
@@ -144,15 +154,23 @@ def _with_parameters(element: Element, files: list[str], step: str) -> Edit:
 def controller_files(packages: Packages, robots: list[LoadedTarget]) -> list[str]:
     """Return the controller files of some robots as xacro names them.
 
-    They are those of the launch files; otherwise the only file that names joints of the robots. Several robots may have
-    different ones. Files of other nodes, which ROS 1 loads beside them, end the controller manager of ROS 2.
+    They are those of the launch files; otherwise the file that names most joints of the robots, and no others. Several
+    robots may have different ones. Files of other nodes, which ROS 1 loads beside them, end the controller manager of
+    ROS 2.
     """
     started = (one.project.controllers for one in robots)
     paths = [file.path for each in started if each for file in each.files if file.form and not file.is_moveit]
-    if not paths:
-        joints = {name for one in robots if one.project.robot for name in one.project.robot.joint_names}
-        fitting = [path for path, names in _joints_by_file(packages).items() if names <= joints]
-        paths = fitting if len(fitting) == 1 else []
+    return _addresses(paths or _fitting(packages, robots)[:1])
+
+
+def _fitting(packages: Packages, robots: list[LoadedTarget]) -> list[str]:
+    """The files that name only joints of some robots: that with most of them first."""
+    joints = {name for one in robots if one.project.robot for name in one.project.robot.joint_names}
+    fitting = {path: names for path, names in _joints_by_file(packages).items() if names <= joints}
+    return sorted(fitting, key=lambda path: (-len(fitting[path]), path))
+
+
+def _addresses(paths: Iterable[str]) -> list[str]:
     return [address for path in dict.fromkeys(paths) if (address := _address(path))]
 
 
