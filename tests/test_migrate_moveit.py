@@ -226,3 +226,16 @@ def test_a_launch_file_does_not_include_those_of_moveit_that_are_left_to_a_perso
     assert (new / "launch/ompl_planning_pipeline.launch.xml").read_text() == load
     assert "start here what replaces MoveIt's 'ompl_planning_pipeline.launch.xml'" in (new / "MIGRATION.md").read_text()
     assert "Include" not in (new / "launch/demo.launch.py").read_text()
+
+
+def test_a_launch_file_that_is_left_includes_what_other_launch_files_became(folder: Folder) -> None:
+    context = """\
+<launch>
+  <include file="$(find arm)/launch/$(arg model)_upload.launch"/>
+  <include file="$(find arm)/launch/$(arg model)_none.launch"/>
+</launch>
+"""
+    folder.write({"src/arm/launch/long_upload.launch": '<launch>\n  <arg name="a"/>\n</launch>\n'})
+    files = {"launch/planning_context.launch": context, "config/second.srdf": SRDF}
+    after = migrated(folder, files)["launch/planning_context.launch"]
+    assert after == context.replace("_upload.launch", "_upload.launch.py")

@@ -15,6 +15,7 @@ from urdfctl.migrate.launch.python_form import python_file
 from urdfctl.migrate.launch.xml_form import xml_file
 from urdfctl.migrate.markup import elements, root_of
 from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.ros1.left_over import renamed_includes
 from urdfctl.migrate.ros1.moveit_launch import LOADED_BY_MOVEIT, MADE_BY_MOVEIT, packages_of_moveit
 from urdfctl.migrate.ros1.roslaunch import Reading
 from urdfctl.migrate.ros1.roslaunch_nodes import Target
@@ -32,17 +33,19 @@ _OF_MOVEIT = ("moveit_ros_move_group", "moveit_ros_planning", "moveit_setup_assi
 
 
 def _launch_files(packages: Packages) -> Iterator[Proposal]:
-    left: set[tuple[str, str]] = set()
+    left: dict[tuple[str, str], str] = {}
     wanted = []
     for path, root in _of_ros1(packages):
         own = _package(path)
         if _is_of_moveit(path, root) and own not in set(packages_of_moveit(packages)):
-            left.add((own, os.path.basename(path)))
+            left[own, os.path.basename(path)] = path
             text = "write the launch files of MoveIt anew with MoveItConfigsBuilder, or its Setup Assistant"
             manifest = os.path.join(os.path.dirname(os.path.dirname(path)), "package.xml")
             yield Proposal(entries=(Entry(EntryKind.FOR_YOU, text, file=manifest, authority=_MOVEIT),))
         else:
             wanted.append((path, root))
+    if edits := tuple(renamed_includes(packages, left.values(), f".launch.{packages.wishes.launch}")):
+        yield Proposal(edits)
     for path, root in wanted:
         target = _target(packages, path)._replace(left=frozenset(left), own_package=_package(path))
         yield from _migrated(packages, path, root, target)

@@ -29,6 +29,22 @@ def renamed_parameters(packages: Packages, old: Collection[str], new: str) -> It
                 yield Edit(SourceSpan(element.source, *tag.attributes["file"]), f"{head}/{os.path.basename(new)}")
 
 
+def renamed_includes(packages: Packages, left: Collection[str], ending: str) -> Iterator[Edit]:
+    """Yield the edits of launch files that are left, so that they include the migrated ones.
+
+    left: the paths of the launch files that are left to a person.
+    ending: that of migrated launch files.
+    """
+    for path in left:
+        root = root_of(packages.read(path))
+        for element in elements(root) if root is not None else ():
+            written = attribute(element, "file") if element.tagName == "include" else ""
+            tag = element.source.start_tag(element.start)
+            if _files(packages, written) - {*left} and tag is not None and written.endswith((".launch", ".launch.xml")):
+                base = written.removesuffix(".xml").removesuffix(".launch")
+                yield Edit(SourceSpan(element.source, *tag.attributes["file"]), f"{base}{ending}")
+
+
 def _files(packages: Packages, written: str) -> set[str]:
     """The files of the packages that an address means, with any values of its arguments."""
     found = _IN_PACKAGE.fullmatch(written)
