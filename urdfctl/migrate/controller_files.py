@@ -68,11 +68,15 @@ def type_names(packages: Packages) -> Iterator[TypeName]:
 
 
 def sections_near(known: Sequence[Section], source: SourceText) -> dict[str, set[str]]:
-    """Return the controllers with parameters, with their files: those that a launch file names, or its package's."""
+    """Return the controllers with parameters, each with its files.
+
+    They are those that a launch file names, or its package's, or all.
+    """
     package = package_around(os.path.dirname(source.path))
     named = [one for one in known if one.type and os.path.basename(one.path).encode() in source.data]
     beside = [one for one in known if package_around(os.path.dirname(one.path)) == package]
-    chosen = [one for one in named if one in beside] or named or beside
+    typed = [one for one in known if one.type]
+    chosen = [one for one in named if one in beside] or named or beside or typed
     files: dict[str, set[str]] = {}
     for section in chosen:
         files.setdefault(section.node, set()).add(section.path)

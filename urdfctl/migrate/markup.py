@@ -158,6 +158,15 @@ def attribute(element: Element, name: str) -> str:
     return element.source.data[start:end].decode("utf-8", "surrogateescape")
 
 
+def with_attribute(element: Element, name: str, value: str) -> Edit:
+    """Return the edit that gives an element an attribute, or another value for one that it has."""
+    tag = element.source.start_tag(element.start)
+    if tag is not None and name in tag.attributes:
+        return Edit(SourceSpan(element.source, *tag.attributes[name]), value)
+    start = element.start + len(f"<{element.tagName}".encode())
+    return Edit(SourceSpan(element.source, start, start), f' {name}="{value}"')
+
+
 def content(element: Element) -> str:
     """Return the text in an element as it is written, without blanks around it and without comments."""
     if element.close is None:

@@ -19,6 +19,11 @@ def is_chosen(element: Element) -> bool:
     return any(CHOICE in attribute(around, "value") for around in ancestors(element))
 
 
+def keeps_classic(packages: Packages, element: Element) -> bool:
+    """Return whether an element stays for the case that Gazebo Classic is chosen: its file can declare the argument."""
+    return packages.wishes.keep_classic and element.source.is_xacro
+
+
 def replaced(packages: Packages, element: Element, new: str) -> Iterator[Edit]:
     """Yield the edits that replace an element; with `--keep-classic`, that keep it for the case that it is chosen.
 
@@ -26,7 +31,7 @@ def replaced(packages: Packages, element: Element, new: str) -> Iterator[Edit]:
     """
     indent, step = indent_of(element), step_of(element.source)
     span = span_of(element)
-    if not packages.wishes.keep_classic or not element.source.is_xacro:
+    if not keeps_classic(packages, element):
         yield Edit(span, indented(new, indent).strip())
         return
     old = "".join(f"{line.removeprefix(indent)}\n" for line in span.text.splitlines())

@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from urdfctl.catalog.hardware import SimulatorPlugin
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.classic.axles import axles
-from urdfctl.migrate.classic.choice import is_chosen, replaced
+from urdfctl.migrate.classic.choice import is_chosen, keeps_classic, replaced
 from urdfctl.migrate.classic.loose_sensors import LOOSE
 from urdfctl.migrate.classic.sdf import OF_SDF
 from urdfctl.migrate.classic.sensors import SENSORS
@@ -32,6 +33,7 @@ from urdfctl.migrate.markup import (
     removal,
     root_of,
     step_of,
+    with_attribute,
 )
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.places import place_of, plugin_elements
@@ -67,14 +69,25 @@ def _control(packages: Packages) -> Iterator[Proposal]:
             message = f"the plugin of Gazebo Classic is removed: simulator '{simulated_by(packages)}' needs none"
             yield _removed(element, message)
             continue
-        text = f'<plugin filename="{host.filenames[0]}" name="{host.names[0]}">\n'
-        kept = (one for one in element.elements() if one.tagName in _KEPT or one.tagName.startswith("xacro:"))
-        step = step_of(element.source)
-        text += "".join(indented(f"{flush(one)}\n", step) for one in kept) + "</plugin>\n"
         entry = Entry(
             EntryKind.DONE, f"the plugin for ros2_control became '{host.names[0]}'", element.at, authority=_CONTROL
         )
-        yield Proposal(tuple(replaced(packages, element, text)), entries=(entry,))
+        yield Proposal(tuple(_for_gz(packages, element, host)), entries=(entry,))
+
+
+def _for_gz(packages: Packages, element: Element, host: SimulatorPlugin) -> Iterator[Edit]:
+    """Yield the edits that make a plugin that of gz; with `--keep-classic`, that put it beside the old one."""
+    filename, name = host.filenames[0], host.names[0]
+    inner = element.elements()
+    is_kept = {id(one): one.tagName in _KEPT or one.tagName.startswith("xacro:") for one in inner}
+    if keeps_classic(packages, element):
+        text = "".join(indented(f"{flush(one)}\n", step_of(element.source)) for one in inner if is_kept[id(one)])
+        plugin = f'<plugin filename="{filename}" name="{name}">\n{text}</plugin>\n'
+        yield from replaced(packages, element, plugin)
+        return
+    yield with_attribute(element, "filename", filename)
+    yield with_attribute(element, "name", name)
+    yield from (removal(one) for one in inner if not is_kept[id(one)])
 
 
 def _removed(element: Element, message: str) -> Proposal:

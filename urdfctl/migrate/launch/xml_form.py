@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 
 from urdfctl.generate.scalars import xml_comment, xml_text
@@ -98,5 +99,6 @@ def _part(kind: str, text: str, default: str | None) -> str:
     if kind == "dirname":
         return "$(dirname)"
     if kind == "eval":
-        return f"$(eval &quot;{xml_text(text)}&quot;)"
+        expression = re.sub(r"arg\(\s*['\"](\w+)['\"]\s*\)", r"'$(var \1)'", text)
+        return f"$(eval &quot;{xml_text(expression)}&quot;)"
     return xml_text(text)

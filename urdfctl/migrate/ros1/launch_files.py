@@ -7,12 +7,10 @@ import os
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
-from urdfctl.generate.bringup import gz_names, takes_param_file
-from urdfctl.migrate.bridge_file import bridge_file_of
-from urdfctl.migrate.classic.initial_positions import joints_with_position
+from urdfctl.migrate.classic.launch_actions import gz_for
 from urdfctl.migrate.hardware import simulated_by
-from urdfctl.migrate.launch.python_form import python_file
-from urdfctl.migrate.launch.xml_form import xml_file
+from urdfctl.migrate.launch.parameter_files import with_parameter_files
+from urdfctl.migrate.launch.written import Written, as_python, as_xml
 from urdfctl.migrate.markup import elements, root_of
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.ros1.left_over import renamed_includes
@@ -47,7 +45,7 @@ def _launch_files(packages: Packages) -> Iterator[Proposal]:
     if edits := tuple(renamed_includes(packages, left.values(), f".launch.{packages.wishes.launch}")):
         yield Proposal(edits)
     for path, root in wanted:
-        target = _target(packages, path)._replace(left=frozenset(left), own_package=_package(path))
+        target = _target(packages)._replace(left=frozenset(left), own_package=_package(path))
         yield from _migrated(packages, path, root, target)
 
 
@@ -72,23 +70,20 @@ def _migrated(packages: Packages, path: str, root: Element, target: Target) -> I
         return
     reading = Reading(target)
     actions = reading.actions(root)
+    left = list(reading.left)
+    if reading.target.simulator != "gazebo-classic":
+        gz = gz_for(packages, path)
+        left += gz.left(actions)
+        actions = list(gz.started(actions))
+    actions = with_parameter_files(packages, packages.read(path), actions)
+    left = list(dict.fromkeys(left))
     name = os.path.basename(path)
-    text = (xml_file if packages.wishes.launch == "xml" else python_file)(actions, f"Migrated from {name}.")
-    if reading.left:
-        todos = dict.fromkeys(todo_line(new, what) for _, what in reading.left)
-        text = _with_todos(text, list(todos), packages.wishes.launch)
+    written = Written(f"Migrated from {name}.", tuple(todo_line(new, what) for what in left), tuple(actions))
+    text = (as_xml if packages.wishes.launch == "xml" else as_python)(written)
     entries = [Entry(EntryKind.DONE, f"{name} became {os.path.basename(new)}", file=new, authority=_AUTHORITY)]
-    entries += [Entry(EntryKind.DECIDED, what, file=new) for _, what in reading.decided]
-    entries += [Entry(EntryKind.FOR_YOU, what, file=new) for what in dict.fromkeys(what for _, what in reading.left)]
+    entries += [Entry(EntryKind.DECIDED, what, file=new) for what in reading.decided]
+    entries += [Entry(EntryKind.FOR_YOU, what, file=new) for what in left]
     yield Proposal(created=((new, text),), deleted=(path,), entries=tuple(entries))
-
-
-def _with_todos(text: str, todos: list[str], form: str) -> str:
-    """The text of a launch file with what is left to a person at its beginning."""
-    head, mark, rest = text.partition("<launch>\n" if form == "xml" else '"""\n')
-    if form == "xml":
-        return head + mark + "".join(f"  {todo}\n" for todo in todos) + rest
-    return head + mark + "\n" + "".join(f"{todo}\n" for todo in todos) + rest.lstrip("\n")
 
 
 def _new_path(path: str, form: str) -> str:
@@ -106,7 +101,7 @@ def _is_of_moveit(path: str, root: Element) -> bool:
     return bool(nodes & {*_OF_MOVEIT}) or is_configured or os.path.exists(os.path.join(folder, ".setup_assistant"))
 
 
-def _target(packages: Packages, path: str) -> Target:
+def _target(packages: Packages) -> Target:
     wishes = packages.wishes
     controllers = _controller_files(packages)
     return Target(
@@ -115,11 +110,7 @@ def _target(packages: Packages, path: str) -> Target:
         own=frozenset(_own_packages(packages)),
         ending=f".launch.{wishes.launch}",
         is_controllers_file=lambda written: os.path.basename(written) in controllers,
-        takes_param_file=takes_param_file(wishes.target),
         remaps_description=wishes.target not in since("jazzy"),
-        gz=gz_names(wishes.target),
-        bridge=bridge_file_of(packages, path) or "",
-        placed=frozenset(joints_with_position(packages)),
         moveit=frozenset(packages_of_moveit(packages)),
     )
 

@@ -20,7 +20,7 @@ from urdfctl.migrate.launch.actions import (
 )
 from urdfctl.migrate.ros1.joint_states import DECLARED_IN
 from urdfctl.migrate.ros1.moveit_launch import MADE_BY_MOVEIT
-from urdfctl.migrate.ros1.roslaunch_nodes import EMPTY_WORLDS, Notes, migrated_node, simulator_actions
+from urdfctl.migrate.ros1.roslaunch_nodes import Notes, migrated_node, simulator_actions
 from urdfctl.source.dom import COMMENT, Element
 from urdfctl.source.dom import Text as Characters
 
@@ -34,7 +34,10 @@ class Reading(Notes):
     """The actions of one launch file, and what is found out about them."""
 
     def actions(self, root: Element) -> list[Action]:
-        """Return the actions of a file."""
+        """Return the actions of a file, which start Gazebo Classic.
+
+        The files of a spawner are those that it may need.
+        """
         found = list(self._children(root, root))
         has_description = any(action.description for action in all_actions(tuple(found)))
         return found if has_description or self.target.describes else [one for one in found if not _is_idle(one)]
@@ -66,7 +69,7 @@ class Reading(Notes):
             if "value" in attrs:
                 yield Action("let", attrs.get("name", ""), parsed(attrs["value"]))
             else:
-                default = self._value(element, self._world(attrs["default"])) if "default" in attrs else None
+                default = self._value(attrs["default"]) if "default" in attrs else None
                 yield Action("argument", attrs.get("name", ""), default, about=attrs.get("doc", ""))
         elif element.tagName == "group":
             inner = tuple(self._children(element, root))
@@ -81,18 +84,14 @@ class Reading(Notes):
         elif element.tagName == "rosparam":
             yield from self._rosparam(element)
         elif element.tagName in {"remap", "env", "machine", "test"}:
-            self.left.append((element, f"<{element.tagName}> for several nodes: write it for each node that needs it"))
-
-    def _world(self, default: str) -> str:
-        """The default of an argument, which may be the empty world of Gazebo Classic."""
-        return "empty.sdf" if default in EMPTY_WORLDS and self.target.simulator == "gz" else default
+            self.left.append(f"<{element.tagName}> for several nodes: write it for each node that needs it")
 
     # -- includes ------------------------------------------------------------------------------------------------------
 
     def _include(self, element: Element) -> Iterator[Action]:
         file = parsed(element.attrs.get("file", ""))
         given = tuple(
-            (child.attrs.get("name", ""), self._value(child, child.attrs.get("value", child.attrs.get("default", ""))))
+            (child.attrs.get("name", ""), self._value(child.attrs.get("value", child.attrs.get("default", ""))))
             for child in element.elements()
             if child.tagName == "arg"
         )
@@ -101,24 +100,24 @@ class Reading(Notes):
             yield from simulator_actions(self, dict(given))
             return
         if self._is_left(file):
-            self.left.append((element, f"start here what replaces MoveIt's '{file[-1].text.rpartition('/')[2]}'"))
+            self.left.append(f"start here what replaces MoveIt's '{file[-1].text.rpartition('/')[2]}'")
             return
         made = self._made_by_moveit(file)
         if made:
             action = Action("include", value=(*file[:-1], PartOfText("text", made)))
         else:
-            action = Action("include", value=self._new_path(element, file), pairs=given)
+            action = Action("include", value=self._new_path(file), pairs=given)
         if "ns" in element.attrs:
             action = Action("group", value=parsed(element.attrs["ns"]), inner=(action,))
         yield action
 
-    def _value(self, element: Element, text: str) -> Text:
+    def _value(self, text: str) -> Text:
         """The value of an argument, which may be the path of a launch file that is migrated too."""
         value = parsed(text)
         is_launch = text.endswith(_SURE_ENDINGS) and not self._is_left(value)
         packages = [part.text for part in value if part.kind == "find"]
         is_own = not packages or packages[0] in self.target.own
-        return self._new_path(element, value) if is_launch and is_own else value
+        return self._new_path(value) if is_launch and is_own else value
 
     def _is_left(self, file: Text) -> bool:
         """Whether a launch file is left to a person, so that no new one can be started."""
@@ -134,11 +133,11 @@ class Reading(Notes):
         folder, slash, name = file[-1].text.rpartition("/")
         return f"{folder}{slash}{MADE_BY_MOVEIT[name]}.launch.py" if name in MADE_BY_MOVEIT else ""
 
-    def _new_path(self, element: Element, file: Text) -> Text:
+    def _new_path(self, file: Text) -> Text:
         """The path of an included file: that of the migrated one."""
         packages = [part.text for part in file if part.kind == "find"]
         if packages and packages[0] not in self.target.own:
-            self.left.append((element, f"check the name of the launch file of package '{packages[0]}' in ROS 2"))
+            self.left.append(f"check the name of the launch file of package '{packages[0]}' in ROS 2")
         if not file or file[-1].kind != "text":
             return file
         last = file[-1].text
@@ -178,7 +177,7 @@ class Reading(Notes):
             value = parsed(element.attrs.get("value", "true"))
             yield Action("set_parameter", "use_sim_time", value)
         else:
-            self.left.append((element, f"ROS 2 has no global parameters: give '{name}' to the node that reads it"))
+            self.left.append(f"ROS 2 has no global parameters: give '{name}' to the node that reads it")
 
     def publisher(self, element: Element, description: Text) -> Action:
         """Return the node that publishes the description which a parameter sets."""
@@ -195,11 +194,11 @@ class Reading(Notes):
         file = element.attrs.get("file")
         if file is None:
             text = "ROS 2 has no global parameters: give those of this <rosparam> to the node that reads them"
-            self.left.append((element, text))
+            self.left.append(text)
         elif file == DECLARED_IN:
             return  # the spawner starts the broadcaster, which the controller file declares
         elif not self.names_controllers(file):
-            self.left.append((element, f"ROS 2 has no global parameters: give '{file}' to the node that reads it"))
+            self.left.append(f"ROS 2 has no global parameters: give '{file}' to the node that reads it")
         elif not self.target.simulated and not self.target.has_manager:
             self.target = self.target._replace(has_manager=True)
             yield self._manager(element, parsed(file))

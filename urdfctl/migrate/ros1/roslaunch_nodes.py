@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
-from urdfctl.migrate.classic.starting import WITHOUT_SUCCESSOR
-from urdfctl.migrate.install_rules import BRIDGE_FILE
+from urdfctl.migrate.classic.launch_actions import CLASSIC_FILE, CLASSIC_PACKAGE
+from urdfctl.migrate.classic.starting import SPAWN, WITHOUT_SUCCESSOR
 from urdfctl.migrate.launch.actions import (
     Action,
-    PartOfText,
     Text,
     is_literal,
     joined,
@@ -30,13 +29,9 @@ class Target(NamedTuple):
     own: the packages that are migrated.
     ending: the ending of migrated launch files.
     is_controllers_file: returns whether a written file name is that of a controller file.
-    takes_param_file: whether spawners pass the parameters on.
     remaps_description: whether the controller manager reads the description from ~/robot_description.
-    gz: the names of the packages of gz in the distro.
     describes: whether robot_state_publisher may be started without a description.
     has_manager: whether the file already starts a controller manager.
-    bridge: the package with the file for the bridge of the robot's topics; empty if there is none.
-    placed: the joints whose position at the start is in the description.
     moveit: the packages whose launch files MoveIt makes.
     left: the launch files that are left to a person, by package and name.
     own_package: the package of the launch file; empty if it has none.
@@ -47,13 +42,9 @@ class Target(NamedTuple):
     own: frozenset[str]
     ending: str
     is_controllers_file: Callable[[str], bool]
-    takes_param_file: bool
     remaps_description: bool
-    gz: Mapping[str, str]
     describes: bool = False
     has_manager: bool = False
-    bridge: str = ""
-    placed: frozenset[str] = frozenset()
     moveit: frozenset[str] = frozenset()
     left: frozenset[tuple[str, str]] = frozenset()
     own_package: str = ""
@@ -67,15 +58,15 @@ class Target(NamedTuple):
 class Notes:
     """What is found out while a launch file is read.
 
-    left: what a person must do, each with the element that it is about.
+    left: what a person must do.
     decided: the choices that were made.
     defaults: the defaults of the arguments so far.
     """
 
     def __init__(self, target: Target) -> None:
         self.target = target
-        self.left: list[tuple[Element, str]] = []
-        self.decided: list[tuple[Element, str]] = []
+        self.left: list[str] = []
+        self.decided: list[str] = []
         self.defaults: dict[str, str] = {}
 
     def names_controllers(self, written: str) -> bool:
@@ -103,7 +94,8 @@ _SAME = frozenset(
     "rqt_joint_trajectory_controller rqt_robot_steering teleop_twist_joy twist_mux".split()
 )
 """Packages of ROS 1 that exist for ROS 2, with programs of the same names."""
-EMPTY_WORLDS = ("worlds/empty.world", "empty.world")
+_ARGUMENTS = {"world": "world_name", "gui": "gui", "pause": "paused", "verbose": "verbose"}
+"""The arguments of gazebo.launch.py, with their names in empty_world.launch of ROS 1."""
 _POSES = ("-x", "-y", "-z", "-R", "-P", "-Y")
 _OF_ROS1 = ("-urdf", "-sdf", "-unpause", "-wait", "-b")
 """Options of ROS 1's spawn_model that ROS 2's spawn_entity.py does not have, or has with another meaning."""
@@ -116,7 +108,7 @@ def migrated_node(reading: Notes, element: Element, description: Text, files: Se
     if package == "controller_manager" and program in ("spawner", "controller_manager", "unspawner"):
         yield from _spawner(reading, element, words, files)
     elif package == "gazebo_ros" and program == "spawn_model":
-        yield _spawned_model(reading, element, words)
+        yield _spawned_model(element, words)
     elif package == "gazebo_ros":
         yield from simulator_actions(reading, {})
     elif package == "robot_state_publisher":
@@ -126,15 +118,13 @@ def migrated_node(reading: Notes, element: Element, description: Text, files: Se
     elif package == "tf2_ros" or (package == "tf" and program == "static_transform_publisher"):
         yield _plain(element, "tf2_ros", program)._replace(words=tuple(_transform(words, is_tf=package == "tf")))
     elif package in {"xacro", "nodelet"}:
-        reading.left.append((element, f"nodes of package '{package}' have another form in ROS 2"))
+        reading.left.append(f"nodes of package '{package}' have another form in ROS 2")
     else:
         new = _RENAMED.get((package, program), (package, program))
         if new == (package, program) and package not in reading.target.own | _SAME:
-            reading.left.append(
-                (element, f"check that package '{package}' exists for ROS 2, and the name of '{program}'")
-            )
+            reading.left.append(f"check that package '{package}' exists for ROS 2, and the name of '{program}'")
         if package == "rviz":
-            reading.decided.append((element, "RViz 2 reads other files: convert the .rviz file with rviz1_to_rviz2.py"))
+            reading.decided.append("RViz 2 reads other files: convert the .rviz file with rviz1_to_rviz2.py")
         yield _plain(element, *new)
 
 
@@ -168,7 +158,7 @@ def _spawner(reading: Notes, element: Element, words: Sequence[Text], files: Seq
     if element.attrs.get("type") == "controller_manager":
         verb = plain(words[0]) if words else ""
         if verb not in ("spawn", "load"):
-            reading.left.append((element, f"'controller_manager {verb}' has no counterpart: use 'ros2 control'"))
+            reading.left.append(f"'controller_manager {verb}' has no counterpart: use 'ros2 control'")
             return
         words = [*words[1:], *([literal("--inactive")] if verb == "load" else [])]
     names: list[Text] = []
@@ -195,12 +185,9 @@ def _spawner(reading: Notes, element: Element, words: Sequence[Text], files: Seq
         if plain(space).strip("/") or not is_literal(space)
         else []
     )
-    known = [file for file in files if reading.names_controllers(_file_text(file))]
-    passed = (
-        [word for file in known for word in (literal("--param-file"), file)] if reading.target.takes_param_file else []
-    )
+    known = tuple(file for file in files if reading.names_controllers(_file_text(file)))
     flags = (("shell", "True"),) if any(_has_several(reading, name) for name in names) else ()
-    yield Action("node", "spawner", package="controller_manager", words=(*names, *manager, *passed), flags=flags)
+    yield Action("node", "spawner", package="controller_manager", words=(*names, *manager), files=known, flags=flags)
 
 
 def _has_several(reading: Notes, word: Text) -> bool:
@@ -220,83 +207,39 @@ def _file_text(file: Text) -> str:
     return "".join(part.text if part.kind == "text" else f"$({part.kind} {part.text})" for part in file)
 
 
-def _spawned_model(reading: Notes, element: Element, words: Sequence[Text]) -> Action:
-    target = reading.target
-    is_gz = target.simulator != "gazebo-classic"
+def _spawned_model(element: Element, words: Sequence[Text]) -> Action:
     shown: list[Text] = []
     rest = iter(words)
     for word in rest:
         option = plain(word) if is_literal(word) else ""
         if option == "-model":
-            shown += [literal("-name" if is_gz else "-entity"), next(rest, ())]
+            shown += [literal("-entity"), next(rest, ())]
         elif option == "-param":
             name = next(rest, ())
             shown += [literal("-topic"), literal(plain(name)) if is_literal(name) else name]
         elif option == "-file" or option in _POSES:
             shown += [literal(option), next(rest, ())]
-        elif option == "-J" and is_gz:
-            joint = next(rest, ())
-            next(rest, ())
-            if not is_literal(joint) or plain(joint).rpartition("::")[2] not in target.placed:
-                text = "joint positions at the start: set initial_value of the state interfaces"
-                reading.left.append((element, text))
         elif option in WITHOUT_SUCCESSOR:
             values = [next(rest, ()) for _ in range(WITHOUT_SUCCESSOR[option])]
-            shown += [] if is_gz or option in _OF_ROS1 else [word, *values]
+            shown += [] if option in _OF_ROS1 else [word, *values]
         elif not option:
             shown.append(word)
-    package = target.gz["package"] if is_gz else "gazebo_ros"
     space = element.attrs.get("ns")
     return Action(
         "node",
-        "create" if is_gz else "spawn_entity.py",
+        SPAWN,
         value=parsed(space) if space else None,
-        package=package,
+        package=CLASSIC_PACKAGE,
         words=tuple(shown),
         flags=(("output", "screen"),),
     )
 
 
 def simulator_actions(reading: Notes, given: Mapping[str, Text]) -> Iterator[Action]:
-    """Yield the actions that start the simulator with the arguments of gazebo_ros' empty_world.launch."""
-    target = reading.target
-    world = given.get("world_name", ())
-    if target.simulator == "gazebo-classic":
-        names = {
-            "world": world,
-            "gui": given.get("gui", ()),
-            "pause": given.get("paused", ()),
-            "verbose": given.get("verbose", ()),
-        }
-        pairs = tuple((name, value) for name, value in names.items() if value)
-        yield Action("include", value=parsed("$(find gazebo_ros)/launch/gazebo.launch.py"), pairs=pairs)
-        return
-    if target.simulator != "gz":
-        return
-    paused = plain(given.get("paused", ())).lower() == "true"
-    is_empty = not world or plain(world) in EMPTY_WORLDS
-    flags = joined(literal("" if paused else "-r "), _server_only(given.get("gui", ())))
-    arguments = joined(flags, literal("empty.sdf") if is_empty and is_literal(world) else world)
-    gz = target.gz
-    yield Action(
-        "include",
-        value=parsed(f"$(find {gz['package']})/launch/{gz['launch']}"),
-        pairs=((gz["argument"], arguments),),
-    )
-    bridge = Action("node", "parameter_bridge", package=gz["bridge"])
-    if target.bridge:
-        yield bridge._replace(pairs=(("config_file", parsed(f"$(find {target.bridge})/{BRIDGE_FILE}")),))
-    else:
-        yield bridge._replace(words=(literal(f"/clock@rosgraph_msgs/msg/Clock[{gz['messages']}.Clock"),))
-
-
-def _server_only(gui: Text) -> Text:
-    """The option of gz without a window, if `gui` is false."""
-    if is_literal(gui):
-        return literal("-s " if plain(gui).lower() == "false" else "")
-    if len(gui) == 1 and gui[0].kind == "arg":
-        return (PartOfText("eval", f"'' if arg('{gui[0].text}') == 'true' else '-s '"),)
-    return ()
+    """Yield the action that starts Gazebo Classic with the arguments of gazebo_ros' empty_world.launch."""
+    if reading.target.simulated:
+        named = ((new, given.get(old, ())) for new, old in _ARGUMENTS.items())
+        yield Action("include", value=parsed(CLASSIC_FILE), pairs=tuple((new, value) for new, value in named if value))
 
 
 def _state_publisher(element: Element) -> Action:

@@ -23,6 +23,7 @@ from urdfctl.migrate.markup import (
     root_of,
     span_of,
     step_of,
+    with_attribute,
 )
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.places import ElementKey, key_of, key_of_element, plugin_elements
@@ -78,7 +79,7 @@ def _migrated(packages: Packages, element: Element, robots: list[LoadedTarget]) 
         text = f"the simulated hardware '{content(sim_type)}' is a class of its own: port it to ros2_control"
         yield Proposal(entries=(Entry(EntryKind.FOR_YOU, text, sim_type.at),))
     name = host.names[0] if host.names else "gazebo_ros2_control"
-    edits = [_attribute(element, "filename", host.filenames[0]), _attribute(element, "name", name)]
+    edits = [with_attribute(element, "filename", host.filenames[0]), with_attribute(element, "name", name)]
     dropped = [one for one in element.elements() if one.tagName in _DROPPED]
     edits += [removal(one) for one in dropped]
     space = child(element, "robotNamespace")
@@ -127,15 +128,6 @@ def _as_xacro(element: Element, files: list[str]) -> Iterator[Edit]:
     if files and root is not None and not element.source.is_xacro:
         at = root.start + len(f"<{root.tagName}")
         yield Edit(SourceSpan(element.source, at, at), ' xmlns:xacro="http://www.ros.org/wiki/xacro"')
-
-
-def _attribute(element: Element, name: str, value: str) -> Edit:
-    tag = element.source.start_tag(element.start)
-    if tag is not None and name in tag.attributes:
-        start, end = tag.attributes[name]
-        return Edit(SourceSpan(element.source, start, end), value)
-    start = element.start + len(b"<plugin")
-    return Edit(SourceSpan(element.source, start, start), f' {name}="{value}"')
 
 
 def _with_parameters(element: Element, files: list[str], step: str) -> Edit:

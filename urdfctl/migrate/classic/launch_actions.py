@@ -1,0 +1,134 @@
+"""Actions of a launch file that start Gazebo Classic, and spawn robots in it, as actions that do so in gz."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from urdfctl.generate.bringup import gz_names
+from urdfctl.migrate.bridge_file import bridge_file_of
+from urdfctl.migrate.classic.initial_positions import joints_with_position
+from urdfctl.migrate.classic.starting import EMPTY_WORLDS, SPAWN, create_options
+from urdfctl.migrate.install_rules import BRIDGE_FILE
+from urdfctl.migrate.launch.actions import Action, PartOfText, Text, is_literal, joined, literal, parsed, plain
+from urdfctl.migrate.packages import Packages
+from urdfctl.startup.records import NamedTuple
+
+CLASSIC_PACKAGE = "gazebo_ros"
+CLASSIC_FILE = f"$(find {CLASSIC_PACKAGE})/launch/gazebo.launch.py"
+"""The launch file that starts Gazebo Classic in ROS 2."""
+_EMPTY = "empty.sdf"
+
+
+def gz_for(packages: Packages, path: str) -> Gz:
+    """Return what the actions of a launch file need to know."""
+    bridge = bridge_file_of(packages, path) or ""
+    return Gz(gz_names(packages.wishes.target), bridge, frozenset(joints_with_position(packages)))
+
+
+class Gz(NamedTuple):
+    """What actions that start gz need to know.
+
+    names: the names of the packages of gz in the distro.
+    bridge: the package with the file for the bridge of the robot's topics; empty if there is none.
+    placed: the joints whose position at the start is in the description.
+    """
+
+    names: Mapping[str, str]
+    bridge: str
+    placed: frozenset[str]
+
+    def started(self, actions: Sequence[Action]) -> Iterator[Action]:
+        """Yield the actions that start in gz what some actions start in Gazebo Classic; others as they are."""
+        for action in actions:
+            if action.kind == "group":
+                yield action._replace(inner=tuple(self.started(action.inner)))
+            elif starts_classic(action):
+                its = self._simulator(dict(action.pairs))
+                yield from (one._replace(condition=action.condition) for one in its)
+            elif is_spawner(action):
+                yield self._spawner(action)
+            elif action.kind == "argument" and action.value is not None:
+                yield action._replace(value=_world(action.value))
+            elif action.kind == "include":
+                yield action._replace(pairs=tuple((name, _world(value)) for name, value in action.pairs))
+            else:
+                yield action
+
+    def left(self, actions: Sequence[Action]) -> list[str]:
+        """Return what a person must do, because a spawner of Gazebo Classic does it and that of gz does not."""
+        joints = [joint for action in actions for joint in _placed_by(action)]
+        known = (is_literal(joint) and plain(joint).rpartition("::")[2] in self.placed for joint in joints)
+        return [] if all(known) else ["joint positions at the start: set initial_value of the state interfaces"]
+
+    def _simulator(self, given: Mapping[str, Text]) -> Iterator[Action]:
+        world = given.get("world", ())
+        flags = joined(*(option.of(given.get(option.argument, ())) for option in _OPTIONS))
+        is_empty = is_literal(world) and plain(world) in ("", *EMPTY_WORLDS)
+        yield Action(
+            "include",
+            value=parsed(f"$(find {self.names['package']})/launch/{self.names['launch']}"),
+            pairs=((self.names["argument"], joined(flags, literal(_EMPTY) if is_empty else world)),),
+        )
+        bridge = Action("node", "parameter_bridge", package=self.names["bridge"])
+        if self.bridge:
+            yield bridge._replace(pairs=(("config_file", parsed(f"$(find {self.bridge})/{BRIDGE_FILE}")),))
+        else:
+            yield bridge._replace(words=(literal(f"/clock@rosgraph_msgs/msg/Clock[{self.names['messages']}.Clock"),))
+
+    def _spawner(self, action: Action) -> Action:
+        words = [(plain(word) if is_literal(word) else "", word) for word in action.words]
+        kept = (literal(text) if text else word for text, word in create_options(words))
+        return action._replace(name="create", package=self.names["package"], words=tuple(kept))
+
+
+def starts_classic(action: Action) -> bool:
+    """Return whether an action includes the launch file of Gazebo Classic."""
+    return action.kind == "include" and action.value == parsed(CLASSIC_FILE)
+
+
+def is_spawner(action: Action) -> bool:
+    """Return whether an action spawns a robot in Gazebo Classic."""
+    return action.kind == "node" and (action.package, action.name) == (CLASSIC_PACKAGE, SPAWN)
+
+
+def _placed_by(action: Action) -> Iterator[Text]:
+    """The joints that a spawner places, also of those in a group."""
+    for one in action.inner:
+        yield from _placed_by(one)
+    if is_spawner(action):
+        at = (index for index, word in enumerate(action.words) if word == literal("-J"))
+        yield from (joint for index in at for joint in action.words[index + 1 : index + 2])
+
+
+def _world(value: Text) -> Text:
+    """A value, which may be the empty world of Gazebo Classic."""
+    return literal(_EMPTY) if is_literal(value) and plain(value) in EMPTY_WORLDS else value
+
+
+class _Option(NamedTuple):
+    """An option of gz, and the argument of Gazebo Classic that asks for it.
+
+    default: of the argument.
+    wanted: the value of the argument that asks for the option.
+    """
+
+    argument: str
+    default: bool
+    wanted: bool
+    text: str
+
+    def of(self, value: Text) -> Text:
+        """Return the option, if an argument with a value asks for it."""
+        if len(value) == 1 and value[0].kind == "arg":
+            chosen, other = (self.text, "") if self.wanted else ("", self.text)
+            return (PartOfText("eval", f"'{chosen}' if arg('{value[0].text}') == 'true' else '{other}'"),)
+        is_known = bool(value) and is_literal(value)
+        is_true = plain(value).strip().lower() in ("true", "1") if is_known else self.default
+        return literal(self.text if is_true is self.wanted else "")
+
+
+_OPTIONS = (
+    _Option("pause", default=False, wanted=False, text="-r "),
+    _Option("gui", default=True, wanted=False, text="-s "),
+    _Option("verbose", default=False, wanted=True, text="-v4 "),
+)

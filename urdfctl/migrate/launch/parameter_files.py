@@ -1,0 +1,63 @@
+"""The files with the parameters of controllers, which their spawners pass on from jazzy on."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from itertools import takewhile
+
+from urdfctl.catalog.moves import MANAGER
+from urdfctl.generate.bringup import takes_param_file
+from urdfctl.migrate.controller_files import installed_path, sections, sections_near
+from urdfctl.migrate.launch.actions import Action, Text, all_actions, is_literal, literal, parsed, plain
+from urdfctl.migrate.packages import Packages
+from urdfctl.source.span import SourceText
+
+_OPTION = "--param-file"
+
+
+def with_parameter_files(packages: Packages, source: SourceText, actions: Sequence[Action]) -> list[Action]:
+    """Return the actions of a launch file, in which each spawner passes on the files of its controllers.
+
+    The files of a spawner are those that it may need: it passes them on if its controllers or their files are unknown.
+    """
+    known = sections_near([one for one in sections(packages) if one.type != MANAGER], source)
+    arguments = (action for action in all_actions(tuple(actions)) if action.kind == "argument")
+    defaults = {action.name: plain(action.value) for action in arguments if action.value and is_literal(action.value)}
+    is_passed = takes_param_file(packages.wishes.target)
+
+    def passing(action: Action) -> Action:
+        if action.kind == "group":
+            return action._replace(inner=tuple(map(passing, action.inner)))
+        if (action.package, action.name) != ("controller_manager", "spawner"):
+            return action
+        files = _files(packages, action, defaults, known) if is_passed else ()
+        more = [word for file in files for word in (literal(_OPTION), file)]
+        return action._replace(words=(*action.words, *more), files=())
+
+    return [passing(action) for action in actions]
+
+
+def _files(
+    packages: Packages, spawner: Action, defaults: Mapping[str, str], known: Mapping[str, Collection[str]]
+) -> Sequence[Text]:
+    if literal(_OPTION) in spawner.words:
+        return ()
+    names = list(_names(spawner.words, defaults))
+    found = [known[name] for name in names if name in known]
+    if not all(names) or any(len(files) > 1 for files in found):
+        return spawner.files
+    paths = dict.fromkeys(path for files in found for path in files)
+    return [_address(packages, path) for path in paths]
+
+
+def _names(words: Sequence[Text], defaults: Mapping[str, str]) -> Iterator[str]:
+    """The names of the controllers that a spawner starts; an empty one if one is not known."""
+    for word in takewhile(lambda word: not plain(word).startswith("-"), words):
+        is_argument = len(word) == 1 and word[0].kind == "arg"
+        text = plain(word) if is_literal(word) else defaults.get(word[0].text, "") if is_argument else ""
+        yield from text.split() or [""]
+
+
+def _address(packages: Packages, path: str) -> Text:
+    package, parts = installed_path(packages, path)
+    return parsed(f"$(find {package})/{'/'.join(parts)}")
