@@ -47,6 +47,10 @@ CLOCK = """\
         ),
         ('    <arg name="gui" value="false"/>\n', "-r -s empty.sdf"),
         ('    <arg name="pause" value="true"/>\n', "empty.sdf"),
+        (
+            '    <arg name="gui" value="$(var gui)"/>\n',
+            "-r $(eval &quot;'' if '$(var gui)' == 'true' else '-s '&quot;)empty.sdf",
+        ),
     ],
 )
 def test_a_launch_file_in_xml_starts_gz_in_the_same_way(folder: Folder, inside: str, options: str) -> None:
@@ -123,6 +127,36 @@ def generate_launch_description():
     )
     assert 'launch_arguments={"gz_args": "-s empty.sdf"}' in shown
     assert 'arguments=["-topic", "robot_description", "-name", "base"]' in shown
+
+
+def test_a_launch_file_in_python_lets_its_user_choose_the_window_as_before(folder: Folder) -> None:
+    shown = after(
+        folder,
+        "sim.launch.py",
+        """\
+from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription
+from launch.launch_description_sources import PythonLaunchDescriptionSource
+from launch.substitutions import LaunchConfiguration
+from launch_ros.substitutions import FindPackageShare
+
+
+def generate_launch_description():
+    source = PythonLaunchDescriptionSource([FindPackageShare("gazebo_ros"), "/launch/gzserver.launch.py"])
+    window = PythonLaunchDescriptionSource([FindPackageShare("gazebo_ros"), "/launch/gazebo.launch.py"])
+    talk = "true"
+    given = {"gui": LaunchConfiguration("gui"), "pause": LaunchConfiguration("pause"), "verbose": talk}
+    return LaunchDescription([
+        IncludeLaunchDescription(source, launch_arguments={"gui": LaunchConfiguration("gui")}.items()),
+        IncludeLaunchDescription(window, launch_arguments=given.items()),
+    ])
+""",
+    )
+    assert 'launch_arguments={"gz_args": "-r -s empty.sdf"}.items()' in shown
+    pause = """PythonExpression(["'' if '", LaunchConfiguration("pause"), "' == 'true' else '-r '"])"""
+    gui = """PythonExpression(["'' if '", LaunchConfiguration("gui"), "' == 'true' else '-s '"])"""
+    assert f'given = {{"gz_args": ["-v4 ", {pause}, {gui}, "empty.sdf"]}}' in shown
+    assert "from launch.substitutions import PythonExpression\n" in shown
 
 
 def test_arguments_that_gz_has_not_are_reported(folder: Folder) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from urdfctl.generate.bringup import gz_names
 from urdfctl.migrate.bridge_file import bridge_file_of
 from urdfctl.migrate.classic.initial_positions import joints_with_position
-from urdfctl.migrate.classic.starting import EMPTY_WORLDS, SPAWN, create_options
+from urdfctl.migrate.classic.starting import EMPTY_WORLDS, OPTIONS, SPAWN, Option, create_options
 from urdfctl.migrate.install_rules import BRIDGE_FILE
 from urdfctl.migrate.launch.actions import Action, PartOfText, Text, is_literal, joined, literal, parsed, plain
 from urdfctl.migrate.packages import Packages
@@ -62,7 +62,7 @@ class Gz(NamedTuple):
 
     def _simulator(self, given: Mapping[str, Text]) -> Iterator[Action]:
         world = given.get("world", ())
-        flags = joined(*(option.of(given.get(option.argument, ())) for option in _OPTIONS))
+        flags = joined(*(_option(option, given.get(option.argument, ())) for option in OPTIONS))
         is_empty = is_literal(world) and plain(world) in ("", *EMPTY_WORLDS)
         yield Action(
             "include",
@@ -100,35 +100,13 @@ def _placed_by(action: Action) -> Iterator[Text]:
         yield from (joint for index in at for joint in action.words[index + 1 : index + 2])
 
 
+def _option(option: Option, value: Text) -> Text:
+    """An option of gz for the value of an argument of Gazebo Classic; its default if the value is not known here."""
+    if len(value) == 1 and value[0].kind == "arg":
+        return (PartOfText("eval", option.expression(f"arg('{value[0].text}')")),)
+    return literal(option.given(plain(value) if is_literal(value) else ""))
+
+
 def _world(value: Text) -> Text:
     """A value, which may be the empty world of Gazebo Classic."""
     return literal(_EMPTY) if is_literal(value) and plain(value) in EMPTY_WORLDS else value
-
-
-class _Option(NamedTuple):
-    """An option of gz, and the argument of Gazebo Classic that asks for it.
-
-    default: of the argument.
-    wanted: the value of the argument that asks for the option.
-    """
-
-    argument: str
-    default: bool
-    wanted: bool
-    text: str
-
-    def of(self, value: Text) -> Text:
-        """Return the option, if an argument with a value asks for it."""
-        if len(value) == 1 and value[0].kind == "arg":
-            chosen, other = (self.text, "") if self.wanted else ("", self.text)
-            return (PartOfText("eval", f"'{chosen}' if arg('{value[0].text}') == 'true' else '{other}'"),)
-        is_known = bool(value) and is_literal(value)
-        is_true = plain(value).strip().lower() in ("true", "1") if is_known else self.default
-        return literal(self.text if is_true is self.wanted else "")
-
-
-_OPTIONS = (
-    _Option("pause", default=False, wanted=False, text="-r "),
-    _Option("gui", default=True, wanted=False, text="-s "),
-    _Option("verbose", default=False, wanted=True, text="-v4 "),
-)

@@ -13,12 +13,15 @@ from urdfctl.generate.bringup import gz_names
 from urdfctl.migrate.bridge_file import bridge_file_of
 from urdfctl.migrate.classic.starting import (
     ARGUMENTS,
+    CLIENT,
     EMPTY_WORLDS,
     FILES,
     SPAWN,
+    Option,
     create_options,
     flags,
     is_empty_world,
+    undecided,
 )
 from urdfctl.migrate.hardware import goes_to_gz, leaves_classic, simulated_by
 from urdfctl.migrate.install_rules import BRIDGE_FILE
@@ -91,6 +94,9 @@ class _File:
         for call, _ in self.spawns:
             edits += self._without_options(call)
         edits += self._names()
+        expression = self.file.imports("launch.substitutions", "PythonExpression")
+        if expression is not None and any("PythonExpression(" in edit.text for edit in edits):
+            edits.append(expression)
         if self.includes and (bridge := self._bridge()) is not None:
             edits += bridge
         entries = [Entry(EntryKind.DONE, "the launch file starts gz", self._place(), authority=_AUTHORITY)]
@@ -140,15 +146,7 @@ class _File:
         """The edit of the arguments of an included launch file."""
         given = keyword(call, "launch_arguments")
         known, pairs = self._pairs(call, scope)
-        options = flags(name, {key: text_of(item) for key, item in pairs})
-        world = next((self.file.text(item) for key, item in pairs if key == "world"), "")
-        if "-g" in options:
-            shown = f'"{options.strip()}"'
-        elif is_empty_world(world.strip("'\"")):
-            shown = f'"{options}empty.sdf"'
-        else:
-            shown = f'["{options}", {" ".join(world.split())}]'
-        text = f'{{"{self.gz["argument"]}": {shown}}}'
+        text = f'{{"{self.gz["argument"]}": {self._gz_arguments(name, pairs, scope)}}}'
         if known is not None:
             yield Edit(self.file.span(known), text)
         elif given is not None:
@@ -156,6 +154,29 @@ class _File:
         else:
             last = self.file.span(call.args[-1]).end
             yield Edit(SourceSpan(self.file.source, last, last), f", launch_arguments={text}.items()")
+
+    def _gz_arguments(self, name: str, pairs: list[tuple[str, ast.expr]], scope: ast.AST) -> str:
+        """The arguments of gz, as an expression in Python, for those of an included launch file."""
+        written = {key: " ".join(self.file.text(item).split()) for key, item in pairs}
+        values = ((key, self.file.value_of(item, scope)) for key, item in pairs)
+        given = {key: text_of(value) if isinstance(value, ast.Constant) else None for key, value in values}
+        options, open_ones = flags(name, given), undecided(name, given)
+        world = written.get("world", "")
+        if name == CLIENT:
+            return f'"{options.strip()}"'
+        if is_empty_world(world.strip("'\"")):
+            world = '"empty.sdf"'
+            if not open_ones:
+                return f'"{options}empty.sdf"'
+        conditions = (self._condition(option, written[option.argument]) for option in open_ones)
+        items = [f'"{options}"', *conditions, world]
+        return f"[{', '.join(items)}]"
+
+    @staticmethod
+    def _condition(option: Option, value: str) -> str:
+        """An option of gz that depends on an expression for an argument of Gazebo Classic."""
+        head, _, tail = option.expression("'@'").partition("@")
+        return f'PythonExpression(["{head}", {value}, "{tail}"])'
 
     def _names(self) -> Iterator[Edit]:
         """The edits of names in the file: packages, programs, launch files and worlds."""

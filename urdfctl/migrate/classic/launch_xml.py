@@ -7,8 +7,9 @@ from collections.abc import Iterator, Mapping
 
 from urdfctl.diagnostic import Edit
 from urdfctl.generate.bringup import gz_names
+from urdfctl.generate.scalars import xml_text
 from urdfctl.migrate.bridge_file import bridge_file_of
-from urdfctl.migrate.classic.starting import FILES, SPAWN, create_options, flags, is_empty_world
+from urdfctl.migrate.classic.starting import CLIENT, FILES, SPAWN, create_options, flags, is_empty_world, undecided
 from urdfctl.migrate.hardware import goes_to_gz, leaves_classic
 from urdfctl.migrate.install_rules import BRIDGE_FILE
 from urdfctl.migrate.markup import attribute, children, elements, end_of, indent_of, removal, root_of, step_of
@@ -55,10 +56,14 @@ def _launched(file: str) -> str | None:
     return name if "gazebo_ros)" in file and name in FILES else None
 
 
-def _arguments(name: str, given: Mapping[str, str]) -> str:
-    options, world = flags(name, given), given.get("world", "")
-    if "-g" in options:
+def _arguments(name: str, written: Mapping[str, str]) -> str:
+    """The arguments of gz for those of an included launch file."""
+    given = {key: None if "$" in value else value for key, value in written.items()}
+    options, world = flags(name, given), written.get("world", "")
+    if name == CLIENT:
         return options.strip()
+    for option in undecided(name, given):
+        options += f'$(eval "{option.expression(repr(written[option.argument]))}")'
     return f"{options}{'empty.sdf' if is_empty_world(world) else world}"
 
 
@@ -78,7 +83,7 @@ def _of_xml(packages: Packages, root: Element) -> Iterator[Edit]:
             address = f"$(find-pkg-share {gz['package']})/launch/{gz['launch']}"
             yield Edit(_value(element, "file"), address)
             given = {attribute(one, "name"): attribute(one, "value") for one in children(element, "arg")}
-            line = f'<arg name="{gz["argument"]}" value="{_arguments(name, given)}"/>'
+            line = f'<arg name="{gz["argument"]}" value="{xml_text(_arguments(name, given))}"/>'
             after = "" if has_bridge else _bridge_in_xml(packages, element, gz["bridge"], gz["messages"])
             has_bridge = True
             yield from _with_argument(element, line, after)

@@ -5,8 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TypeVar
 
-FILES: Mapping[str, str] = {"gazebo.launch.py": "-r ", "gzserver.launch.py": "-r -s ", "gzclient.launch.py": "-g "}
-"""The launch files of gazebo_ros, with the options of gz that do the same."""
+from urdfctl.startup.records import NamedTuple
+
+SERVER, CLIENT = "gzserver.launch.py", "gzclient.launch.py"
+FILES = ("gazebo.launch.py", SERVER, CLIENT)
+"""The launch files of gazebo_ros."""
+_FIXED = {SERVER: {"gui": "false"}}
 ARGUMENTS = ("world", "gui", "pause", "verbose", "server")
 """The arguments of those launch files that gz has, too."""
 EMPTY_WORLDS = ("worlds/empty.world", "empty.world")
@@ -47,16 +51,53 @@ def create_options(words: Sequence[tuple[str, Word]]) -> Iterator[tuple[str, Wor
             yield _RENAMED.get(text, text), word
 
 
-def flags(file: str, given: Mapping[str, str]) -> str:
-    """Return the options of gz for a launch file of gazebo_ros with some arguments, which are known or empty."""
-    found = FILES[file]
-    if given.get("pause", "").lower() == "true":
-        found = found.replace("-r ", "")
-    if given.get("gui", "").lower() == "false" and "-s" not in found:
-        found += "-s "
-    if given.get("verbose", "").lower() == "true":
-        found += "-v4 "
-    return found
+class Option(NamedTuple):
+    """An option of gz, and the argument of Gazebo Classic that asks for it.
+
+    default: of the argument.
+    wanted: the value of the argument that asks for the option.
+    text: the option, with a blank.
+    """
+
+    argument: str
+    default: bool
+    wanted: bool
+    text: str
+
+    def given(self, value: str) -> str:
+        """Return the option if a value of the argument asks for it, its default for an empty one; otherwise nothing."""
+        is_true = value.strip().lower() in ("true", "1") if value else self.default
+        return self.text if is_true is self.wanted else ""
+
+    def expression(self, value: str) -> str:
+        """Return the option as an expression in Python, for a value of the argument that is an expression too."""
+        chosen, other = (self.text, "") if self.wanted else ("", self.text)
+        return f"'{chosen}' if {value} == 'true' else '{other}'"
+
+
+OPTIONS = (
+    Option("pause", default=False, wanted=False, text="-r "),
+    Option("gui", default=True, wanted=False, text="-s "),
+    Option("verbose", default=False, wanted=True, text="-v4 "),
+)
+
+
+def flags(file: str, given: Mapping[str, str | None]) -> str:
+    """Return the options of gz for a launch file of gazebo_ros.
+
+    given: its arguments; those that are known only when it starts are None, and give no option.
+    """
+    if file == CLIENT:
+        return "-g "
+    values = {**given, **_FIXED.get(file, {})}
+    known = ((option, values.get(option.argument, "")) for option in OPTIONS)
+    return "".join(option.given(value) for option, value in known if value is not None)
+
+
+def undecided(file: str, given: Mapping[str, str | None]) -> list[Option]:
+    """Return the options of gz that depend on arguments which are known only when a launch file starts."""
+    values = {**given, **_FIXED.get(file, {})}
+    return [option for option in OPTIONS if file != CLIENT and values.get(option.argument, "") is None]
 
 
 def is_empty_world(world: str) -> bool:

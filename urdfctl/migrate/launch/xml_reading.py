@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from itertools import takewhile
 
 from urdfctl.migrate.launch.actions import Action, Condition, PartOfText, Text, words_of
 from urdfctl.migrate.launch.written import Written, as_xml
@@ -11,6 +12,7 @@ from urdfctl.migrate.markup import root_of
 from urdfctl.source.dom import COMMENT, Element, Node
 from urdfctl.source.dom import Text as Characters
 from urdfctl.source.span import SourceText
+from urdfctl.source.todo import MARK
 
 _SUBSTITUTION = r"\$\((var|find-pkg-share|env|dirname|eval)\s*([^()]*(?:\([^()]*\)[^()]*)*)\)"
 _KINDS = {"arg": "argument", "let": "let", "set_parameter": "set_parameter", "include": "include", "node": "node"}
@@ -23,7 +25,10 @@ def read_xml(source: SourceText) -> Written | None:
     first = root.previousSibling if root is not None else None
     if root is None or not isinstance(first, Characters) or first.nodeType != COMMENT:
         return None
-    written = Written(first.data.strip(), (), tuple(_actions(root)))
+    actions = tuple(_actions(root))
+    todos = tuple(takewhile(lambda action: action.kind == "comment" and action.name.startswith(MARK), actions))
+    shown = tuple(f"<!-- {todo.name} -->" for todo in todos)
+    written = Written(first.data.strip(), shown, actions[len(todos) :])
     return written if as_xml(written).encode() == source.data else None
 
 

@@ -96,12 +96,22 @@ def _manifest_edits(packages: Packages, root: Element) -> Iterator[Edit]:
 
 def _additions(packages: Packages, root: Element, known: set[str]) -> Iterator[Edit]:
     own = content(child(root, "name") or root)
-    missing = sorted({*_needed(packages, os.path.dirname(root.source.path))} - known - {own})
+    needed = {*_needed(packages, os.path.dirname(root.source.path))} - known - {own}
+    missing = sorted(needed, key=lambda name: _rank(packages, name))
     last = [element for element in root.elements() if element.tagName in (*_DEPENDS, "buildtool_depend")][-1:]
     if missing and last:
         end = lines_of(last[0]).end
         lines = "".join(f"{indent_of(last[0])}<exec_depend>{name}</exec_depend>\n" for name in missing)
         yield Edit(SourceSpan(root.source, end, end), lines)
+
+
+def _rank(packages: Packages, name: str) -> tuple[str, bool]:
+    """The order of a package: one of gz is where that of Gazebo Classic would be, which a later migration replaces."""
+    gz = gz_names(packages.wishes.target)
+    host = host_plugin(packages)
+    if host is not None and name == host.package:
+        return "gazebo_ros2_control", False
+    return ("gazebo_ros", name == gz["bridge"]) if name in (gz["package"], gz["bridge"]) else (name, False)
 
 
 def _text_edit(element: Element, text: str) -> Edit:

@@ -1,0 +1,164 @@
+"""Migrations over a distro between: they equal those at once, also over humble with Gazebo Classic."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from pathlib import Path
+
+import pytest
+from folder import CHECKOUT, Folder
+from test_migrate_ros1 import MANIFEST, PLUGIN, arm, transmission
+
+from urdfctl.migrate.launch.python_reading import read_python
+from urdfctl.migrate.launch.xml_reading import read_xml
+from urdfctl.source.span import SourceText
+
+CONTROLLERS = """\
+arm:
+  joint_states:
+    type: joint_state_controller/JointStateController
+    publish_rate: 50
+  ctl:
+    type: effort_controllers/JointPositionController
+    joint: shoulder
+    pid: {p: 1, i: 0, d: 0.1}
+"""
+LAUNCH = """\
+<launch>
+  <!-- what a user may choose
+       at the start -->
+  <arg name="gui" default="true" doc="false: without a 'window'"/>
+  <arg name="paused" default="false"/>
+  <arg name="ns" default="arm"/>
+  <arg name="left" value="$(eval arg('ns') + '_left')"/>
+  <arg name="world" default="worlds/empty.world"/>
+  <arg name="simulated"/>
+  <param name="use_sim_time" value="true"/>
+  <param name="robot_description" command="$(find xacro)/xacro $(find arm)/urdf/arm.xacro ns:=$(arg ns)"/>
+  <param name="/speed" value="1"/>
+  <rosparam command="load" file="$(find arm)/config/controllers.yaml"/>
+  <include file="$(find gazebo_ros)/launch/empty_world.launch" if="$(arg simulated)">
+    <arg name="world_name" value="$(arg world)"/>
+    <arg name="gui" value="$(arg gui)"/>
+    <arg name="paused" value="$(arg paused)"/>
+    <arg name="verbose" value="true"/>
+  </include>
+  <group ns="$(arg ns)">
+    <node name="spawn" pkg="gazebo_ros" type="spawn_model" args="-urdf -param robot_description -model arm
+      -x $(optenv X 0) -z 0.1 -J shoulder 0.5 -J elbow 1"/>
+    <node name="ctl" pkg="controller_manager" type="spawner" args="joint_states ctl --timeout 20" respawn="true"/>
+    <node name="rsp" pkg="robot_state_publisher" type="robot_state_publisher" output="screen">
+      <param name="publish_frequency" value="50"/>
+      <remap from="joint_states" to="/$(arg ns)/joint_states"/>
+    </node>
+  </group>
+  <node name="rviz" pkg="rviz" type="rviz" args="-d $(dirname)/arm.rviz" unless="$(arg simulated)"/>
+  <include file="$(find arm)/launch/other.launch"><arg name="frame" value="$(env FRAME)"/></include>
+</launch>
+"""
+OTHER = '<launch>\n  <arg name="frame"/>\n</launch>\n'
+FILES = {
+    "arm/package.xml": MANIFEST,
+    "arm/urdf/arm.xacro": arm(transmission("EffortJointInterface"), PLUGIN),
+    "arm/config/controllers.yaml": CONTROLLERS,
+    "arm/launch/arm.launch": LAUNCH,
+    "arm/launch/other.launch": OTHER,
+}
+
+
+def over(folder: Folder, source: str, *distros: str, form: str = "py") -> dict[str, str]:
+    """The files after a migration to each distro after the other, without the reports."""
+    for number, distro in enumerate(distros):
+        target = f"{'-'.join(distros[: number + 1])}-{form}"
+        if not (folder.path / target).exists():
+            ran = folder.run("migrate", source, "--to", distro, "--launch", form, "-o", target)
+            assert ran.returncode == 0, ran.stderr
+        source = target
+    files = (path for path in (folder.path / source).rglob("*") if path.is_file() and path.name != "MIGRATION.md")
+    return {path.relative_to(folder.path / source).as_posix(): path.read_text() for path in files}
+
+
+@pytest.mark.parametrize("form", ["py", "xml"])
+def test_a_robot_of_ros_1_becomes_the_same_for_gz_over_humble_with_gazebo_classic(folder: Folder, form: str) -> None:
+    folder.write(FILES)
+    between = over(folder, "arm", "humble", form=form)[f"launch/arm.launch.{form}"]
+    assert "spawn_entity.py" in between
+    at_once = over(folder, "arm", "lyrical", form=form)
+    assert "parameter_bridge" in at_once[f"launch/arm.launch.{form}"]
+    assert over(folder, "arm", "humble", "lyrical", form=form) == at_once
+
+
+@pytest.mark.parametrize("sample", ["mybot", "my_robot"])
+def test_a_sample_becomes_the_same_for_gz_over_humble_and_over_jazzy(folder: Folder, sample: str) -> None:
+    shutil.copytree(CHECKOUT / "samples" / sample, folder.path / sample)
+    at_once = over(folder, sample, "lyrical")
+    assert over(folder, sample, "humble", "lyrical") == at_once
+    assert over(folder, sample, "jazzy", "lyrical") == at_once
+
+
+def test_a_launch_file_that_was_changed_after_its_migration_keeps_the_changes(folder: Folder) -> None:
+    folder.write(FILES)
+    over(folder, "arm", "humble")
+    path = folder.path / "humble-py/launch/arm.launch.py"
+    text = path.read_text()
+    assert read_python(SourceText(str(path), text.encode())) is not None
+    changed = text.replace("    return LaunchDescription(", "    answer = 42  # mine\n    return LaunchDescription(")
+    assert read_python(SourceText(str(path), changed.encode())) is None
+    path.write_text(changed)
+    after = over(folder, "humble-py", "lyrical")["launch/arm.launch.py"]
+    assert "    answer = 42  # mine\n" in after
+    assert "gz_sim.launch.py" in after
+    assert "gazebo_ros" not in after
+    said = re.search(r'"gz_args": \[(.*)\]', after)
+    assert said is not None
+    assert said[1].split(", ") == [
+        '"-v4 "',
+        "PythonExpression([\"'' if '\"",
+        'LaunchConfiguration("paused")',
+        "\"' == 'true' else '-r '\"])",
+        "PythonExpression([\"'' if '\"",
+        'LaunchConfiguration("gui")',
+        "\"' == 'true' else '-s '\"])",
+        'LaunchConfiguration("world")',
+    ]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "from launch import LaunchDescription\n",
+        "def generate_launch_description(:\n",
+        "def generate_launch_description():\n    return LaunchDescription([Node(**more)])\n",
+        "def generate_launch_description():\n    return LaunchDescription([*nodes, other])\n",
+        "def generate_launch_description():\n    return LaunchDescription(actions())\n",
+        "def generate_launch_description():\n    return LaunchDescription([Node(remappings=[('a', 'b', 'c')])])\n",
+        "def generate_launch_description():\n    return LaunchDescription([GroupAction()])\n",
+        '"""Mine."""\n\n\ndef generate_launch_description():\n    return LaunchDescription([LogInfo(msg="a")])\n',
+    ],
+)
+def test_a_launch_file_in_python_of_another_form_is_not_read(text: str) -> None:
+    assert read_python(SourceText("a.launch.py", text.encode())) is None
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["", "<launch/>", "<!-- a --><launch/>", "<!-- a --><launch><executable cmd='ls'/></launch>", "<!-- a --><launch"],
+)
+def test_a_launch_file_in_xml_of_another_form_is_not_read(text: str) -> None:
+    assert read_xml(SourceText("a.launch.xml", text.encode())) is None
+
+
+def test_what_is_read_of_a_written_launch_file_is_all_of_it(tmp_path: Path) -> None:
+    folder = Folder(tmp_path)
+    folder.write(FILES)
+    for form, read in (("py", read_python), ("xml", read_xml)):
+        text = over(folder, "arm", "humble", form=form)[f"launch/arm.launch.{form}"]
+        written = read(SourceText(f"arm.launch.{form}", text.encode()))
+        assert written is not None
+        kinds = [action.kind for action in written.actions if action.kind != "comment"]
+        assert kinds == [
+            *("argument", "argument", "argument", "let", "argument", "argument", "set_parameter", "include"),
+            *("group", "node", "include"),
+        ]
