@@ -34,6 +34,7 @@ LAUNCH = """\
   <arg name="left" value="$(eval arg('ns') + '_left')"/>
   <arg name="world" default="worlds/empty.world"/>
   <arg name="simulated"/>
+  <arg name="controllers" default="joint_states ctl"/>
   <param name="use_sim_time" value="true"/>
   <param name="robot_description" command="$(find xacro)/xacro $(find arm)/urdf/arm.xacro ns:=$(arg ns)"/>
   <param name="/speed" value="1"/>
@@ -47,7 +48,7 @@ LAUNCH = """\
   <group ns="$(arg ns)">
     <node name="spawn" pkg="gazebo_ros" type="spawn_model" args="-urdf -param robot_description -model arm
       -x $(optenv X 0) -z 0.1 -J shoulder 0.5 -J elbow 1"/>
-    <node name="ctl" pkg="controller_manager" type="spawner" args="joint_states ctl --timeout 20" respawn="true"/>
+    <node name="ctl" pkg="controller_manager" type="spawner" args="$(arg controllers) --timeout 20"/>
     <node name="rsp" pkg="robot_state_publisher" type="robot_state_publisher" output="screen">
       <param name="publish_frequency" value="50"/>
       <remap from="joint_states" to="/$(arg ns)/joint_states"/>
@@ -159,6 +160,16 @@ def test_what_is_read_of_a_written_launch_file_is_all_of_it(tmp_path: Path) -> N
         assert written is not None
         kinds = [action.kind for action in written.actions if action.kind != "comment"]
         assert kinds == [
-            *("argument", "argument", "argument", "let", "argument", "argument", "set_parameter", "include"),
+            *(
+                "argument",
+                "argument",
+                "argument",
+                "let",
+                "argument",
+                "argument",
+                "argument",
+                "set_parameter",
+                "include",
+            ),
             *("group", "node", "include"),
         ]
