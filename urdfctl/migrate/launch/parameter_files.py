@@ -44,7 +44,8 @@ def _files(
         return ()
     names = list(_names(spawner.words, defaults))
     found = [known[name] for name in names if name in known]
-    if not all(names) or any(len(files) > 1 for files in found):
+    is_chosen = any(part.kind not in ("find", "text") for file in spawner.files for part in file)
+    if is_chosen or not all(names) or any(len(files) > 1 for files in found):
         return spawner.files
     paths = dict.fromkeys(path for files in found for path in files)
     return [_address(packages, path) for path in paths]
