@@ -495,6 +495,13 @@ def test_simulators_are_started_paused_or_not(action: str, found: tuple[str, boo
     assert made.complete
 
 
+@pytest.mark.parametrize(
+    "action", [GZ + "launch_arguments={'gz_args': '-g'}.items())", "ExecuteProcess(cmd=['gz', 'sim', '-g'])"]
+)
+def test_a_window_of_gz_alone_is_no_simulation(action: str) -> None:
+    assert not launch(action).simulations
+
+
 HOSTILE = {
     "deep": "x = " + "(" * 150 + "1" + ")" * 150,
     "doubling": "x = 'a'\nfor _ in [1, 2, 3, 4, 5, 6, 7, 8, 9] * 1:\n    x = x + x\n" + "x = x + x\n" * 60,

@@ -340,7 +340,10 @@ class _Walk:
             return
         entries = given.entries if given else {}
         if simulator == "gz":
-            paused = paused_by(texts.of(entries.get("gz_args") or entries.get("ign_args") or Constant("", at)))
+            arguments = texts.of(entries.get("gz_args") or entries.get("ign_args") or Constant("", at))
+            if is_window(arguments):
+                return
+            paused = paused_by(arguments)
             if paused and given is not None and not given.whole:
                 paused = None
         else:
@@ -353,6 +356,8 @@ class _Walk:
         if not texts or not state.held:
             return
         if texts[:2] in (["gz", "sim"], ["ign", "gazebo"]):
+            if is_window(" ".join(texts[2:])):
+                return
             paused = paused_by(" ".join(texts[2:]))
             self.simulations.append(Simulation("gz", term.at, paused, state.sure))
         elif texts[0] in {"gazebo", "gzserver"}:
@@ -384,6 +389,11 @@ def paused_by(arguments: str) -> bool | None:
     if any(re.fullmatch(r"-[a-zA-Z]*r\w*", word) for word in arguments.split()):
         return False
     return None if UNKNOWN in arguments else True
+
+
+def is_window(arguments: str) -> bool:
+    """Return whether gz starts its window alone, by `-g`, which neither runs nor pauses a simulation."""
+    return "-g" in arguments.split()
 
 
 def package_outside(path: str) -> str | None:
