@@ -1,4 +1,4 @@
-"""package.xml and CMakeLists.txt of packages without compiled code: format 3, ament, and install rules."""
+"""package.xml of packages without compiled code: format 3 and ament."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from urdfctl.catalog.catalog import catalog_with
 from urdfctl.diagnostic import Edit
 from urdfctl.generate.bringup import gz_names
 from urdfctl.migrate.hardware import host_plugin, simulated_by, system
-from urdfctl.migrate.install_rules import BRIDGE_FILE, install_rule, installs
 from urdfctl.migrate.markup import child, children, content, end_of, indent_of, lines_of, merged, root_of, step_of
 from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.ros1.build_file import ament_build_file
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.wishes import Part
 from urdfctl.source.dom import Element
-from urdfctl.source.span import SourceSpan, SourceText
+from urdfctl.source.span import SourceSpan
 
 _AUTHORITY = "docs.ros.org, Migrating packages from ROS 1 to ROS 2"
 _FORMAT = "REP 149: package.xml format 3"
@@ -35,7 +35,6 @@ _NEW_NAMES: Mapping[str, tuple[str, ...]] = {
     "gazebo_msgs": ("gazebo_msgs",),
     "roboticsgroup_gazebo_plugins": (),
     "roboticsgroup_upatras_gazebo_plugins": (),
-    "gazebo_plugins": (),
     "rostopic": (),
     "rostest": (),
     "roslint": (),
@@ -43,11 +42,11 @@ _NEW_NAMES: Mapping[str, tuple[str, ...]] = {
     "moveit_fake_controller_manager": (),
 }
 """By name in ROS 1: the packages of ROS 2 that take its place. Others keep their name."""
+_OF_CLASSIC = ("gazebo", "gazebo_dev", "gazebo_plugins", "libgazebo-dev")
 _NAMED_IN_LAUNCH = r"(?:FindPackageShare\(|find-pkg-share |package=|pkg=)['\"]?([\w-]+)"
 _LAUNCHES = (".launch.py", ".launch.xml")
 _NO_PACKAGES = ("mock_components", "fake_components")
 _COMPILED = r"(?m)^\s*(?:add_executable|add_library|generate_messages|pybind11_add_module|add_message_files)\s*\("
-_FOLDERS = ("config", "launch", "meshes", "models", "params", "robots", "rviz", "sdf", "urdf", "worlds", "xacro")
 
 
 def _manifests(packages: Packages) -> Iterator[Proposal]:
@@ -68,7 +67,7 @@ def _manifests(packages: Packages) -> Iterator[Proposal]:
             entries=(Entry(EntryKind.DONE, "the package is built by ament", root.at, authority=_AUTHORITY),),
         )
         if cmake.data:
-            yield _cmake(cmake)
+            yield ament_build_file(cmake, is_classic=simulated_by(packages) == "gazebo-classic")
 
 
 def _is_catkin(root: Element) -> bool:
@@ -144,8 +143,8 @@ def _successors(packages: Packages, name: str) -> tuple[str, ...]:
     if name in {"gazebo_ros", "gazebo_ros_pkgs"}:
         in_gz = (gz["package"], gz["bridge"])
         return {"gz": in_gz, "gazebo-classic": (name,)}.get(simulated_by(packages), ())
-    if name == "gazebo_plugins" and simulated_by(packages) == "gazebo-classic":
-        return (name,)
+    if name in _OF_CLASSIC:
+        return (name,) if simulated_by(packages) == "gazebo-classic" else ()
     return _NEW_NAMES.get(name, (name,))
 
 
@@ -164,60 +163,6 @@ def _export(root: Element) -> Edit:
     if tag is None or tag.self_closed or export.close is None:
         return Edit(SourceSpan(source, export.start, end_of(export)), f"<export>\n{step * 2}{build}\n{step}</export>")
     return Edit(SourceSpan(source, tag.end, tag.end), f"\n{step * 2}{build}")
-
-
-# -- CMakeLists.txt ----------------------------------------------------------------------------------------------------
-
-_CALL = r"(?ms)^[ \t]*{name}\s*\((?:[^()]|\([^()]*\))*\)[ \t]*\r?\n?"
-_REPLACED = (
-    (r"(?i)cmake_minimum_required\s*\(\s*VERSION\s+(?:2\.|3\.[0-4]\b)[\d.]*", "cmake_minimum_required(VERSION 3.8"),
-    (r"(?s)find_package\s*\(\s*catkin\b(?:[^()]|\([^()]*\))*\)", "find_package(ament_cmake REQUIRED)"),
-    (r"\$\{CATKIN_PACKAGE_SHARE_DESTINATION\}", "share/${PROJECT_NAME}"),
-    (r"\$\{CATKIN_(?:PACKAGE|GLOBAL)_BIN_DESTINATION\}", "lib/${PROJECT_NAME}"),
-    (r"\$\{CATKIN_(?:PACKAGE|GLOBAL)_LIB_DESTINATION\}", "lib"),
-    (r"\$\{CATKIN_PACKAGE_INCLUDE_DESTINATION\}", "include/${PROJECT_NAME}"),
-    (r"\bcatkin_install_python\b", "install"),
-    (r"\bCATKIN_ENABLE_TESTING\b", "BUILD_TESTING"),
-    (r"\.launch(?=[\s)\"])(?!\.py)", ".launch.py"),
-)
-_REMOVED = (
-    "catkin_package",
-    "catkin_metapackage",
-    "catkin_python_setup",
-    "roslaunch_add_file_check",
-    r"find_package\s*\(\s*roslaunch\b.*?\)\s*#?",
-)
-
-
-def _cmake(source: SourceText) -> Proposal:
-    text = source.data.decode("utf-8", "surrogateescape")
-    new = text
-    for pattern, replacement in _REPLACED:
-        new = re.sub(pattern, replacement.replace("\\", "\\\\"), new)
-    for name in _REMOVED[:-1]:
-        new = re.sub(_CALL.format(name=name), "", new)
-    new = re.sub(r"(?m)^[ \t]*find_package\s*\(\s*roslaunch\b[^)]*\)[ \t]*\n", "", new)
-    new = re.sub(r"(?ms)^if\s*\(BUILD_TESTING\)\s*endif\s*\(\s*(?:BUILD_TESTING)?\s*\)[ \t]*\n?", "", new)
-    new = re.sub(r"\n{3,}", "\n\n", new).rstrip("\n") + "\n"
-    folder = os.path.dirname(source.path)
-    present = [name for name in _FOLDERS if _has_files(os.path.join(folder, name))]
-    missing = [name for name in present if not installs(new, name)]
-    if missing:
-        new += f"\n{install_rule(*missing)}"
-    new += "\nament_package()\n"
-    at = SourceSpan(source, 0, len(source.data))
-    entry = Entry(
-        EntryKind.DONE,
-        "the build file uses ament_cmake and installs what launch files need",
-        file=source.path,
-        authority=_AUTHORITY,
-    )
-    return Proposal((Edit(at, new),), entries=(entry,))
-
-
-def _has_files(folder: str) -> bool:
-    """Whether a folder has files of its own, not only the one for the bridge, whose step installs it."""
-    return os.path.isdir(folder) and set(os.listdir(folder)) != {os.path.basename(BRIDGE_FILE)}
 
 
 def _needed(packages: Packages, folder: str) -> Iterator[str]:

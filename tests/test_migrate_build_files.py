@@ -1,0 +1,50 @@
+"""CMakeLists.txt of a package of ROS 1 without compiled code, after its migration."""
+
+from __future__ import annotations
+
+from folder import Folder
+from test_migrate_ros1 import migrated
+
+WITHOUT_CATKIN = """\
+cmake_minimum_required(VERSION 2.8.3)
+project(arm)
+
+find_package(gazebo REQUIRED)
+
+catkin_package()
+
+include_directories(
+  ${catkin_INCLUDE_DIRS}
+)
+
+install(DIRECTORY urdf DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+"""
+COMMENTED = """\
+cmake_minimum_required(VERSION 3.0.2)
+project(arm)
+## if COMPONENTS list like find_package(catkin REQUIRED COMPONENTS xyz)
+find_package(catkin REQUIRED COMPONENTS
+  urdf
+)
+# catkin_package() is next, see ${CATKIN_PACKAGE_SHARE_DESTINATION}
+catkin_package()  # exports nothing
+"""
+ROBOT = '<robot name="arm"><link name="base"/></robot>\n'
+
+
+def test_ament_is_looked_for_where_catkin_was_not_and_gazebo_classic_no_longer(folder: Folder) -> None:
+    after = migrated(folder, {"CMakeLists.txt": WITHOUT_CATKIN, "urdf/arm.urdf": ROBOT}, "--simulator", "gz")
+    assert after["CMakeLists.txt"] == (
+        "cmake_minimum_required(VERSION 3.8)\nproject(arm)\n\nfind_package(ament_cmake REQUIRED)\n\n"
+        "install(DIRECTORY urdf DESTINATION share/${PROJECT_NAME})\n\nament_package()\n"
+    )
+
+
+def test_comments_stay(folder: Folder) -> None:
+    after = migrated(folder, {"CMakeLists.txt": COMMENTED})
+    assert after["CMakeLists.txt"] == (
+        "cmake_minimum_required(VERSION 3.8)\nproject(arm)\n"
+        "## if COMPONENTS list like find_package(catkin REQUIRED COMPONENTS xyz)\n"
+        "find_package(ament_cmake REQUIRED)\n"
+        "# catkin_package() is next, see ${CATKIN_PACKAGE_SHARE_DESTINATION}\n\nament_package()\n"
+    )

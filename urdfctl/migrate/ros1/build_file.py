@@ -1,0 +1,85 @@
+"""CMakeLists.txt of packages without compiled code: ament and install rules."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+
+from urdfctl.diagnostic import Edit
+from urdfctl.migrate.install_rules import BRIDGE_FILE, install_rule, installs
+from urdfctl.migrate.step import Entry, EntryKind, Proposal
+from urdfctl.source.span import SourceSpan, SourceText
+
+_AUTHORITY = "docs.ros.org, Migrating packages from ROS 1 to ROS 2"
+_FOLDERS = ("config", "launch", "meshes", "models", "params", "robots", "rviz", "sdf", "urdf", "worlds", "xacro")
+_AMENT = "find_package(ament_cmake REQUIRED)"
+_ARGUMENTS = r"\((?:[^()]|\([^()]*\))*\)"
+_REPLACED = (
+    (r"(?i)cmake_minimum_required\s*\(\s*VERSION\s+(?:2\.|3\.[0-4]\b)[\d.]*", "cmake_minimum_required(VERSION 3.8"),
+    (rf"find_package\s*(?=\(\s*catkin\b){_ARGUMENTS}", _AMENT),
+    (r"\$\{CATKIN_PACKAGE_SHARE_DESTINATION\}", "share/${PROJECT_NAME}"),
+    (r"\$\{CATKIN_(?:PACKAGE|GLOBAL)_BIN_DESTINATION\}", "lib/${PROJECT_NAME}"),
+    (r"\$\{CATKIN_(?:PACKAGE|GLOBAL)_LIB_DESTINATION\}", "lib"),
+    (r"\$\{CATKIN_PACKAGE_INCLUDE_DESTINATION\}", "include/${PROJECT_NAME}"),
+    (r"\bcatkin_install_python\b", "install"),
+    (r"\bCATKIN_ENABLE_TESTING\b", "BUILD_TESTING"),
+    (r"\.launch(?=[\s)\"])(?!\.py)", ".launch.py"),
+)
+_REMOVED = (
+    rf"catkin_package\s*{_ARGUMENTS}",
+    rf"catkin_metapackage\s*{_ARGUMENTS}",
+    rf"catkin_python_setup\s*{_ARGUMENTS}",
+    rf"roslaunch_add_file_check\s*{_ARGUMENTS}",
+    r"find_package\s*\(\s*roslaunch\b[^)]*\)",
+    r"include_directories\s*\(\s*\$\{catkin_INCLUDE_DIRS\}\s*\)",
+)
+_OF_CLASSIC = (r"find_package\s*\(\s*gazebo(?:_dev|_ros|_plugins)?\b[^)]*\)",)
+_EMPTY_TESTS = r"(?ms)^if\s*\(BUILD_TESTING\)\s*endif\s*\(\s*(?:BUILD_TESTING)?\s*\)[ \t]*\n?"
+
+
+def ament_build_file(source: SourceText, *, is_classic: bool) -> Proposal:
+    """Return the proposal to build a package by ament, and to install what launch files need.
+
+    is_classic: whether Gazebo Classic simulates the robot, so that it may be looked for.
+    """
+    text = source.data.decode("utf-8", "surrogateescape")
+    for pattern, replacement in _REPLACED:
+        text = _outside_comments(text, pattern, replacement)
+    for call in (*_REMOVED, *(() if is_classic else _OF_CLASSIC)):
+        text = re.sub(rf"(?m)^[ \t]*{call}[ \t]*(?:#[^\n]*)?\n?", "", text)
+    if not re.search(rf"(?m)^\s*{re.escape(_AMENT)}", text):
+        text = _outside_comments(text, rf"project\s*{_ARGUMENTS}", rf"\g<0>\n\n{_AMENT}", count=1)
+    text = re.sub(_EMPTY_TESTS, "", text)
+    text = re.sub(r"\n{3,}", "\n\n", text).rstrip("\n") + "\n"
+    folder = os.path.dirname(source.path)
+    missing = [name for name in _FOLDERS if _has_files(os.path.join(folder, name)) and not installs(text, name)]
+    text += f"\n{install_rule(*missing)}" if missing else ""
+    text += "\nament_package()\n"
+    what = "the build file uses ament_cmake and installs what launch files need"
+    entry = Entry(EntryKind.DONE, what, file=source.path, authority=_AUTHORITY)
+    return Proposal((Edit(SourceSpan(source, 0, len(source.data)), text),), entries=(entry,))
+
+
+def _outside_comments(text: str, pattern: str, replacement: str, *, count: int = 0) -> str:
+    """A text with a pattern replaced, except in comments."""
+    parts: list[str] = []
+    end = 0
+    for found in _matches(text, pattern):
+        parts += [text[end : found.start()], found.expand(replacement)]
+        end = found.end()
+        if count and len(parts) == 2 * count:
+            break
+    return "".join([*parts, text[end:]])
+
+
+def _matches(text: str, pattern: str) -> Iterator[re.Match[str]]:
+    for found in re.finditer(pattern, text):
+        line = text.rfind("\n", 0, found.start()) + 1
+        if "#" not in text[line : found.start()]:
+            yield found
+
+
+def _has_files(folder: str) -> bool:
+    """Whether a folder has files of its own, not only the one for the bridge, whose step installs it."""
+    return os.path.isdir(folder) and set(os.listdir(folder)) != {os.path.basename(BRIDGE_FILE)}
