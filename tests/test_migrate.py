@@ -380,3 +380,11 @@ def test_what_lint_fixes_for_the_target_alone_does_not_keep_a_step_from_being_ap
     assert b"libgazebo_ros2_control.so" in (change.after or b"")
     assert b"<!-- the hardware - simulated -->" in (change.after or b"")
     assert [line.message.partition(":")[0] for line in result.lines] == ["fixed UC359"]
+
+
+def test_a_file_that_cannot_be_read_is_in_the_report(folder: Folder) -> None:
+    folder.write({**FILES, "arm/urdf/broken.urdf": '<robot name="broken">\n  <link name="a"/\n</robot>\n'})
+    ran = folder.run("migrate", "arm", "--from", "humble", "--to", "jazzy", "-o", "new")
+    assert ran.returncode == 0, ran.stderr
+    line = next(line for line in (folder.path / "new/MIGRATION.md").read_text().splitlines() if "broken.urdf" in line)
+    assert "the file is not migrated, because it cannot be read (UC001: " in line

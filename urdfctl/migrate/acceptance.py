@@ -120,10 +120,15 @@ def _of_findings(state: Before, linted: Linted) -> Iterator[Objection]:
                 yield Objection((finding.code, file), _said(finding), file, files, finding)
 
 
-def errors_in(linted: Linted) -> set[tuple[str, str]]:
-    """Return the codes of the errors that lint finds in each file, with its real path."""
-    found = (finding for _, result in linted for finding in result.outcome.diagnostics)
-    return {(one.code, os.path.realpath(one.at.file)) for one in found if one.severity is Severity.ERROR}
+def errors_in(linted: Linted) -> dict[tuple[str, str], set[str]]:
+    """Return the files of the targets that each error is found in, by its code and file; all are real paths."""
+    errors: dict[tuple[str, str], set[str]] = {}
+    for _, result in linted:
+        for one in result.outcome.diagnostics:
+            if one.severity is Severity.ERROR:
+                files = errors.setdefault((one.code, os.path.realpath(one.at.file)), set())
+                files |= {os.path.realpath(file) for file in (one.at.file, *result.files)}
+    return errors
 
 
 def _said(finding: Diagnostic) -> str:

@@ -27,6 +27,8 @@ from urdfctl.source.todo import todos_in
 from urdfctl.startup.records import NamedTuple
 
 MOST_PASSES = 3
+_UNREADABLE = ("UC001", "UC024", "UC026", "UC027")
+"""The findings about files that are no valid XML, YAML or Python, in which no step can change anything."""
 
 
 class Migration(NamedTuple):
@@ -126,13 +128,17 @@ def _left(scratch: Scratch, source: Linted, attempt: Attempt, found: Iterable[Ob
     """Yield a line for each error that lint finds for the target, and did not find for the distro to migrate from; and
     for each warning of a new kind that leaving out a step would only turn into errors.
 
-    Equal ones of a file are one line.
+    Equal ones of a file are one line. The files that cannot be read are listed too.
     """
     known, errors = _errors(source), _errors(attempt.linted)
     warnings = {_identity(one.finding): one.finding for one in found if one.finding and one.is_warning}
     new = [finding for key, finding in (errors | warnings).items() if key not in known and scratch.has(finding.at.file)]
     for finding in grouped(new):
         message = scratch.shown(f"lint finds {finding.code}: {finding.message}")
+        yield ReportLine(EntryKind.FOR_YOU, message, "", scratch.real(finding.at.file), finding.at.line)
+    unread = (one for key, one in errors.items() if key in known and one.code in _UNREADABLE)
+    for finding in grouped([one for one in unread if scratch.has(one.at.file)]):
+        message = f"the file is not migrated, because it cannot be read ({finding.code}: {finding.message})"
         yield ReportLine(EntryKind.FOR_YOU, message, "", scratch.real(finding.at.file), finding.at.line)
 
 

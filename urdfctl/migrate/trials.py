@@ -51,7 +51,8 @@ class Trials:
         known = errors_in(attempt.linted)
         while self.made < MOST_ATTEMPTS:
             kinds = {objection.kind for objection in found}
-            worse = {file for _, file in errors_in(attempt.linted) - known}
+            new_errors = (files for error, files in errors_in(attempt.linted).items() if error not in known)
+            worse = {file for files in new_errors for file in files}
             for kind, suspects in searches.items():
                 suspects.judge(is_gone=kind not in kinds, worse=worse)
             while all(suspects.is_done for suspects in searches.values()):
@@ -149,7 +150,8 @@ class _Suspects:
     def judge(self, *, is_gone: bool, worse: Collection[str]) -> None:
         """Choose what to leave out next, by whether the objection is gone without the last choice.
 
-        worse: the files with errors that the complete migration does not have: a warning is no reason for them.
+        worse: the files of the targets with errors that the complete migration does not have: a warning is no reason
+            for them.
         """
         if self._is_warning and is_gone and any(file in worse for _, file in self.choice):
             self.is_done, self.choice, self.all = True, (), ()
