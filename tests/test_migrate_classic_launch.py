@@ -57,6 +57,59 @@ def test_a_launch_file_in_xml_starts_gz_in_the_same_way(folder: Folder, inside: 
     assert after(folder, "sim.launch.xml", included(inside)) == started(options, CLOCK)
 
 
+OWN_WORLD = """\
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription
+from launch.substitutions import LaunchConfiguration
+
+
+def generate_launch_description():
+    own = os.path.join(get_package_share_directory("base"), "worlds", "empty.world")
+    gazebo = os.path.join(get_package_share_directory("gazebo_ros"), "launch", "gazebo.launch.py")
+    return LaunchDescription([
+        DeclareLaunchArgument("world", default_value="empty.world"),
+        DeclareLaunchArgument("other", default_value=own),
+        IncludeLaunchDescription(gazebo, launch_arguments={"world": LaunchConfiguration("world")}.items()),
+    ])
+"""
+
+
+@pytest.mark.parametrize(("world", "count"), [("worlds/empty.world", 2), ("worlds/yard.world", 0)])
+def test_the_own_world_of_the_name_of_the_empty_one_is_still_started(folder: Folder, world: str, count: int) -> None:
+    own = {f"{world}": '<sdf version="1.6"><world name="w"/></sdf>\n', "launch/sim.launch.py": OWN_WORLD}
+    files = {"urdf/base.xacro": base(CONTROL), "config/controllers.yaml": CONTROLLERS, **own}
+    assert migrated(folder, files)["launch/sim.launch.py"].count('"empty.world"') == count
+
+
+PROCESS = """\
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+
+
+def generate_launch_description():
+    world = "/worlds/yard.world"
+    command = {command}
+    return LaunchDescription([ExecuteProcess(cmd=command, output="screen")])
+"""
+
+
+@pytest.mark.parametrize(
+    ("command", "expected"),
+    [
+        ("['gazebo', '--verbose', world, '-s', 'libgazebo_ros_factory.so']", '["gz", "sim", "-r", "-v4", world]'),
+        ("['gzserver', '-u', '-e', 'ode', world]", '["gz", "sim", "-s", world]'),
+        ("['gzclient']", '["gz", "sim", "-g"]'),
+        ("['gazebo_tool', world]", "['gazebo_tool', world]"),
+    ],
+)
+def test_a_process_that_runs_gazebo_runs_gz(folder: Folder, command: str, expected: str) -> None:
+    text = after(folder, "sim.launch.py", PROCESS.format(command=command))
+    assert f"    command = {expected}\n" in text
+    assert ("parameter_bridge" in text) == ("gz" in expected.split(",", maxsplit=1)[0])
+
+
 def test_a_launch_file_in_xml_starts_the_bridge_of_the_robots_topics(folder: Folder) -> None:
     shown = after(folder, "sim.launch.xml", included(""), DRIVE)
     node = f'  <node pkg="ros_gz_bridge" exec="parameter_bridge">\n    {BRIDGE}\n  </node>\n'

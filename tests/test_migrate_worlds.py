@@ -40,6 +40,11 @@ def test_a_model_of_the_packages_keeps_its_name(folder: Folder) -> None:
     assert of_world(folder, text, {"models/shelf/model.config": "<model/>\n"}) == world(text)
 
 
+def test_a_mesh_in_the_folder_of_models_is_found_by_its_name(folder: Folder) -> None:
+    text = included("model://bowl.dae")
+    assert of_world(folder, text, {"models/bowl.dae": "<COLLADA/>\n"}) == world(text)
+
+
 def test_an_unknown_model_is_left_to_a_person_once(folder: Folder) -> None:
     after = of_world(folder, included("model://cafe") * 2)
     what = "model 'cafe' is not in these packages: add it to one, or name its address on Fuel"

@@ -11,6 +11,7 @@ from urdfctl.catalog.distros import since
 from urdfctl.diagnostic import Edit
 from urdfctl.generate.bringup import gz_names
 from urdfctl.migrate.bridge_file import bridge_file_of
+from urdfctl.migrate.classic.launch_process import command_of, in_gz
 from urdfctl.migrate.classic.starting import (
     ARGUMENTS,
     CLIENT,
@@ -20,6 +21,7 @@ from urdfctl.migrate.classic.starting import (
     Option,
     create_options,
     flags,
+    has_own_empty_world,
     is_empty_world,
     undecided,
 )
@@ -32,7 +34,9 @@ from urdfctl.migrate.todo import for_you
 from urdfctl.migrate.wishes import Part
 from urdfctl.source.packages import package_around, package_name
 from urdfctl.source.span import Place, SourceSpan
+from urdfctl.startup.patterns import lazy_pattern
 
+_CLASSIC = lazy_pattern(rb"gazebo_ros|['\"](?:gazebo|gzserver|gzclient)['\"]")
 _AUTHORITY = "ros_gz_sim README; gazebosim.org, Migrating Gazebo Classic ROS 2 packages"
 
 
@@ -41,7 +45,7 @@ def _launch_python(packages: Packages) -> Iterator[Proposal]:
         return
     for path in packages.files(".py"):
         source = packages.read(path)
-        if b"gazebo_ros" in source.data and packages.may_change(path):
+        if _CLASSIC.search(source.data) and packages.may_change(path):
             file = _File(packages, PythonFile(source))
             yield from file.to_gz() if goes_to_gz(packages) else file.to_hardware()
 
@@ -57,6 +61,8 @@ class _File:
             for call, scope in file.calls("IncludeLaunchDescription")
             if (name := self._launched(call, scope)) is not None
         ]
+        processes = (command_of(file, call, scope) for call, scope in file.calls("ExecuteProcess"))
+        self.commands = [command for command in processes if command is not None]
         self.spawns = [
             (call, scope)
             for call, scope in file.calls("Node")
@@ -86,9 +92,9 @@ class _File:
     # -- to gz ---------------------------------------------------------------------------------------------------------
 
     def to_gz(self) -> Iterator[Proposal]:
-        if not self.includes and not self.spawns:
+        if not self.includes and not self.spawns and not self.commands:
             return
-        edits: list[Edit] = []
+        edits = [in_gz(self.file, command) for command in self.commands]
         for call, scope, name in self.includes:
             edits += self._arguments(call, scope, name)
         for call, _ in self.spawns:
@@ -97,7 +103,7 @@ class _File:
         expression = self.file.imports("launch.substitutions", "PythonExpression")
         if expression is not None and any("PythonExpression(" in edit.text for edit in edits):
             edits.append(expression)
-        if self.includes and (bridge := self._bridge()) is not None:
+        if (self.includes or self.commands) and (bridge := self._bridge()) is not None:
             edits += bridge
         entries = [Entry(EntryKind.DONE, "the launch file starts gz", self._place(), authority=_AUTHORITY)]
         if dropped := sorted({name for call, scope, _ in self.includes for name in self._dropped(call, scope)}):
@@ -122,8 +128,8 @@ class _File:
         return [name for name, _ in self._pairs(call, scope)[1] if name not in ARGUMENTS]
 
     def _place(self) -> Place:
-        first = self.includes[0][0] if self.includes else self.spawns[0][0]
-        return self.file.at(first)
+        calls: list[ast.expr] = [call for call, _, _ in self.includes]
+        return self.file.at([*calls, *(call for call, _ in self.spawns), *self.commands][0])
 
     @staticmethod
     def _is_inside_other(edit: Edit, edits: list[Edit]) -> bool:
@@ -164,7 +170,7 @@ class _File:
         world = written.get("world", "")
         if name == CLIENT:
             return f'"{options.strip()}"'
-        if is_empty_world(world.strip("'\"")):
+        if is_empty_world(world.strip("'\""), is_own=has_own_empty_world(self.packages)):
             world = '"empty.sdf"'
             if not open_ones:
                 return f'"{options}empty.sdf"'
@@ -187,7 +193,7 @@ class _File:
             "-entity": "-name",
             **dict.fromkeys(FILES, self.gz["launch"]),
             **{f"{start}{name}": f"{start}{launch}" for name in FILES for start in ("/launch/", "launch/", "/")},
-            **dict.fromkeys(EMPTY_WORLDS, "empty.sdf"),
+            **({} if has_own_empty_world(self.packages) else dict.fromkeys(EMPTY_WORLDS, "empty.sdf")),
             "GAZEBO_MODEL_PATH": "GZ_SIM_RESOURCE_PATH",
             "GAZEBO_RESOURCE_PATH": "GZ_SIM_RESOURCE_PATH",
         }
@@ -342,6 +348,7 @@ CLASSIC_LAUNCH = Step(
     rows=(
         Row("gazebo_ros gazebo.launch.py: world", "ros_gz_sim gz_sim.launch.py: gz_args", "jazzy", _AUTHORITY),
         Row("gzserver.launch.py, gzclient.launch.py", "gz_sim.launch.py with -s, with -g", "jazzy", _AUTHORITY),
+        Row("gazebo, gzserver, gzclient by ExecuteProcess", "gz sim -r, with -s, -g", "jazzy", _AUTHORITY),
         Row("spawn_entity.py -entity NAME", "ros_gz_sim create -name NAME", "jazzy", _AUTHORITY),
         Row("the clock of Gazebo Classic", "ros_gz_bridge parameter_bridge", "jazzy", _AUTHORITY),
         Row("GAZEBO_MODEL_PATH", "GZ_SIM_RESOURCE_PATH", "jazzy", _AUTHORITY),

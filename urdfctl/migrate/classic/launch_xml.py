@@ -9,7 +9,16 @@ from urdfctl.diagnostic import Edit
 from urdfctl.generate.bringup import gz_names
 from urdfctl.generate.scalars import xml_text
 from urdfctl.migrate.bridge_file import bridge_file_of
-from urdfctl.migrate.classic.starting import CLIENT, FILES, SPAWN, create_options, flags, is_empty_world, undecided
+from urdfctl.migrate.classic.starting import (
+    CLIENT,
+    FILES,
+    SPAWN,
+    create_options,
+    flags,
+    has_own_empty_world,
+    is_empty_world,
+    undecided,
+)
 from urdfctl.migrate.hardware import goes_to_gz, leaves_classic
 from urdfctl.migrate.install_rules import BRIDGE_FILE
 from urdfctl.migrate.markup import attribute, children, elements, end_of, indent_of, removal, root_of, step_of
@@ -56,7 +65,7 @@ def _launched(file: str) -> str | None:
     return name if "gazebo_ros)" in file and name in FILES else None
 
 
-def _arguments(name: str, written: Mapping[str, str]) -> str:
+def _arguments(packages: Packages, name: str, written: Mapping[str, str]) -> str:
     """The arguments of gz for those of an included launch file."""
     given = {key: None if "$" in value else value for key, value in written.items()}
     options, world = flags(name, given), written.get("world", "")
@@ -64,7 +73,8 @@ def _arguments(name: str, written: Mapping[str, str]) -> str:
         return options.strip()
     for option in undecided(name, given):
         options += f'$(eval "{option.expression(repr(written[option.argument]))}")'
-    return f"{options}{'empty.sdf' if is_empty_world(world) else world}"
+    is_empty = is_empty_world(world, is_own=has_own_empty_world(packages))
+    return f"{options}{'empty.sdf' if is_empty else world}"
 
 
 def _spawned(args: str) -> str:
@@ -83,7 +93,7 @@ def _of_xml(packages: Packages, root: Element) -> Iterator[Edit]:
             address = f"$(find-pkg-share {gz['package']})/launch/{gz['launch']}"
             yield Edit(_value(element, "file"), address)
             given = {attribute(one, "name"): attribute(one, "value") for one in children(element, "arg")}
-            line = f'<arg name="{gz["argument"]}" value="{xml_text(_arguments(name, given))}"/>'
+            line = f'<arg name="{gz["argument"]}" value="{xml_text(_arguments(packages, name, given))}"/>'
             after = "" if has_bridge else _bridge_in_xml(packages, element, gz["bridge"], gz["messages"])
             has_bridge = True
             yield from _with_argument(element, line, after)
@@ -140,7 +150,7 @@ def _of_yaml(packages: Packages, source: SourceText) -> Iterator[Edit]:
         if file is not None and (name := _launched(file.text)) is not None:
             yield _scalar(file, f"$(find-pkg-share {gz['package']})/launch/{gz['launch']}")
             given = dict(_given(action))
-            yield _argument_in_yaml(action, file, gz["argument"], _arguments(name, given))
+            yield _argument_in_yaml(action, file, gz["argument"], _arguments(packages, name, given))
             if not has_bridge:
                 has_bridge = True
                 yield _bridge_in_yaml(packages, source, start, gz)

@@ -24,8 +24,12 @@ def sdf_elements(packages: Packages, mark: bytes) -> Iterator[Element]:
 
 
 def own_models(packages: Packages) -> set[str]:
-    """Return the names that `model://` finds in the packages: their models, and the packages themselves."""
+    """Return the names that `model://` finds in the packages: models, files in folders of models, and packages."""
     names = {package_name(path) or "" for path in packages.files("package.xml")}
-    for path in packages.files("model.config", ".sdf", ".urdf"):
-        names.add(os.path.basename(os.path.dirname(path)))
+    for path in packages.files():
+        folder, name = os.path.split(path)
+        if name.endswith(("model.config", ".sdf", ".urdf")):
+            names.add(os.path.basename(folder))
+        elif os.path.basename(folder) == "models":
+            names.add(name)
     return names - {""}

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TypeVar
 
+from urdfctl.migrate.packages import Packages
 from urdfctl.startup.records import NamedTuple
 
 SERVER, CLIENT = "gzserver.launch.py", "gzclient.launch.py"
@@ -100,6 +102,15 @@ def undecided(file: str, given: Mapping[str, str | None]) -> list[Option]:
     return [option for option in OPTIONS if file != CLIENT and values.get(option.argument, "") is None]
 
 
-def is_empty_world(world: str) -> bool:
-    """Return whether a world is the empty one of Gazebo Classic, or none."""
-    return not world or world in EMPTY_WORLDS or world.endswith("gazebo_ros)/worlds/empty.world")
+def is_empty_world(world: str, *, is_own: bool) -> bool:
+    """Return whether a world is the empty one of Gazebo Classic, or none.
+
+    is_own: whether a world of this name is in the packages, and the simulator looks there first.
+    """
+    named = world in EMPTY_WORLDS and not is_own
+    return not world or named or world.endswith("gazebo_ros)/worlds/empty.world")
+
+
+def has_own_empty_world(packages: Packages) -> bool:
+    """Return whether a world in the packages has the name of the empty one of Gazebo Classic."""
+    return any(os.path.basename(path) in EMPTY_WORLDS for path in packages.files(".world"))
