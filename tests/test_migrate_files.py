@@ -86,6 +86,34 @@ def test_a_spawner_in_xml_gets_the_file_that_an_argument_chooses_for_the_manager
     assert after == launch.replace('args="ctl"', f'args="ctl --param-file {file}"')
 
 
+TWO_SPAWNERS = """\
+from launch_ros.actions import Node
+
+one = Node(package="controller_manager", executable="spawner", arguments=["arm"])
+two = Node(package="controller_manager", executable="spawner", arguments=["hand"])
+"""
+
+
+def test_the_file_of_another_spawner_says_nothing_about_a_controller_of_several_files(folder: Folder) -> None:
+    arm = controllers(DIFF, "odom_frame_id: odom\n").replace("ctl", "arm")
+    hand = controllers(DIFF, "odom_frame_id: hand\n").replace("ctl", "hand")
+    both = arm.replace("odom\n", "map\n") + hand.replace("controller_manager", "/hand/controller_manager")
+    files = {"launch/a.launch.py": TWO_SPAWNERS, "config/arm.yaml": arm, "config/both.yaml": both}
+    after = migrated(folder, files, "--to", "jazzy", "--only", "launch")["launch/a.launch.py"]
+    assert after.count('"--param-file"') == after.count("both.yaml") == 1
+    assert re.search(r'# TODO\(urdfctl\): spawn controllers .*\none = .*arguments=\["arm"\]\)', after)
+
+
+def test_files_with_the_same_parameters_for_a_controller_are_equally_good_for_its_spawner(folder: Folder) -> None:
+    own = controllers(DIFF, "odom_frame_id: odom  # fixed\n")
+    more = own.replace("  # fixed", "") + "other:\n  ros__parameters: {a: 1}\n"
+    launch = TWO_SPAWNERS.replace('"arm"', '"ctl"').partition("two")[0]
+    files = {"launch/a.launch.py": launch, "config/one.yaml": own, "config/two.yaml": more}
+    after = migrated(folder, files, "--to", "jazzy", "--only", "launch")["launch/a.launch.py"]
+    assert '"config", "one.yaml"' in after
+    assert "TODO" not in after
+
+
 def test_a_spawner_whose_line_would_be_too_long_gets_a_line_for_each_argument(folder: Folder) -> None:
     head = "from launch_ros.actions import Node\n\n"
     node = "Node(\n    package='controller_manager', executable='spawner',\n    arguments=['ctl', '-c', '/cm'],\n)\n"

@@ -67,20 +67,29 @@ def type_names(packages: Packages) -> Iterator[TypeName]:
                     yield TypeName(path, entry.key.text, value)
 
 
-def sections_near(known: Sequence[Section], source: SourceText) -> dict[str, set[str]]:
+def sections_near(known: Sequence[Section], source: SourceText, text: bytes) -> dict[str, set[str]]:
     """Return the controllers with parameters, each with its files.
 
-    They are those that a launch file names, or its package's, or all.
+    They are those that a launch file names, or its package's, or all. Of files that have the same parameters for a
+    controller, only the first is returned.
+
+    text: the part of the launch file that names files for all controllers.
     """
     package = package_around(os.path.dirname(source.path))
-    named = [one for one in known if one.type and os.path.basename(one.path).encode() in source.data]
+    named = [one for one in known if one.type and os.path.basename(one.path).encode() in text]
     beside = [one for one in known if package_around(os.path.dirname(one.path)) == package]
     typed = [one for one in known if one.type]
     chosen = [one for one in named if one in beside] or named or beside or typed
-    files: dict[str, set[str]] = {}
+    files: dict[str, dict[bytes, str]] = {}
     for section in chosen:
-        files.setdefault(section.node, set()).add(section.path)
-    return files
+        files.setdefault(section.node, {}).setdefault(_words(section), section.path)
+    return {node: {*by_text.values()} for node, by_text in files.items()}
+
+
+def _words(section: Section) -> bytes:
+    """The parameters of a section without blanks and comments, which tells whether two are the same."""
+    written = section.parameters.source.data[section.parameters.start : section.parameters.end]
+    return b" ".join(re.sub(rb"(?m)(?:^|\s)#.*$", b"", written).split())
 
 
 def installed_path(packages: Packages, path: str) -> tuple[str, list[str]]:

@@ -37,12 +37,21 @@ class _File:
 
     def __init__(self, packages: Packages, file: PythonFile, known: Sequence[Section]) -> None:
         self.packages, self.file = packages, file
-        self.known = sections_near(known, file.source)
         self.nodes = [
             (call, scope)
             for call, scope in file.calls("Node", "LifecycleNode")
             if text_of(getattr(keyword(call, "package"), "value", None)) == "controller_manager"
         ]
+        self.known = sections_near(known, file.source, self._without_spawners())
+
+    def _without_spawners(self) -> bytes:
+        """The text of the file without the arguments of spawners: one of them names the file of its controllers."""
+        text = self.file.source.data
+        for call, _ in self.nodes:
+            given = keyword(call, "arguments")
+            span = self.file.span(given.value) if given else None
+            text = text.replace(text[span.start : span.end], b" " * (span.end - span.start)) if span else text
+        return text
 
     def proposals(self) -> Iterator[Proposal]:
         for call, scope in self.nodes:

@@ -63,7 +63,7 @@ def _spawner(
         return
     if not packages.crosses("jazzy") or {"--param-file", "-p"} & set(words) or "args" not in node.attrs:
         return
-    files = sections_near(known, node.source)
+    files = sections_near(known, node.source, _without_spawners(nodes, node.source.data))
     names = list(takewhile(lambda word: not word.startswith("-"), words))
     own = {path for name in names for path in files.get(name, ())}
     file = _file_of_manager(nodes) or (_file(packages, nodes, next(iter(own))) if len(own) == 1 else None)
@@ -72,6 +72,15 @@ def _spawner(
     edit = Edit(SourceSpan(span.source, span.end, span.end), f" --param-file {file}")
     what = "the spawner gives its controllers their parameters: --param-file"
     yield Proposal((edit,), entries=(_done(what, node, AUTHORITY_OF_FILE),))
+
+
+def _without_spawners(nodes: Sequence[Element], text: bytes) -> bytes:
+    """The text of a file without the arguments of spawners: one of them names the file of its controllers."""
+    for node in nodes:
+        if node.attrs["exec"].startswith("spawner") and node.attrs.get("args"):
+            span = node.at["args"].span
+            text = text.replace(node.source.data[span.start : span.end], b"")
+    return text
 
 
 def _file_of_manager(nodes: Sequence[Element]) -> str | None:
