@@ -32,15 +32,19 @@ OMPL = "# the planners\nplanner_configs:\n  RRT:\n    type: geometric::RRT\n"
 EXECUTION = '<launch>\n  <param name="trajectory_execution/allowed_goal_duration_margin" value="1"/>\n</launch>\n'
 
 
-def migrated(folder: Folder, files: dict[str, str], target: str = "humble") -> dict[str, str]:
-    """The files of a package of MoveIt after its migration from noetic, with the package of its robot."""
+def migrated(folder: Folder, files: dict[str, str], target: str = "humble", *, mark: bool = True) -> dict[str, str]:
+    """The files of a package of MoveIt after its migration from noetic, with the package of its robot.
+
+    mark: whether the package has the hidden file of the Setup Assistant.
+    """
+    of_assistant = {"src/moveit/.setup_assistant": "moveit_setup_assistant_config:\n  URDF: {package: arm}\n"}
     folder.write(
         {
             "src/arm/package.xml": MANIFEST,
             "src/arm/urdf/arm.xacro": arm(transmission("EffortJointInterface")),
             "src/moveit/package.xml": MANIFEST.replace("<name>arm<", "<name>arm_moveit<"),
             "src/moveit/CMakeLists.txt": "project(arm_moveit)\nfind_package(catkin REQUIRED)\ncatkin_package()\n",
-            "src/moveit/.setup_assistant": "moveit_setup_assistant_config:\n  URDF: {package: arm}\n",
+            **(of_assistant if mark else {}),
             "src/moveit/config/arm.srdf": SRDF,
             "src/moveit/config/kinematics.yaml": KINEMATICS,
             "src/moveit/config/joint_limits.yaml": "joint_limits: {}\n",
@@ -145,6 +149,54 @@ def generate_launch_description():
     assert "launch/move_group.launch" not in after
     assert "install(FILES .setup_assistant DESTINATION share/${PROJECT_NAME})" in after["CMakeLists.txt"]
     assert "<exec_depend>moveit_configs_utils</exec_depend>" in after["package.xml"]
+
+
+CONTEXT = """\
+<launch>
+  <arg name="left" default="true"/>
+  <param name="robot_description" command="xacro '$(find arm)/urdf/arm.xacro' left:=$(arg left) size:=2" if="false"/>
+  <param name="robot_description_semantic" textfile="$(find arm_moveit)/config/right.srdf" unless="$(arg left)"/>
+  <param name="robot_description_semantic" textfile="$(find arm_moveit)/config/left.srdf" if="$(arg left)"/>
+</launch>
+"""
+BUILT = """\
+from ament_index_python.packages import get_package_share_directory
+from moveit_configs_utils import MoveItConfigsBuilder
+from moveit_configs_utils.launches import generate_move_group_launch
+
+
+def generate_launch_description():
+    moveit_config = (
+        MoveItConfigsBuilder("arm", package_name="arm_moveit")
+        .robot_description(file_path=get_package_share_directory("arm") + "/urdf/arm.xacro", \
+mappings={"left": "true", "size": "2"})
+        .robot_description_semantic(file_path="config/left.srdf")
+        .to_moveit_configs()
+    )
+    return generate_move_group_launch(moveit_config)
+"""
+STARTED = '<launch>\n  <node pkg="moveit_ros_move_group" type="move_group" name="move_group"/>\n</launch>\n'
+
+
+def without_mark(folder: Folder, context: str) -> dict[str, str]:
+    """The files of a package of MoveIt without the hidden file of its Setup Assistant, after its migration."""
+    launches = {"launch/move_group.launch": STARTED, "launch/planning_context.launch": context}
+    return migrated(folder, {**launches, "config/left.srdf": SRDF, "config/right.srdf": SRDF}, mark=False)
+
+
+def test_the_planning_context_says_where_the_descriptions_are_if_nothing_else_does(folder: Folder) -> None:
+    after = without_mark(folder, CONTEXT)
+    assert after["launch/move_group.launch.py"] == BUILT
+    assert "launch/planning_context.launch" not in after
+    assert "launch/rsp.launch.py" in after
+
+
+def test_a_description_outside_of_packages_is_left_to_a_person(folder: Folder) -> None:
+    after = without_mark(folder, CONTEXT.replace("$(find arm)", "/home/me/arm"))
+    text = after["launch/move_group.launch.py"]
+    assert "    # TODO(urdfctl): add .robot_description(file_path=...) with the robot's description\n" in text
+    assert '.robot_description_semantic(file_path="config/left.srdf")' in text
+    assert ".robot_description(file_path=get" not in text
 
 
 def test_a_launch_file_that_includes_those_of_moveit_includes_the_new_ones(folder: Folder) -> None:

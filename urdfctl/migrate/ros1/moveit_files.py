@@ -9,6 +9,7 @@ from urdfctl.diagnostic import Edit
 from urdfctl.migrate.markup import elements, root_of
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.ros1.left_over import renamed_parameters
+from urdfctl.migrate.ros1.moveit_package import is_of_moveit
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.wishes import Part
 from urdfctl.migrate.yaml_edits import MapEdits
@@ -32,12 +33,6 @@ _REFERENCE = lazy_pattern(r"\$\(arg (\w+)\)")
 _CONTROLLERS = "moveit2 moveit_simple_controller_manager: controller_names, and a map for each"
 _BUILDER = "moveit2 moveit_configs_utils MoveItConfigsBuilder: config/PIPELINE_planning.yaml"
 _DOUBLES = "moveit2 robot_model_loader.cpp: limits of joints are doubles; rcl rejects integers"
-
-
-def is_of_moveit(path: str) -> bool:
-    """Return whether a file is in a package that MoveIt's Setup Assistant made."""
-    folder = package_around(os.path.dirname(path))
-    return folder is not None and os.path.exists(os.path.join(folder, ".setup_assistant"))
 
 
 def _maps(node: Node) -> Iterator[tuple[Map, YamlEntry]]:

@@ -6,15 +6,16 @@ import os
 from collections.abc import Iterator, Mapping
 
 from urdfctl.diagnostic import Edit
-from urdfctl.migrate.markup import root_of
 from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.ros1.moveit_package import MARK, MOVE_GROUP, MoveitPackage, moveit_packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.wishes import Part
 from urdfctl.source.packages import package_name
 from urdfctl.source.span import SourceSpan
+from urdfctl.source.todo import MARK as TODO
 
 _AUTHORITY = "moveit2 moveit_configs_utils launches.py; moveit.picknik.ai, MoveIt Setup Assistant"
-_MARK = ".setup_assistant"
+_NO_DESCRIPTION = "add .robot_description(file_path=...) with the robot's description"
 _MADE: Mapping[str, tuple[str, str]] = {
     "move_group.launch": ("move_group", "generate_move_group_launch"),
     "moveit_rviz.launch": ("moveit_rviz", "generate_moveit_rviz_launch"),
@@ -40,24 +41,25 @@ LOADED_BY_MOVEIT = (
 
 
 def _launch_files(packages: Packages) -> Iterator[Proposal]:
-    for mark in packages.files(_MARK):
-        folder = os.path.dirname(mark)
-        robot, name = _robot(packages, folder), package_name(os.path.join(folder, "package.xml"))
-        launches = os.path.join(folder, "launch") + os.sep
+    for package in moveit_packages(packages):
+        launches = os.path.join(package.folder, "launch") + os.sep
         old = {
             os.path.basename(path): path
             for path in packages.files(".launch", ".launch.xml")
             if path.startswith(launches)
         }
-        if not robot or not name or not old:
+        if not package.robot or not old:
             continue
         made = dict(_made(launches, old))
-        created = tuple((path, _text(robot, name, maker)) for path, maker in made.items())
+        created = tuple((path, _text(package, maker)) for path, maker in made.items())
         deleted = tuple(path for file, path in old.items() if file in _MADE or file.endswith(LOADED_BY_MOVEIT))
         if deleted:
             what = "moveit_configs_utils makes the launch files of MoveIt, and loads the parameters of the others"
-            entry = Entry(EntryKind.DONE, what, file=os.path.join(folder, "package.xml"), authority=_AUTHORITY)
-            yield Proposal(_install(packages, folder), created, deleted, (entry,))
+            manifest = os.path.join(package.folder, "package.xml")
+            entries = [Entry(EntryKind.DONE, what, file=manifest, authority=_AUTHORITY)]
+            if package.needs_description:
+                entries += [Entry(EntryKind.FOR_YOU, _NO_DESCRIPTION, file=path) for path in made]
+            yield Proposal(_install(packages, package.folder), created, deleted, tuple(entries))
 
 
 def _made(launches: str, old: Mapping[str, str]) -> Iterator[tuple[str, str]]:
@@ -67,40 +69,37 @@ def _made(launches: str, old: Mapping[str, str]) -> Iterator[tuple[str, str]]:
             yield path, maker
 
 
-def _robot(packages: Packages, folder: str) -> str:
-    """The name of the robot in the package's only semantic description; empty if there is none, or several."""
-    found = [path for path in packages.files(".srdf") if path.startswith(os.path.join(folder, "config") + os.sep)]
-    root = root_of(packages.read(found[0])) if len(found) == 1 else None
-    return root.attrs.get("name", "") if root is not None else ""
-
-
-def _text(robot: str, package: str, maker: str) -> str:
-    return f'''\
-from moveit_configs_utils import MoveItConfigsBuilder
-from moveit_configs_utils.launches import {maker}
-
-
-def generate_launch_description():
-    moveit_config = MoveItConfigsBuilder("{robot}", package_name="{package}").to_moveit_configs()
-    return {maker}(moveit_config)
-'''
+def _text(package: MoveitPackage, maker: str) -> str:
+    builder = f'MoveItConfigsBuilder("{package.robot}", package_name="{package.name}")'
+    uses_shares = any("get_package_share_directory(" in call for call in package.calls)
+    head = ["from ament_index_python.packages import get_package_share_directory"] if uses_shares else []
+    head.append("from moveit_configs_utils import MoveItConfigsBuilder")
+    head += [f"from moveit_configs_utils.launches import {maker}", "", "", "def generate_launch_description():"]
+    if package.calls:
+        todo = [f"# {TODO} {_NO_DESCRIPTION}"] if package.needs_description else []
+        calls = (f"    {line}" for line in (builder, *(f".{call}" for call in package.calls), ".to_moveit_configs()"))
+        body = [*todo, "moveit_config = (", *calls, ")", f"return {maker}(moveit_config)"]
+    else:
+        body = [f"moveit_config = {builder}.to_moveit_configs()", f"return {maker}(moveit_config)"]
+    return "\n".join([*head, *(f"    {line}" for line in body)]) + "\n"
 
 
 def _install(packages: Packages, folder: str) -> tuple[Edit, ...]:
     """The edit that installs the file with the address of the description, which the builder reads."""
     source = packages.read(os.path.join(folder, "CMakeLists.txt"))
-    if not source.data or _MARK.encode() in source.data:
+    is_found = os.path.exists(os.path.join(folder, MARK)) and MARK.encode() not in source.data
+    if not source.data or not is_found:
         return ()
     end = len(source.data)
-    rule = f"install(FILES {_MARK} DESTINATION ${{CATKIN_PACKAGE_SHARE_DESTINATION}})\n"
+    rule = f"install(FILES {MARK} DESTINATION ${{CATKIN_PACKAGE_SHARE_DESTINATION}})\n"
     return (Edit(SourceSpan(source, end, end), f"\n{rule}"),)
 
 
 def packages_of_moveit(packages: Packages) -> Iterator[str]:
     """Yield the names of the packages whose launch files were written anew."""
-    for mark in packages.files(_MARK):
-        folder = os.path.dirname(mark)
-        if os.path.exists(os.path.join(folder, "launch", "move_group.launch.py")):
+    for path in packages.files(f"{MOVE_GROUP}.py"):
+        folder = os.path.dirname(os.path.dirname(path))
+        if b"MoveItConfigsBuilder" in packages.read(path).data:
             yield package_name(os.path.join(folder, "package.xml")) or ""
 
 
