@@ -27,6 +27,13 @@ SPAWNED = """\
   </node>
 </launch>
 """
+STATES_AND_EFFORT = """\
+states:
+  type: joint_state_controller/JointStateController
+ctl:
+  type: effort_controllers/JointEffortController
+  joint: shoulder
+"""
 
 
 def test_a_robot_starts_where_the_spawner_put_it(folder: Folder) -> None:
@@ -53,6 +60,18 @@ def test_robot_state_publisher_gets_the_parameters_of_ros_2(folder: Folder) -> N
     files = {"urdf/arm.xacro": robot, "launch/arm.launch": empty}
     assert "frame_prefix" not in migrated(folder, files)["launch/arm.launch.py"]
     assert "use_tf_static" not in text
+
+
+def test_a_file_that_the_spawner_reads_is_given_to_it_with_the_names_of_its_controllers(
+    folder: Folder,
+) -> None:
+    spawner = '<node name="s" pkg="controller_manager" type="spawner" ns="arm" args="$(find arm)/config/all.yaml"/>'
+    robot = arm(transmission("EffortJointInterface"), PLUGIN)
+    launch = SPAWNED.replace("</launch>", f"  {spawner}\n</launch>")
+    files = {"urdf/arm.xacro": robot, "launch/arm.launch": launch, "config/all.yaml": STATES_AND_EFFORT}
+    text = " ".join(migrated(folder, files)["launch/arm.launch.py"].split())
+    file = '[FindPackageShare("arm"), "/config/all.yaml"]'
+    assert f'arguments=[ "states", "ctl", "-c", "arm/controller_manager", "--param-file", {file}, ]' in text
 
 
 def test_the_bridge_of_the_robots_topics_is_started(folder: Folder) -> None:

@@ -169,11 +169,16 @@ def with_attribute(element: Element, name: str, value: str) -> Edit:
 
 def content(element: Element) -> str:
     """Return the text in an element as it is written, without blanks around it and without comments."""
+    return written_in(element).strip()
+
+
+def written_in(element: Element) -> str:
+    """Return the text in an element as it is written, without comments."""
     if element.close is None:
         return ""
     tag = element.source.start_tag(element.start)
     inside = element.source.data[tag.end if tag else element.start : element.close].decode("utf-8", "surrogateescape")
-    return re.sub(r"(?s)<!--.*?-->", "", inside).strip()
+    return re.sub(r"(?s)<!--.*?-->", "", inside)
 
 
 def is_zero(element: Element) -> bool:

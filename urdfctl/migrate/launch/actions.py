@@ -9,7 +9,9 @@ from urdfctl.startup.records import NamedTuple
 
 
 class PartOfText(NamedTuple):
-    """A part of a text: its kind is `text`, `arg`, `find`, `env`, `dirname` or `eval`.
+    """A part of a text: its kind is `text`, `arg`, `find`, `env`, `dirname`, `eval` or `yaml`.
+
+    A `yaml` is a whole value with its type: a number, a quoted string or a list of these, in YAML's flow style.
 
     default: the default of an environment variable; None if it has none.
     """
@@ -33,8 +35,8 @@ class Condition(NamedTuple):
 class Action(NamedTuple):
     """An action.
 
-    kind: `argument`, `let`, `include`, `group`, `node`, `set_parameter` or `comment`.
-    name: the name of an argument or parameter, the executable of a node, or the text of a comment.
+    kind: `argument`, `let`, `include`, `group`, `node`, `set_parameter`, `set_env`, `set_remap` or `comment`.
+    name: the name of an argument, parameter or variable, the executable of a node, or the text of a comment.
     value: the default or value; the file of an include; the namespace of a group or node.
     package: of a node.
     pairs: the arguments of an include, the parameters of a node, by name.

@@ -15,6 +15,7 @@ _NAMES = {
         "DeclareLaunchArgument",
         "GroupAction",
         "IncludeLaunchDescription",
+        "SetEnvironmentVariable",
         "SetLaunchConfiguration",
     ),
     "launch.conditions": ("IfCondition", "UnlessCondition"),
@@ -26,7 +27,7 @@ _NAMES = {
         "PythonExpression",
         "ThisLaunchFileDir",
     ),
-    "launch_ros.actions": ("Node", "PushRosNamespace", "SetParameter"),
+    "launch_ros.actions": ("Node", "PushRosNamespace", "SetParameter", "SetRemap"),
     "launch_ros.parameter_descriptions": ("ParameterFile", "ParameterValue"),
     "launch_ros.substitutions": ("FindPackageShare",),
 }
@@ -80,6 +81,10 @@ def _call(action: Action, depth: int) -> tuple[str, list[str]]:
         return "SetLaunchConfiguration", [python_text(action.name), value]
     if action.kind == "set_parameter":
         return "SetParameter", [f"name={python_text(action.name)}", f"value={_typed(action.value or ())}"]
+    if action.kind == "set_env":
+        return "SetEnvironmentVariable", [python_text(action.name), value]
+    if action.kind == "set_remap":
+        return "SetRemap", [f"src={_text(action.remaps[0][0])}", f"dst={_text(action.remaps[0][1])}"]
     if action.kind == "include":
         given = "".join(f"{python_text(name)}: {_text(text)}, " for name, text in action.pairs).rstrip(", ")
         more = [f"launch_arguments={{{given}}}.items()"] if given else []
@@ -165,12 +170,24 @@ def _expression(text: str) -> str:
 
 def _typed(text: Text) -> str:
     """A value of a parameter: roslaunch takes the type from the text."""
+    if len(text) == 1 and text[0].kind == "yaml":
+        return _python_value(text[0].text)
     if not is_literal(text):
         return _text(text)
     value = plain(text).strip()
     if value.lower() in {"true", "false"}:
         return value.capitalize()
     return value if re.fullmatch(r"-?\d+(\.\d*)?([eE][+-]?\d+)?", value) else python_text(value)
+
+
+def _python_value(text: str) -> str:
+    """A value in YAML's flow style as a Python literal."""
+    import yaml
+
+    value = yaml.safe_load(text)
+    if isinstance(value, list):
+        return f"[{', '.join(python_text(item) if isinstance(item, str) else repr(item) for item in value)}]"
+    return python_text(value) if isinstance(value, str) else repr(value)
 
 
 def _condition(condition: Condition) -> str:

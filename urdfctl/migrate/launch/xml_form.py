@@ -47,6 +47,10 @@ def _element(action: Action, depth: int) -> tuple[str, list[tuple[str, str]], li
         return "let", [("name", action.name), ("value", value)], []
     if action.kind == "set_parameter":
         return "set_parameter", [("name", action.name), ("value", value)], []
+    if action.kind == "set_env":
+        return "set_env", [("name", action.name), ("value", value)], []
+    if action.kind == "set_remap":
+        return "set_remap", [("from", _text(action.remaps[0][0])), ("to", _text(action.remaps[0][1]))], []
     if action.kind == "include":
         given = [f'{inner}<arg name="{name}" value="{_text(text)}"/>' for name, text in action.pairs]
         return "include", [("file", value)], given

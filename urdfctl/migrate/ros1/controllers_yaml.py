@@ -14,6 +14,7 @@ from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.places import plugin_elements
 from urdfctl.migrate.ros1.controller_map import GAINS_OF_GAZEBO, Item, controller_maps
 from urdfctl.migrate.ros1.controller_section import ControllerSection, section_of
+from urdfctl.migrate.ros1.joint_gains import reads_gains
 from urdfctl.migrate.ros1.joint_states import NEW_NAME, loads_declaration
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import todo_line
@@ -127,9 +128,9 @@ class _File:
     def _other(self, item: Item, text: str) -> str:
         """What is no controller of the target: kept as a comment, because ROS 2 rejects the file otherwise."""
         if item.name == GAINS_OF_GAZEBO:
-            message = (
-                "the gains of Gazebo's joints are dropped: the simulator moves joints without a PID loop of its own"
-            )
+            kept = "are parameters of the joints in <ros2_control>"
+            lost = "are dropped: the simulator moves joints without a PID loop of its own"
+            message = f"the gains of Gazebo's joints {kept if reads_gains(self.packages) else lost}"
             self.entries.append(Entry(EntryKind.DECIDED, message, item.entry.key.at, authority=_PID_GAINS))
             return ""
         kind = f"type '{item.type}' has no counterpart in ROS 2" if item.type else "no controller reads it"

@@ -8,12 +8,13 @@ from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
 from urdfctl.migrate.classic.launch_actions import gz_for
+from urdfctl.migrate.controller_files import type_names
 from urdfctl.migrate.hardware import simulated_by
 from urdfctl.migrate.launch.parameter_files import with_parameter_files
 from urdfctl.migrate.launch.written import Written, as_python, as_xml
 from urdfctl.migrate.markup import elements, root_of
 from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.ros1.left_over import renamed_includes
+from urdfctl.migrate.ros1.left_over import addressed_files, renamed_includes
 from urdfctl.migrate.ros1.moveit_launch import LOADED_BY_MOVEIT, MADE_BY_MOVEIT, packages_of_moveit
 from urdfctl.migrate.ros1.roslaunch import Reading
 from urdfctl.migrate.ros1.roslaunch_nodes import Target
@@ -22,6 +23,7 @@ from urdfctl.migrate.todo import todo_line
 from urdfctl.migrate.wishes import Part
 from urdfctl.model.build_launch import is_of_ros2
 from urdfctl.source.dom import Element
+from urdfctl.source.files import is_yaml
 from urdfctl.source.packages import package_around, package_name
 
 _AUTHORITY = "docs.ros.org, Migrating launch files from ROS 1 to ROS 2"
@@ -107,15 +109,17 @@ def _target(packages: Packages) -> Target:
     return Target(
         distro=wishes.target,
         simulator=simulated_by(packages),
-        own=frozenset(_own_packages(packages)),
+        own=frozenset(own_packages(packages)),
         ending=f".launch.{wishes.launch}",
         is_controllers_file=lambda written: os.path.basename(written) in controllers,
+        controllers_in=lambda written: _controllers_in(packages, written),
         remaps_description=wishes.target not in since("jazzy"),
         moveit=frozenset(packages_of_moveit(packages)),
     )
 
 
-def _own_packages(packages: Packages) -> Iterator[str]:
+def own_packages(packages: Packages) -> Iterator[str]:
+    """Yield the names of the packages that are migrated."""
     for path in packages.files("package.xml"):
         name = package_name(path)
         if name:
@@ -130,6 +134,12 @@ def _controller_files(packages: Packages) -> set[str]:
         for path in packages.files(".yaml", ".yml")
         if any(mark in packages.read(path).data for mark in marks)
     }
+
+
+def _controllers_in(packages: Packages, written: str) -> list[str]:
+    """The controllers of a file of the packages, after its own migration."""
+    paths = addressed_files(packages, written) if is_yaml(written) else set()
+    return [one.controller for one in type_names(packages) if one.path in paths] if paths else []
 
 
 LAUNCH_FILES = Step(

@@ -25,7 +25,7 @@ def renamed_parameters(packages: Packages, old: Collection[str], new: str) -> It
             written = attribute(element, "file") if element.tagName == "rosparam" else ""
             head = written.rpartition("/")[0]
             tag = element.source.start_tag(element.start)
-            if _files(packages, written) & {*old} and tag is not None:
+            if addressed_files(packages, written) & {*old} and tag is not None:
                 yield Edit(SourceSpan(element.source, *tag.attributes["file"]), f"{head}/{os.path.basename(new)}")
 
 
@@ -40,13 +40,17 @@ def renamed_includes(packages: Packages, left: Collection[str], ending: str) -> 
         for element in elements(root) if root is not None else ():
             written = attribute(element, "file") if element.tagName == "include" else ""
             tag = element.source.start_tag(element.start)
-            if _files(packages, written) - {*left} and tag is not None and written.endswith((".launch", ".launch.xml")):
+            if (
+                addressed_files(packages, written) - {*left}
+                and tag is not None
+                and written.endswith((".launch", ".launch.xml"))
+            ):
                 base = written.removesuffix(".xml").removesuffix(".launch")
                 yield Edit(SourceSpan(element.source, *tag.attributes["file"]), f"{base}{ending}")
 
 
-def _files(packages: Packages, written: str) -> set[str]:
-    """The files of the packages that an address means, with any values of its arguments."""
+def addressed_files(packages: Packages, written: str) -> set[str]:
+    """Return the files of the packages that an address of ROS 1 means, with any values of its arguments."""
     found = _IN_PACKAGE.fullmatch(written)
     if found is None:
         return set()

@@ -109,5 +109,6 @@ MOVEIT_LAUNCH = Step(
     summary="Launch files of MoveIt",
     propose=_launch_files,
     generation=1,
+    is_needed=True,
     rows=tuple(Row(old, f"{new}.launch.py by {maker}()", "", _AUTHORITY) for old, (new, maker) in _MADE.items()),
 )

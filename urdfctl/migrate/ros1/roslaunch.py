@@ -20,7 +20,14 @@ from urdfctl.migrate.launch.actions import (
 )
 from urdfctl.migrate.ros1.joint_states import DECLARED_IN
 from urdfctl.migrate.ros1.moveit_launch import MADE_BY_MOVEIT
-from urdfctl.migrate.ros1.roslaunch_nodes import Notes, migrated_node, simulator_actions
+from urdfctl.migrate.ros1.roslaunch_nodes import Notes, migrated_node, remapping, simulator_actions
+from urdfctl.migrate.ros1.roslaunch_values import (
+    given_by_name,
+    inline_parameters,
+    parameter_name,
+    root_around,
+    value_of,
+)
 from urdfctl.source.dom import COMMENT, Element
 from urdfctl.source.dom import Text as Characters
 
@@ -28,6 +35,10 @@ _DESCRIPTION = "robot_description"
 _OF_WORLD = ("gazebo_ros", "gazebo_worlds")
 _LAUNCH_ENDINGS = (".launch.xml", ".launch", ".xml")
 _SURE_ENDINGS = (".launch.xml", ".launch")
+_WITHOUT_COUNTERPART = {
+    "machine": "has no counterpart: start the launch file on that machine",
+    "test": "has no counterpart: write the test with launch_testing",
+}
 
 
 class Reading(Notes):
@@ -78,13 +89,46 @@ class Reading(Notes):
         elif element.tagName == "include":
             yield from self._include(element)
         elif element.tagName == "node":
-            yield from migrated_node(self, element, description, files)
+            yield from self._node(element, files)
         elif element.tagName == "param":
             yield from self._param(element, description)
         elif element.tagName == "rosparam":
             yield from self._rosparam(element)
-        elif element.tagName in {"remap", "env", "machine", "test"}:
-            self.left.append(f"<{element.tagName}> for several nodes: write it for each node that needs it")
+        elif element.tagName == "remap":
+            yield Action("set_remap", remaps=(remapping(element),))
+        elif element.tagName == "env":
+            yield Action("set_env", attrs.get("name", ""), parsed(attrs.get("value", "")))
+        elif element.tagName in _WITHOUT_COUNTERPART:
+            self.left.append(f"<{element.tagName}> {_WITHOUT_COUNTERPART[element.tagName]}")
+
+    def _node(self, element: Element, files: Sequence[Text]) -> Iterator[Action]:
+        """The actions for a node, with the parameters that the file sets by the node's name."""
+        pairs, own_files = self._given(element)
+        for action in migrated_node(self, element, self._description(element), files):
+            if action.kind != "node" or action.name == "spawner":
+                yield action
+            else:
+                yield action._replace(pairs=(*pairs, *action.pairs), files=(*own_files, *action.files))
+
+    def _given(self, node: Element) -> tuple[list[tuple[str, Text]], list[Text]]:
+        """The parameters, and the files with parameters, that the file sets outside of a node by its name."""
+        pairs: list[tuple[str, Text]] = []
+        files: list[Text] = []
+        for owner, element, name in given_by_name(root_around(node)):
+            if owner is not node:
+                continue
+            if "file" in element.attrs:
+                files += [] if name else [parsed(element.attrs["file"])]
+            elif element.tagName == "rosparam":
+                pairs += inline_parameters(element, parameter_name(name))
+            elif "value" in element.attrs:
+                pairs.append((parameter_name(name), value_of(element)))
+        return pairs, files
+
+    def _is_given(self, element: Element) -> bool:
+        """Whether a parameter outside of nodes is given to the node of its name."""
+        found = (name for _, one, name in given_by_name(root_around(element)) if one is element)
+        return any("file" not in element.attrs or not name for name in found)
 
     # -- includes ------------------------------------------------------------------------------------------------------
 
@@ -169,10 +213,12 @@ class Reading(Notes):
     def _param(self, element: Element, description: Text) -> Iterator[Action]:
         name = element.attrs.get("name", "")
         if _is_description(element):
-            if not _has_publisher(_root(element)):
+            if not _has_publisher(root_around(element)):
                 yield self.publisher(element, description)
             return
         last = name.rpartition("/")[2]
+        if "value" in element.attrs and self._is_given(element):
+            return
         if last == "use_sim_time":
             value = parsed(element.attrs.get("value", "true"))
             yield Action("set_parameter", "use_sim_time", value)
@@ -192,6 +238,8 @@ class Reading(Notes):
 
     def _rosparam(self, element: Element) -> Iterator[Action]:
         file = element.attrs.get("file")
+        if self._is_given(element) and not (file and self.names_controllers(file)):
+            return
         if file is None:
             text = "ROS 2 has no global parameters: give those of this <rosparam> to the node that reads them"
             self.left.append(text)
@@ -205,7 +253,9 @@ class Reading(Notes):
 
     def _manager(self, element: Element, file: Text) -> Action:
         """The controller manager, in the namespace of the spawners."""
-        spaces = (node.attrs.get("ns", "") for node in _all(_root(element)) if node.attrs.get("type") == "spawner")
+        spaces = (
+            node.attrs.get("ns", "") for node in _all(root_around(element)) if node.attrs.get("type") == "spawner"
+        )
         space = next((each for each in spaces if each.strip("/")), element.attrs.get("ns", ""))
         topic = f"/{space.strip('/')}/robot_description" if space.strip("/") else "robot_description"
         return Action(
@@ -216,12 +266,6 @@ class Reading(Notes):
             files=(file,),
             remaps=((literal("~/robot_description"), parsed(topic)),) if self.target.remaps_description else (),
         )
-
-
-def _root(element: Element) -> Element:
-    while isinstance(element.parentNode, Element):
-        element = element.parentNode
-    return element
 
 
 def _is_idle(action: Action) -> bool:

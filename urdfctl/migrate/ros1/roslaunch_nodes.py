@@ -17,6 +17,7 @@ from urdfctl.migrate.launch.actions import (
     words_of,
 )
 from urdfctl.migrate.ros1.joint_states import DECLARED_IN, NEW_NAME, OLD_NAME
+from urdfctl.migrate.ros1.roslaunch_values import parameters_of, unread_parameters_of
 from urdfctl.source.dom import Element
 from urdfctl.startup.patterns import lazy_pattern
 from urdfctl.startup.records import NamedTuple
@@ -29,6 +30,7 @@ class Target(NamedTuple):
     own: the packages that are migrated.
     ending: the ending of migrated launch files.
     is_controllers_file: returns whether a written file name is that of a controller file.
+    controllers_in: returns the names of the controllers in a controller file, by its written name.
     remaps_description: whether the controller manager reads the description from ~/robot_description.
     describes: whether robot_state_publisher may be started without a description.
     has_manager: whether the file already starts a controller manager.
@@ -42,6 +44,7 @@ class Target(NamedTuple):
     own: frozenset[str]
     ending: str
     is_controllers_file: Callable[[str], bool]
+    controllers_in: Callable[[str], list[str]]
     remaps_description: bool
     describes: bool = False
     has_manager: bool = False
@@ -121,23 +124,27 @@ def migrated_node(reading: Notes, element: Element, description: Text, files: Se
         reading.left.append(f"nodes of package '{package}' have another form in ROS 2")
     else:
         new = _RENAMED.get((package, program), (package, program))
-        if new == (package, program) and package not in reading.target.own | _SAME:
+        if not has_successor(element, reading.target.own):
             reading.left.append(f"check that package '{package}' exists for ROS 2, and the name of '{program}'")
+        for name in unread_parameters_of(element):
+            text = f"give node '{program}' its parameter '{name}': launch files of ROS 2 have no such form of it"
+            reading.left.append(text)
         if package == "rviz":
             reading.decided.append("RViz 2 reads other files: convert the .rviz file with rviz1_to_rviz2.py")
         yield _plain(element, *new)
 
 
+def has_successor(node: Element, own: frozenset[str]) -> bool:
+    """Return whether ROS 2 surely has the program of a node, or a package to migrate does."""
+    package, program = node.attrs.get("pkg", ""), node.attrs.get("type", "")
+    return (package, program) in _RENAMED or package in own | _SAME
+
+
 def _plain(element: Element, package: str, program: str) -> Action:
     attrs = element.attrs
-    pairs, files, remaps = [], [], []
-    for child in element.elements():
-        if child.tagName == "param" and "value" in child.attrs:
-            pairs.append((child.attrs.get("name", ""), parsed(child.attrs["value"])))
-        elif child.tagName == "rosparam" and "file" in child.attrs:
-            files.append(parsed(child.attrs["file"]))
-        elif child.tagName == "remap":
-            remaps.append((parsed(child.attrs.get("from", "")), parsed(child.attrs.get("to", ""))))
+    children = element.elements()
+    files = [parsed(one.attrs["file"]) for one in children if one.tagName == "rosparam" and "file" in one.attrs]
+    remaps = [remapping(one) for one in children if one.tagName == "remap"]
     flags = [("output", attrs["output"])] if attrs.get("output") in {"screen", "log"} else []
     flags += [("respawn", "True")] if attrs.get("respawn", "").lower() == "true" else []
     return Action(
@@ -147,11 +154,16 @@ def _plain(element: Element, package: str, program: str) -> Action:
         package=package,
         node_name=parsed(attrs.get("name", "")),
         words=words_of(parsed(attrs.get("args", ""))),
-        pairs=tuple(pairs),
+        pairs=tuple(parameters_of(element)),
         files=tuple(files),
         remaps=tuple(remaps),
         flags=tuple(flags),
     )
+
+
+def remapping(element: Element) -> tuple[Text, Text]:
+    """Return the old and the new name of a <remap>."""
+    return parsed(element.attrs.get("from", "")), parsed(element.attrs.get("to", ""))
 
 
 def _spawner(reading: Notes, element: Element, words: Sequence[Text], files: Sequence[Text]) -> Iterator[Action]:
@@ -161,8 +173,12 @@ def _spawner(reading: Notes, element: Element, words: Sequence[Text], files: Seq
             reading.left.append(f"'controller_manager {verb}' has no counterpart: use 'ros2 control'")
             return
         words = [*words[1:], *([literal("--inactive")] if verb == "load" else [])]
+    named = [(word, reading.target.controllers_in(_file_text(word))) for word in words]
+    files = [*files, *(word for word, controllers in named if controllers)]
     names: list[Text] = []
-    rest = iter(words)
+    rest = iter(
+        [each for word, controllers in named for each in (map(literal, controllers) if controllers else [word])]
+    )
     space = parsed(element.attrs.get("ns", ""))
     for word in rest:
         option, value = _option(word)

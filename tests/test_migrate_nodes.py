@@ -1,0 +1,135 @@
+"""What becomes of the parameters, remappings and variables that a launch file of ROS 1 gives to nodes."""
+
+from __future__ import annotations
+
+import pytest
+from folder import Folder
+from test_migrate_ros1 import arm, migrated, transmission
+
+ONE_NODE = """\
+<launch>
+  <node name="states" pkg="joint_state_publisher" type="joint_state_publisher">
+{more}
+  </node>
+</launch>
+"""
+NAMED = """\
+<launch>
+  <param name="mux/rate" value="30.0"/>
+  <group ns="mux">
+    <param name="topics/frame" value="odom"/>
+    <rosparam>limits: [1, 2]</rosparam>
+  </group>
+  <param name="other" value="1"/>
+  <node name="mux" pkg="twist_mux" type="twist_mux"/>
+</launch>
+"""
+FILTER = """\
+<launch>
+  <node name="filter" pkg="robot_localization" type="ekf_localization_node">
+    <rosparam command="load" file="$(find arm)/config/filter.yaml"{more}/>
+  </node>
+</launch>
+"""
+SCOPED = """\
+<launch>
+  <group>
+    <env name="GAZEBO_MODEL_PATH" value="$(find arm)/models"/>
+    <remap from="scan" to="/front/scan"/>
+    <node name="mux" pkg="twist_mux" type="twist_mux"/>
+  </group>
+</launch>
+"""
+
+
+@pytest.mark.parametrize(
+    ("written", "expected"),
+    [
+        ('<param name="rate" type="double" value="50"/>', '"rate": 50.0'),
+        ('<param name="/~serial" type="str" value="0012"/>', '"serial": "0012"'),
+        ("<rosparam param='source_list'>[/arm/joint_states]</rosparam>", '"source_list": ["/arm/joint_states"]'),
+        ("<rosparam ns='zeros'>\n  a: 1\n  b:\n    c: [1, 2.5]\n</rosparam>", '"zeros.a": 1, "zeros.b.c": [1.0, 2.5]'),
+        ("<rosparam>{names: ['1', two], on: [true, False]}</rosparam>", '"names": ["1", "two"], "on": [True, False]'),
+    ],
+)
+def test_parameters_of_a_node_keep_their_values_and_types(folder: Folder, written: str, expected: str) -> None:
+    after = migrated(folder, {"launch/arm.launch": ONE_NODE.format(more=written)})
+    assert expected in " ".join(after["launch/arm.launch.py"].split())
+
+
+def test_a_parameter_that_is_the_text_of_a_file_is_left_to_a_person(folder: Folder) -> None:
+    node = '<node name="a" pkg="arm" type="a"><param name="script" textfile="$(find arm)/a.txt"/></node>'
+    after = migrated(folder, {"launch/arm.launch": f"<launch>{node}</launch>"})
+    assert "# TODO(urdfctl): give node 'a' its parameter 'script'" in after["launch/arm.launch.py"]
+
+
+def test_parameters_that_are_set_by_the_name_of_a_node_are_given_to_it(folder: Folder) -> None:
+    text = migrated(folder, {"launch/arm.launch": NAMED})["launch/arm.launch.py"]
+    assert 'parameters=[{"rate": 30.0, "topics.frame": "odom", "limits": [1, 2]}]' in text
+    assert text.count("TODO(urdfctl)") == 1
+    assert "ROS 2 has no global parameters: give 'other'" in text
+
+
+def test_the_file_with_the_parameters_of_a_node_gets_the_form_of_ros_2(folder: Folder) -> None:
+    files = {"launch/arm.launch": FILTER.format(more=""), "config/filter.yaml": "# slow\nfrequency: 30.0  # Hz\n"}
+    after = migrated(folder, files)
+    assert after["config/filter.yaml"] == "# slow\n/**:\n  ros__parameters:\n    frequency: 30.0  # Hz\n"
+    assert (
+        'parameters=[ParameterFile([FindPackageShare("arm"), "/config/filter.yaml"])]' in after["launch/arm.launch.py"]
+    )
+
+
+def test_a_file_that_ros_2_cannot_read_as_parameters_is_left_to_a_person(folder: Folder) -> None:
+    after = migrated(folder, {"launch/arm.launch": FILTER.format(more=""), "config/filter.yaml": "a:\n- {b: 1}\n"})
+    assert after["config/filter.yaml"].startswith("# TODO(urdfctl): write these parameters below ros__parameters")
+    assert after["config/filter.yaml"].endswith("\na:\n- {b: 1}\n")
+
+
+def test_a_file_that_is_loaded_below_a_name_is_left_to_a_person(folder: Folder) -> None:
+    files = {"launch/arm.launch": FILTER.format(more=' ns="local"'), "config/filter.yaml": "frequency: 30.0\n"}
+    first, rest = migrated(folder, files)["config/filter.yaml"].split("\n", 1)
+    assert first.endswith(": a launch file of ROS 1 loads them below another name")
+    assert rest == "frequency: 30.0\n"
+
+
+def test_a_file_of_a_node_that_ros_2_does_not_have_stays(folder: Folder) -> None:
+    launch = FILTER.format(more="").replace("robot_localization", "move_base")
+    files = {"launch/arm.launch": launch, "config/filter.yaml": "frequency: 30.0\n"}
+    assert migrated(folder, files)["config/filter.yaml"] == "frequency: 30.0\n"
+
+
+IN_PYTHON = """\
+SetEnvironmentVariable("GZ_SIM_RESOURCE_PATH", [FindPackageShare("arm"), "/models"]), \
+SetRemap(src="scan", dst="/front/scan"),"""
+IN_XML = """\
+<set_env name="GZ_SIM_RESOURCE_PATH" value="$(find-pkg-share arm)/models"/> \
+<set_remap from="scan" to="/front/scan"/>"""
+
+
+PREFIXED = """\
+<launch>
+  <arg name="tf_prefix" default=""/>
+  <arg name="prefix" value="$(arg tf_prefix)/" if="$(eval tf_prefix != '')"/>
+  <arg name="prefix" value="" unless="$(eval tf_prefix != '')"/>
+  <param name="robot_description" command="$(find xacro)/xacro $(find arm)/urdf/arm.xacro"/>
+  <rosparam file="$(find arm)/config/c.yaml" command="load" subst_value="true"/>
+  <node name="s" pkg="controller_manager" type="spawner" args="ctl"/>
+</launch>
+"""
+
+
+def test_arguments_in_a_controller_file_become_their_values_by_default(folder: Folder) -> None:
+    file = "# $(arg prefix)\nctl:\n  type: effort_controllers/JointEffortController\n  joint: $(arg prefix)shoulder\n"
+    robot = arm(transmission("EffortJointInterface"))
+    files = {"launch/arm.launch": PREFIXED, "config/c.yaml": file, "urdf/arm.xacro": robot}
+    after = migrated(folder, files)
+    assert "# $(arg prefix)\nctl:\n  ros__parameters:\n    joints: [shoulder]\n" in after["config/c.yaml"]
+    assert "'$(arg prefix)' became '', its value by default" in after["MIGRATION.md"]
+
+
+@pytest.mark.parametrize(("form", "expected"), [("py", IN_PYTHON), ("xml", IN_XML)])
+def test_variables_and_remappings_apply_to_the_nodes_after_them(folder: Folder, form: str, expected: str) -> None:
+    after = migrated(folder, {"launch/arm.launch": SCOPED}, "--simulator", "gz", "--launch", form)
+    text = " ".join(after[f"launch/arm.launch.{form}"].split())
+    assert expected in text
+    assert "TODO" not in text

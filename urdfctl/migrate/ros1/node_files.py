@@ -1,0 +1,95 @@
+"""Files with the parameters of one node, which ROS 2 reads below `ros__parameters`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfctl.diagnostic import Edit
+from urdfctl.migrate.markup import attribute, elements, root_of
+from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.ros1.launch_files import own_packages
+from urdfctl.migrate.ros1.left_over import addressed_files
+from urdfctl.migrate.ros1.roslaunch_nodes import has_successor
+from urdfctl.migrate.ros1.roslaunch_values import given_by_name, root_around
+from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.todo import for_you
+from urdfctl.migrate.wishes import Part
+from urdfctl.source.dom import Element
+from urdfctl.source.span import SourceSpan
+from urdfctl.source.yaml import Mapping, Node, Sequence, YamlFile, read_yaml
+
+_FORM = "rcl_yaml_param_parser: parameters are below ros__parameters of their node"
+_HEAD = "/**:\n  ros__parameters:\n"
+
+
+def _node_files(packages: Packages) -> Iterator[Proposal]:
+    for path, spaces in _loaded(packages).items():
+        file = read_yaml(packages.read(path))
+        root = file.documents[0] if file.documents else None
+        if None in spaces or not isinstance(root, Mapping) or not root.entries or not packages.may_change(path):
+            continue
+        if b"ros__parameters" in file.source.data:
+            continue
+        obstacle = _obstacle(file, root) if spaces == {""} else "a launch file of ROS 1 loads them below another name"
+        if obstacle:
+            yield for_you(root.at, f"write these parameters below ros__parameters of their node: {obstacle}")
+            continue
+        entry = Entry(EntryKind.DONE, "the parameters of a node are in the form of ROS 2", root.at, authority=_FORM)
+        yield Proposal((_wrapped(root),), entries=(entry,))
+
+
+def _loaded(packages: Packages) -> dict[str, set[str | None]]:
+    """The files that launch files of ROS 1 load: below which names of nodes that ROS 2 has, too; None for others."""
+    found: dict[str, set[str | None]] = {}
+    own = frozenset(own_packages(packages))
+    for path in packages.files(".launch", ".launch.xml"):
+        root = root_of(packages.read(path))
+        for element in elements(root) if root is not None else ():
+            written = attribute(element, "file") if element.tagName == "rosparam" else ""
+            reader, name = _reader(element) if written else (None, "")
+            is_known = reader is not None and has_successor(reader, own)
+            for file in addressed_files(packages, written):
+                found.setdefault(file, set()).add(name if is_known else None)
+    return found
+
+
+def _reader(element: Element) -> tuple[Element | None, str]:
+    """The node whose parameters a <rosparam> loads, the one around it or of its namespace, and their name in it."""
+    around = element.parentNode
+    if isinstance(around, Element) and around.tagName == "node":
+        return around, attribute(element, "ns").strip("~/")
+    given = given_by_name(root_around(element))
+    return next(((node, name) for node, one, name in given if one is element), (None, ""))
+
+
+def _obstacle(file: YamlFile, root: Node) -> str:
+    """What ROS 2 cannot read in a file of parameters; empty if nothing."""
+    if file.aliases or len(file.documents) > 1:
+        return "it reads no aliases, and one document"
+    pending = [root]
+    while pending:
+        node = pending.pop()
+        if isinstance(node, Mapping):
+            pending += [entry.value for entry in node.entries]
+        elif isinstance(node, Sequence) and any(isinstance(item, Mapping | Sequence) for item in node.items):
+            return "no parameter is a list of maps or lists"
+    return ""
+
+
+def _wrapped(root: Mapping) -> Edit:
+    source = root.source
+    start = source.data.rfind(b"\n", 0, root.start) + 1
+    text = source.data[start:].decode("utf-8", "surrogateescape")
+    lines = (f"    {line}" if line.strip() else line for line in text.splitlines(keepends=True))
+    return Edit(SourceSpan(source, start, len(source.data)), _HEAD + "".join(lines))
+
+
+NODE_FILES = Step(
+    name="node-parameters",
+    part=Part.YAML,
+    summary="Files with the parameters of a node",
+    propose=_node_files,
+    generation=1,
+    is_needed=True,
+    rows=(Row("<rosparam file> in a <node>: NAME: VALUE", "/**: ros__parameters: NAME: VALUE", "", _FORM),),
+)
