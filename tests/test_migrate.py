@@ -388,3 +388,18 @@ def test_a_file_that_cannot_be_read_is_in_the_report(folder: Folder) -> None:
     assert ran.returncode == 0, ran.stderr
     line = next(line for line in (folder.path / "new/MIGRATION.md").read_text().splitlines() if "broken.urdf" in line)
     assert "the file is not migrated, because it cannot be read (UC001: " in line
+
+
+def test_lint_finds_each_todo_once_also_in_files_that_no_robot_reads(folder: Folder) -> None:
+    todo = "<!-- TODO(urdfctl): decide this -->"
+    files = {
+        "arm/package.xml": MANIFEST.replace("<name>", f"{todo.replace('this', 'it')}<name>"),
+        "arm/worlds/yard.world": f"<sdf>\n  {todo.replace('this', 'where')}\n</sdf>\n",
+        "arm/config/filter.yaml": "# TODO(urdfctl): and this\na: 1\n",
+        "arm/urdf/arm.urdf.xacro": MIGRATED.replace("  <!-- the hardware -->", f"  {todo}"),
+        "arm/urdf/other.urdf.xacro": MIGRATED.replace('name="arm"', 'name="other"'),
+    }
+    folder.write(files)
+    ran = folder.run("lint", "arm", "--select", "UC708", "--format", "concise")
+    found = sorted(line.partition(": ")[0].rpartition("/")[2] for line in ran.stdout.splitlines() if "UC708" in line)
+    assert found == ["arm.urdf.xacro:8:8", "filter.yaml:1:3", "package.xml:1:26", "yard.world:2:8"]

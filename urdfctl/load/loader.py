@@ -11,6 +11,7 @@ from urdfctl.load.build_files import absent_sources
 from urdfctl.load.distro import Beside, detect_distro
 from urdfctl.load.evidence import ament_package
 from urdfctl.load.known import Described, Known
+from urdfctl.load.open_decisions import decisions_in, unread
 from urdfctl.load.target import Target
 from urdfctl.model.evidence import Evidence
 from urdfctl.model.own_types import NO_OWN_TYPES, OwnTypes
@@ -21,6 +22,7 @@ from urdfctl.source.files import Files, is_launch, is_yaml
 from urdfctl.source.opaque import is_known
 from urdfctl.source.packages import PackageIndex, Packages
 from urdfctl.source.span import Place, SourceText
+from urdfctl.source.todo import todos_in
 from urdfctl.source.workspace import workspace_of
 from urdfctl.source.xacro.expansion import Expander
 from urdfctl.startup.hints import TYPE_CHECKING
@@ -58,6 +60,7 @@ class Loader:
         self._exports: dict[str, list[Exports]] = {}
         self._own_types: dict[tuple[str, frozenset[str]], OwnTypes] = {}
         self._files: dict[str, Files] = {}
+        self._decisions: dict[str, list[tuple[str, Place]]] = {}
         self._known = Known()
 
     def with_overlay(self, overlay: Mapping[str, bytes]) -> Loader:
@@ -197,7 +200,7 @@ class Loader:
             *(launch_file.problems if launch_file else ()),
             *(controller_files.problems if controller_files else ()),
         )
-        absent, todos = absent_sources(packages, files), _todos(sources)
+        absent, todos = absent_sources(packages, files), self._todos(sources, packages)
         project = Project(None, path, problems=problems, absent=absent, todos=todos, moveit=moveit)
         project = self._completed(project, evidence, controller_files, launch)
         return LoadedTarget(project, None, _sources(files, launch_file))
@@ -224,9 +227,18 @@ class Loader:
         )
         project = Project(robot, path, problems=problems, complete=expansion.complete, library=expansion.library)
         listed, absent = _listed_joints(path, files), absent_sources(described.packages, files)
-        project = project._replace(influence=described.influence, listed=listed, absent=absent, todos=_todos(sources))
+        todos = self._todos(sources, described.packages)
+        project = project._replace(influence=described.influence, listed=listed, absent=absent, todos=todos)
         project = project._replace(moveit=moveit)
         return self._completed(project, evidence, controller_files, launch)
+
+    def _todos(self, sources: Sequence[SourceText], packages: Packages) -> tuple[tuple[str, Place], ...]:
+        """Return what a migration left to a person in some texts, and in the other files of the package."""
+        own = packages.own()
+        if own is not None and own not in self._decisions:
+            self._decisions[own] = decisions_in(own)
+        inside = tuple(todo for source in sources for todo in todos_in(source))
+        return inside + (unread(self._decisions[own], [source.path for source in sources]) if own else ())
 
     def _moveit(
         self, path: str, launch: Launch | None, controller_files: ControllerFiles | None, files: Files
@@ -313,16 +325,6 @@ def _description(launch_file: LaunchFile | None, path: str | None) -> Descriptio
 def _sources(files: Files, launch_file: LaunchFile | None) -> dict[str, SourceText]:
     launch_files = launch_file.files.sources() if launch_file else ()
     return {source.path: source for source in (*files.sources(), *launch_files)}
-
-
-def _todos(sources: Sequence[SourceText]) -> tuple[tuple[str, Place], ...]:
-    """Return what a migration left to a person in some texts. Few texts have its mark."""
-    marked = [source for source in sources if b"TODO(urdfctl)" in source.data]
-    if not marked:
-        return ()
-    from urdfctl.source.todo import todos_in
-
-    return tuple(todo for source in marked for todo in todos_in(source))
 
 
 def _is_same_file(path: str, other: str) -> bool:
