@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import shutil
 import subprocess
@@ -27,6 +28,8 @@ from urdfctl.migrate.wishes import Part, Wishes
 from urdfctl.names import did_you_mean
 
 REPORT = "MIGRATION.md"
+_OBJECTS = 50_000
+"""So many new objects start a garbage collection. Saves: a tenth of a run, which holds the models of all robots."""
 
 
 def run_migrate(options: MigrateOptions) -> int:
@@ -37,6 +40,7 @@ def run_migrate(options: MigrateOptions) -> int:
 
         print_text(table(STEPS, wishes))
         return 0
+    gc.set_threshold(_OBJECTS)
     paths = options.paths or [os.curdir]
     if sum([options.diff, options.in_place, options.output is not None]) > 1:
         raise UserError("--diff, --in-place and -o exclude each other")
