@@ -91,7 +91,7 @@ def _without_needed(launch: Launch, arguments: Mapping[str, str], reader: _Reade
     An argument with an empty default is one that is not given, also in an included launch file.
     """
     missing = {one.file.path for one in launch.references if one.file.exists is False}
-    other = reader.launch(arguments, blank=UNKNOWN) if missing else None
+    other = reader.launch(arguments, blank=UNKNOWN) if missing and reader.has_blank else None
     if other is None:
         return launch
     open_paths = missing - {one.file.path for one in other.references}
@@ -116,6 +116,9 @@ class _Reader:
         self.problems: list[Problem] = []
         self.named: list[Word] = []
         self._terms: dict[str, Term | None] = {}
+        self._blank = ""
+        self.has_blank = False
+        """Whether the launch file, or an included one, has an argument with an empty default that is not given."""
 
     def is_roslaunch(self) -> bool:
         """Return whether the file is a ROS 1 launch file."""
@@ -126,13 +129,19 @@ class _Reader:
 
     def launch(self, arguments: Mapping[str, str], blank: str = "") -> Launch | None:
         """The facts of the launch file, with a value for arguments that have an empty default."""
-        return self.ros1(arguments, blank) if self.is_roslaunch() else self.ros2(arguments, blank)
+        self._blank = blank
+        return self.ros1(arguments) if self.is_roslaunch() else self.ros2(arguments)
 
-    def ros1(self, arguments: Mapping[str, str], blank: str) -> Launch | None:
+    def _of_blank(self) -> str:
+        self.has_blank = True
+        return self._blank
+
+    def ros1(self, arguments: Mapping[str, str]) -> Launch | None:
         """Return the facts of a ROS 1 launch file."""
-        return launch_of(self.path, arguments, Sources(self.tree, self.locate, self.folder, self.environ, blank))
+        sources = Sources(self.tree, self.locate, self.folder, self.environ, self._of_blank)
+        return launch_of(self.path, arguments, sources)
 
-    def ros2(self, arguments: Mapping[str, str], blank: str) -> Launch | None:
+    def ros2(self, arguments: Mapping[str, str]) -> Launch | None:
         """Return the facts of a ROS 2 launch file. Its reader is imported only here."""
         from urdfctl.model.build_launch_ros2 import Sources as SourcesOfRos2
         from urdfctl.model.build_launch_ros2 import launch_of_ros2
@@ -143,7 +152,7 @@ class _Reader:
             find=self.find,
             environ=self.environ,
             values=self.yaml,
-            blank=blank,
+            blank=self._of_blank,
         )
         return launch_of_ros2(self.path, arguments, sources)
 

@@ -175,7 +175,7 @@ class _Builder:
         if text is not None and is_of_environment(text, self._of_environment):
             self._of_environment.add(name)
         value = UNKNOWN if text is None or not scope.sure else texts.resolve(text)
-        scope.arguments[name] = value if value or given is not None else self.sources.blank
+        scope.arguments[name] = value if value or given is not None else self.sources.blank()
 
     def _include(self, element: Element, scope: Scope, texts: Substitutions) -> None:
         written = element.attrs.get("file", "")

@@ -68,7 +68,7 @@ class Sources(NamedTuple):
     find: returns the folder of a package that is used at a place; None if it is not among the sources.
     environ: the environment variables.
     values: returns the content of a YAML file; None if it cannot be read.
-    blank: the value of arguments with an empty default, in this file and the included ones.
+    blank: returns the value of arguments with an empty default, in this file and the included ones.
     """
 
     read: Callable[[str], Term | None]
@@ -76,7 +76,7 @@ class Sources(NamedTuple):
     find: Callable[[str, Place], str | None]
     environ: Mapping[str, str]
     values: Callable[[str], Term | None] = lambda _: None
-    blank: str = ""
+    blank: Callable[[], str] = str
 
 
 class _State(NamedTuple):
@@ -215,7 +215,7 @@ class _Walk:
         if default is None and "default_value" in term.keywords:
             return
         value = texts.of(default) if default is not None else UNKNOWN
-        scope.settings[name] = value or self.sources.blank
+        scope.settings[name] = value or self.sources.blank()
         self._described(name, default, scope)
 
     def set(self, term: Called, scope: Scope, state: _State) -> None:

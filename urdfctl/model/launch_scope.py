@@ -16,14 +16,14 @@ class Sources(NamedTuple):
     locate: returns the source path of a file, and whether it exists; None if that cannot be checked.
     find: returns the folder of a package; None if unknown.
     environ: the environment variables.
-    blank: the value of arguments with an empty default, in this file and the included ones.
+    blank: returns the value of arguments with an empty default, in this file and the included ones.
     """
 
     read: Callable[[str], Document | None]
     locate: Callable[[str], tuple[str, bool | None]]
     find: Callable[[str], str | None]
     environ: Mapping[str, str]
-    blank: str = ""
+    blank: Callable[[], str] = str
 
 
 class Scope(NamedTuple):
