@@ -23,7 +23,7 @@ _OF_XML = (".xacro", ".urdf", ".gazebo", ".xml", ".inc")
 def simulated_by(packages: Packages) -> str:
     """Return the simulator that runs the controllers after the migration; `none` if no plugin of the robots does."""
     simulator = packages.simulator or "none"
-    if simulator in ("gz", "gazebo-classic") and not _has_host(packages):
+    if simulator in ("gz", "gazebo-classic") and not packages.found(_has_host):
         return "none"
     return simulator
 

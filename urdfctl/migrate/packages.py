@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Sequence
+from typing import TypeVar
 
 from urdfctl.catalog.distros import ALL, ROS2, generation
 from urdfctl.config.settings import Settings
@@ -11,11 +12,13 @@ from urdfctl.lint.results import TargetResult
 from urdfctl.load.loader import LoadedTarget, Loader
 from urdfctl.load.target import Target
 from urdfctl.migrate.memory import Memory
-from urdfctl.migrate.scratch import Scratch
+from urdfctl.migrate.scratch import Scratch, Written
 from urdfctl.migrate.wishes import Wishes
 from urdfctl.source.budget import OverBudget
 from urdfctl.source.files import MAX_BYTES
 from urdfctl.source.span import SourceText
+
+Value = TypeVar("Value")
 
 Linted = Sequence[tuple[Target, TargetResult]]
 Lint = Callable[[Settings], Linted]
@@ -46,8 +49,10 @@ class Packages:
         self.settings = settings
         self.linted = linted
         self._known, self._began = known, began
-        self._sources: dict[str, SourceText] = {}
+        self._sources: dict[str, tuple[Written | None, SourceText]] = {}
         self._loaded: dict[str | None, list[LoadedTarget]] = {}
+        self._files: list[str] = []
+        self._found: dict[object, object] = {}
 
     @property
     def source(self) -> str | None:
@@ -85,21 +90,29 @@ class Packages:
         return "gz"
 
     def files(self, *endings: str) -> Iterator[str]:
-        """Yield the files to migrate whose names end so, in order; without endings, all of them."""
-        for path in self.scratch.files():
-            if not endings or path.endswith(endings):
-                yield path
+        """Return the files to migrate whose names end so, in order; without endings, all of them."""
+        self._files = self._files or list(self.scratch.files())
+        return (path for path in self._files if not endings or path.endswith(endings))
 
     def read(self, path: str) -> SourceText:
         """Return the content of a file; empty if it does not exist or is too large. Each state is read once."""
-        if path not in self._sources:
+        written = self.scratch.written.get(os.path.realpath(path))
+        state, source = self._sources.get(path, (None, None))
+        if source is None or state is not written:
             is_small = os.path.isfile(path) and os.path.getsize(path) <= MAX_BYTES
             data = b""
             if is_small:
                 with open(path, "rb") as file:
                     data = file.read()
-            self._sources[path] = SourceText(path, data)
-        return self._sources[path]
+            source = SourceText(path, data)
+            self._sources[path] = written, source
+        return source
+
+    def found(self, find: Callable[[Packages], Value]) -> Value:
+        """Return what a function finds in the packages; it is called once for each state of them."""
+        if find not in self._found:
+            self._found[find] = find(self)
+        return self._found[find]  # type: ignore[return-value]
 
     def targets(self) -> list[Target]:
         """Return the targets before the migration whose files still exist, and that lint read within its limits."""
@@ -130,9 +143,10 @@ class Packages:
         return loaded
 
     def forget(self) -> None:
-        """Forget what was read, because files were changed."""
-        self._sources.clear()
+        """Forget what was found, because files were changed."""
         self._loaded.clear()
+        self._files = []
+        self._found.clear()
 
     def may_change(self, path: str) -> bool:
         """Return whether a file is among those to migrate; others, as of /opt/ros, are never changed."""
