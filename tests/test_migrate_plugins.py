@@ -257,3 +257,26 @@ def test_a_range_that_can_stand_nowhere_is_reported(folder: Folder) -> None:
     old = sensor("depth", "gazebo_ros_camera", "<min_depth>0.3</min_depth>\n<hack_baseline>0</hack_baseline>")
     shown = migrated(folder, {"urdf/base.xacro": base(old)}, *TO_GZ)
     assert "gz does not read min_depth of 'gazebo_ros_camera': dropped" in shown["MIGRATION.md"]
+
+
+def test_a_todo_does_not_break_a_description_that_launch_reads_as_yaml(folder: Folder) -> None:
+    launch = """\
+from launch import LaunchDescription
+from launch.substitutions import Command
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+
+def generate_launch_description():
+    text = Command(["xacro ", FindPackageShare("base"), "/urdf/base.xacro"])
+    publisher = Node(
+        package="robot_state_publisher",
+        executable="robot_state_publisher",
+        parameters=[{"robot_description": text}],
+    )
+    return LaunchDescription([publisher])
+"""
+    robot = base(plugin("my_gripper", ""))
+    found = migrated(folder, {"urdf/base.xacro": robot, "launch/base.launch.py": launch}, "--to", "jazzy")
+    assert "<!-- TODO(urdfctl) - plugin 'my_gripper' is built for Gazebo Classic - port it" in found["urdf/base.xacro"]
+    assert "UC632" not in found["MIGRATION.md"]

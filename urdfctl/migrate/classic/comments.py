@@ -1,4 +1,4 @@
-"""Comments that Gazebo Classic's plugin cannot pass on in humble."""
+"""Comments of descriptions that a reader takes for YAML: launch without a type, and Gazebo Classic's plugin in humble."""
 
 from __future__ import annotations
 
@@ -6,40 +6,55 @@ import re
 from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
+from urdfctl.load.loader import LoadedTarget
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.tokens import XML
 from urdfctl.migrate.wishes import Part
+from urdfctl.rules.launch.description_read_as_yaml import description_read_as_yaml
 from urdfctl.rules.ros2_control.comment_breaks_parameter import comment_breaks_parameter
 from urdfctl.source.span import Place, SourceSpan, SourceText
+from urdfctl.source.todo import MARK
 from urdfctl.startup.patterns import lazy_pattern
 
 _AUTHORITY = (
     "gazebo_ros2_control#295: humble's plugin passes the description on as a parameter, which is parsed as YAML"
 )
+_LAUNCH = "launch_ros utilities/evaluate_parameters.py: a substitution without a type is passed to yaml.safe_load"
 _COLON = lazy_pattern(r"[ \t]*:(?=\s)")
 _HASH = lazy_pattern(r"(?<=\s)#+")
 
 
 def _comments(packages: Packages) -> Iterator[Proposal]:
-    if packages.wishes.target != "humble" or packages.simulator != "gazebo-classic":
+    is_passed_on = packages.wishes.target == "humble" and packages.simulator == "gazebo-classic"
+    if not is_passed_on and not any(MARK.encode() in packages.read(path).data for path in packages.files(*XML)):
         return
     done: set[tuple[str, int]] = set()
+    fixes: tuple[str, ...] = ()
     for loaded in packages.loaded(packages.wishes.target):
-        tag = loaded.project.robot.tag if loaded.project.robot else None
-        if tag is None or not any(comment_breaks_parameter.check(loaded.project)):
+        if is_passed_on and any(comment_breaks_parameter.check(loaded.project)):
+            what, authority, fixes = "Gazebo's plugin cannot pass on", _AUTHORITY, ("UC359",)
+        elif any(description_read_as_yaml.check(loaded.project)):
+            what, authority, fixes = "launch cannot read", _LAUNCH, ()
+        else:
             continue
-        kept = {comment.text.strip() for comment in tag.comments()}
-        sources = [packages.read(path) for path in loaded.sources if path.endswith(XML) and packages.may_change(path)]
-        spans = (span for source in sources for span in _written(source, kept))
-        for span in spans:
+        what = f"the punctuation of a comment is changed: {what} a colon before a blank"
+        for span in _spans(packages, loaded):
             new = re.sub(r"--+", "-", _HASH.sub("", _COLON.sub(" -", span.text)))
             if new != span.text and (span.file, span.start) not in done:
                 done.add((span.file, span.start))
-                what = "the punctuation of a comment is changed: Gazebo's plugin cannot pass on a colon before a blank"
                 at = Place(span.source, span.start, end=span.end)
-                entry = Entry(EntryKind.DECIDED, what, at, authority=_AUTHORITY, option="delete the comment")
-                yield Proposal((Edit(span, new),), entries=(entry,), fixes=("UC359",))
+                entry = Entry(EntryKind.DECIDED, what, at, authority=authority, option="delete the comment")
+                yield Proposal((Edit(span, new),), entries=(entry,), fixes=fixes)
+
+
+def _spans(packages: Packages, loaded: LoadedTarget) -> Iterator[SourceSpan]:
+    """Yield the texts of the comments that a robot keeps."""
+    tag = loaded.project.robot.tag if loaded.project.robot else None
+    kept = {comment.text.strip() for comment in tag.comments()} if tag else set()
+    for path in loaded.sources if kept else ():
+        if path.endswith(XML) and packages.may_change(path):
+            yield from _written(packages.read(path), kept)
 
 
 def _written(source: SourceText, kept: set[str]) -> Iterator[SourceSpan]:
@@ -53,7 +68,10 @@ def _written(source: SourceText, kept: set[str]) -> Iterator[SourceSpan]:
 COMMENTS = Step(
     name="comments",
     part=Part.URDF,
-    summary="Comments in descriptions for Gazebo Classic in humble",
+    summary="Comments in descriptions that are read as YAML",
     propose=_comments,
-    rows=(Row("<!-- NAME: text -->", "<!-- NAME - text -->", "humble", _AUTHORITY),),
+    rows=(
+        Row("<!-- NAME: text --> for Gazebo Classic", "<!-- NAME - text -->", "humble", _AUTHORITY),
+        Row("<!-- NAME: text --> that launch reads as YAML", "<!-- NAME - text -->", "", _LAUNCH),
+    ),
 )
