@@ -211,6 +211,14 @@ def test_what_systems_and_sensors_publish_is_bridged(folder: Folder) -> None:
     )
 
 
+def test_topics_below_an_argument_are_bridged_with_its_default(folder: Folder) -> None:
+    argument = '  <xacro:arg name="lidar" default="false"/>\n  <xacro:arg name="space" default="/"/>\n'
+    lidar = LIDAR.replace("<namespace>/front</namespace>", "<namespace>$(arg space)</namespace>")
+    robot = base(f'{argument}  <xacro:if value="$(arg lidar)">\n{lidar}  </xacro:if>\n')
+    entries = yaml.safe_load(migrated(folder, {"urdf/base.xacro": robot})["config/bridge.yaml"])
+    assert [entry["ros_topic_name"] for entry in entries] == ["/clock", "/scan"]
+
+
 def test_the_folder_of_the_new_file_for_the_bridge_is_installed(folder: Folder) -> None:
     build = "project(base)\ninstall(DIRECTORY urdf DESTINATION share/${PROJECT_NAME})\n\nament_package()\n"
     after = migrated(folder, {"urdf/base.xacro": base(LIDAR), "CMakeLists.txt": build})["CMakeLists.txt"]

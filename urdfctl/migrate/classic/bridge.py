@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterator, Mapping
 
 from urdfctl.diagnostic import Edit
 from urdfctl.generate.bringup import gz_names
 from urdfctl.migrate.hardware import goes_to_gz, leaves_classic
 from urdfctl.migrate.install_rules import BRIDGE_FILE, install_rule, installs
-from urdfctl.migrate.markup import content, elements, root_of
+from urdfctl.migrate.markup import attribute, content, elements, root_of
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.wishes import Part
@@ -62,7 +63,8 @@ def _bridge(packages: Packages) -> Iterator[Proposal]:
         {folder for path in packages.files(*_OF_XML) if (folder := package_around(os.path.dirname(path)))}
     ):
         path = os.path.join(folder, BRIDGE_FILE)
-        topics = list(dict.fromkeys(_topics(packages, folder)))
+        found = (topic._replace(name=re.sub("//+", "/", topic.name)) for topic in _topics(packages, folder))
+        topics = list(dict.fromkeys(found))
         if topics and not os.path.exists(path) and not _has_bridge(packages):
             message = f"{len(topics)} topics of gz are bridged to ROS"
             entry = Entry(EntryKind.DONE, message, file=path, authority=_AUTHORITY)
@@ -75,19 +77,37 @@ def _has_bridge(packages: Packages) -> bool:
 
 
 def _topics(packages: Packages, folder: str) -> Iterator[Topic]:
-    """The topics of the files of a package: as they are written, and as its robots have them."""
+    """The topics of the files of a package: as they are written, with the defaults of arguments, and as its robots have
+    them."""
+    defaults = packages.found(_defaults)
     for path in packages.files(*_OF_XML):
         source = packages.read(path)
         root = root_of(source) if path.startswith(folder + os.sep) and b"<gazebo" in source.data else None
         for element in elements(root) if root is not None else ():
             if element.tagName in {"plugin", "sensor"}:
-                texts = {each.tagName: content(each) for each in element.elements()}
+                texts = {each.tagName: _with_defaults(content(each), defaults) for each in element.elements()}
                 yield from _of_element(element.tagName, element.attrs, texts)
     for loaded in packages.loaded():
         gazebos = loaded.project.robot.gazebos if loaded.project.robot else ()
         for tag in (tag for gazebo in gazebos for tag in gazebo.tag.children):
             if tag.name in {"plugin", "sensor"} and tag.at.source.path.startswith(folder + os.sep):
                 yield from _of_element(tag.name, tag.attributes, {each.name: each.text for each in tag.children})
+
+
+def _defaults(packages: Packages) -> dict[str, str]:
+    """The defaults of the arguments of descriptions, without those that differ between files."""
+    found: dict[str, set[str]] = {}
+    for path in packages.files(*_OF_XML):
+        source = packages.read(path)
+        root = root_of(source) if b"<xacro:arg" in source.data else None
+        for element in elements(root) if root is not None else ():
+            if element.tagName == "xacro:arg":
+                found.setdefault(attribute(element, "name"), set()).add(attribute(element, "default"))
+    return {name: next(iter(values)) for name, values in found.items() if len(values) == 1}
+
+
+def _with_defaults(text: str, defaults: Mapping[str, str]) -> str:
+    return re.sub(r"\$\(arg\s+(\w+)\s*\)", lambda match: defaults.get(match[1], match[0]), text)
 
 
 def _of_element(name: str, attributes: Mapping[str, str], texts: Mapping[str, str]) -> Iterator[Topic]:

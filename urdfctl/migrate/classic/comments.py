@@ -1,4 +1,4 @@
-"""Comments of descriptions that a reader takes for YAML: launch without a type, and Gazebo Classic's plugin in humble."""
+"""Comments of descriptions that are read as YAML: by launch without a type, by Gazebo Classic's plugin in humble."""
 
 from __future__ import annotations
 
