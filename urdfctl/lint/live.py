@@ -56,7 +56,7 @@ class LiveLinter:
         paths: real paths of files whose text changed; none was created or deleted.
         """
         changed = set(paths)
-        self._loader = self._loader.with_overlay(overlay)
+        self._loader = self._loader.with_overlay(overlay, changed)
         self._memory = RuleMemory()
         self._variants.clear()
         kept = (pair for pair in self._results.items() if changed.isdisjoint(map(os.path.realpath, pair[1].files)))

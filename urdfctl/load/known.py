@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+import os
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 
 from urdfctl.load.description import MakeExpander
 from urdfctl.load.expanding import expanded
@@ -49,6 +50,14 @@ class Known:
     def __init__(self) -> None:
         self._described: dict[tuple[object, ...], Described] = {}
         self._controllers: tuple[tuple[object, ...], Controllers] | None = None
+
+    def unless_read(self, changed: Collection[str], overlay: Mapping[str, bytes]) -> Known:
+        """Return the descriptions that read none of some files, for a loader with other texts. Paths are real paths."""
+        other = Known()
+        for key, found in self._described.items():
+            if not any(os.path.realpath(source.path) in changed for source in found.files.sources()):
+                other._described[key] = found._replace(files=found.files.holding(overlay))
+        return other
 
     def described(
         self, make: MakeExpander, path: str, arguments: Mapping[str, str], *, fragment: bool, alone: bool

@@ -63,11 +63,17 @@ class Loader:
         self._decisions: dict[str, list[tuple[str, Place]]] = {}
         self._known = Known()
 
-    def with_overlay(self, overlay: Mapping[str, bytes]) -> Loader:
-        """Return a loader with the same packages that reads these bytes instead of the files with these real paths."""
+    def with_overlay(self, overlay: Mapping[str, bytes], changed: Collection[str] | None = None) -> Loader:
+        """Return a loader with the same packages that reads these bytes instead of the files with these real paths.
+
+        changed: the real paths of all files whose text differs from what this loader read. Descriptions that read none
+        of them are not expanded again. None if that is not known.
+        """
         other = Loader(self.settings, overlay)
         other._indexes = self._indexes
         other._exports = self._exports
+        if changed is not None:
+            other._known = self._known.unless_read(changed, overlay)
         return other
 
     def index_packages(self, targets: Sequence[Target]) -> None:

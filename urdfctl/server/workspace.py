@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from urdfctl.config.file import config_for, with_environ
@@ -12,6 +11,7 @@ from urdfctl.diagnostic import Diagnostic
 from urdfctl.discover.walk import reading_instead
 from urdfctl.lint.files import LintRun, lint_files
 from urdfctl.lint.live import LiveLinter
+from urdfctl.lint.memory import RuleMemory
 from urdfctl.lint.merging import merge
 from urdfctl.lint.planning import discovered
 from urdfctl.lint.results import TargetResult
@@ -110,6 +110,7 @@ class Workspace:
         self._whole: dict[Target, LoadedTarget] = {}
         self._saved: dict[Target, Codes] = {}
         self._packages = Loader(self.settings)
+        self._reading: tuple[dict[str, bytes], Loader] = {}, self._packages
         self._linter = LiveLinter(self.settings, self._selection, self.texts, is_outdated)
 
     def changed(self, path: str, text: bytes | None) -> None:
@@ -122,12 +123,19 @@ class Workspace:
             self.texts[real] = text
         if is_new:
             self.forget()
-        else:
+        elif text is None:
             self.saved(real)
+        else:
+            self._read_again(real)
 
     def saved(self, path: str) -> None:
         """Read a file again whose text on disk changed."""
         real = os.path.realpath(path)
+        self._reading = {}, self._packages.with_overlay({})
+        self._read_again(real)
+
+    def _read_again(self, real: str) -> None:
+        """Read a file again whose text changed."""
         if os.path.basename(real) in _OF_PACKAGES:
             self.forget()
         else:
@@ -138,6 +146,7 @@ class Workspace:
         """Lint everything again: files were created or deleted."""
         self._edition += 1
         self._packages = Loader(self.settings)
+        self._reading = {}, self._packages.with_overlay({})
         self._linter = LiveLinter(self.settings, self._selection, dict(self.texts), self._is_outdated)
 
     def variants(self, path: str) -> list[Variant]:
@@ -185,7 +194,7 @@ class Workspace:
         chosen = list(dict.fromkeys([first, *others]))[:_MOST_ROBOTS]
         key = tuple(chosen), self._edition
         if self._loaded is None or self._loaded[0] != key:
-            loader = self._packages.with_overlay(dict(self.texts))
+            loader = self._loader()
             self._loaded = key, [self._read(loader, target) for target in chosen]
         return self._loaded[1]
 
@@ -193,20 +202,28 @@ class Workspace:
         """Return what lints the robots that read a file with other texts of it. Nothing of that is kept."""
         real = os.path.realpath(path)
         targets = list(dict.fromkeys([self.target_with(path), *(target for target, _ in self._pairs_with(path))]))
-        loader, texts = self._packages, dict(self.texts)
+        loaders, texts, memory = [self._loader()], dict(self.texts), RuleMemory()
 
         def lint(robot: int, text: bytes, seconds: float) -> Sequence[Diagnostic] | None:
             target = targets[robot]
             if self._linter.seconds.get(target, 0.0) > seconds:
                 return None
-            tried = loader.with_overlay({**texts, real: text})
+            tried = loaders[-1].with_overlay({**texts, real: text}, [real])
+            loaders[:] = [tried]
             try:
                 with self._clock():
-                    return self._reported(lint_target(tried, target, self._selection).result.outcome.diagnostics)
+                    linted = lint_target(tried, target, self._selection, memory=memory)
+                    return self._reported(linted.result.outcome.diagnostics)
             except OverBudget:
                 return None
 
-        return Attempts(lint, min(len(targets), _MOST_ROBOTS), lambda robot: self._saved.get(targets[robot], Counter()))
+        def saved(robot: int) -> Codes:
+            if targets[robot] in self._saved:
+                return self._saved[targets[robot]]
+            text = text_on_disk(real)
+            return codes_of((text is not None and lint(robot, text, _PATIENCE)) or ())
+
+        return Attempts(lint, min(len(targets), _MOST_ROBOTS), saved)
 
     def _reported(self, findings: Iterable[Diagnostic]) -> list[Diagnostic]:
         """The findings that the configuration does not ignore."""
@@ -214,7 +231,17 @@ class Workspace:
 
     def packages_for(self, path: str) -> Packages:
         """Return the packages of the workspace as a file sees them."""
-        return self._packages.with_overlay(dict(self.texts)).reading(path)[1]
+        return self._loader().reading(path)[1]
+
+    def _loader(self) -> Loader:
+        """The loader for the texts as they are. What reads none of the changed ones is not expanded again."""
+        before, loader = self._reading
+        texts = dict(self.texts)
+        if texts != before:
+            changed = [path for path in {*before, *texts} if before.get(path) != texts.get(path)]
+            loader = loader.with_overlay(texts, changed)
+            self._reading = texts, loader
+        return loader
 
     def _read(self, loader: Loader, target: Target) -> LoadedTarget:
         """The robot of a target; as it was last, or as it is on disk, while a text that is typed cannot be parsed."""

@@ -77,6 +77,13 @@ class Files:
         other._read = dict(self._read)
         return other
 
+    def holding(self, held: Mapping[str, bytes]) -> Files:
+        """Return files with the same bounds and sources, which read other contents instead of those on disk."""
+        other = Files(None, self._resolve, held)
+        other.bounds = self.bounds and list(self.bounds)
+        other._read = dict(self._read)
+        return other
+
     def allow(self, folder: str) -> None:
         """Allow reading files below another folder."""
         if self.bounds is not None:
