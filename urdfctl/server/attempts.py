@@ -12,7 +12,7 @@ from urdfctl.server.items import Item
 from urdfctl.server.question import Question
 from urdfctl.startup.records import NamedTuple
 
-SECONDS = 0.3
+SECONDS = 0.4
 """Processor time for the items of one place: so long a user does not notice, and it suffices for about twenty items."""
 _MOST_ITEMS = 60
 _LONGEST_WORD = 200
@@ -46,7 +46,7 @@ def harmless(question: Question, items: Sequence[Item], attempts: Attempts) -> l
     """Return the items without those that cause a finding, in order; those that need more to be written are last.
 
     A finding counts that is neither in the text as it is, nor was there before, nor comes with all items: what is
-    around the place causes that. Items for which there is no time are kept, but not those that are doubtful.
+    around the place causes that. Items for which there is no time are kept; doubtful ones only if no item was tried.
     """
     new: dict[Item, set[str]] = {}
     left = SECONDS
@@ -58,7 +58,7 @@ def harmless(question: Question, items: Sequence[Item], attempts: Attempts) -> l
         left -= time.thread_time() - started
         if left <= 0:
             break
-    kept = (item for item in items if not _refused(item, new) and (item in new or not item.is_doubtful))
+    kept = (item for item in items if not _refused(item, new) and (item in new or not (new and item.is_doubtful)))
     return sorted(kept, key=lambda item: bool(new.get(item)))
 
 

@@ -102,7 +102,7 @@ def _types(question: Question) -> Iterator[Item]:
         trials = [trial for trial in _trials(question) if trial.controller.name in name]
         possible = _possible(known, trials)
         for kind in sorted(possible, key=lambda one: any(trial.faults(one, _given(trial)) for trial in trials)):
-            yield Item(kind.type, "type", f"a controller type of {distro}")
+            yield Item(kind.type, "type", f"a controller type of {distro}", is_doubtful=not trials)
 
 
 def _has_other_types(question: Question) -> bool:

@@ -13,7 +13,7 @@ class Item(NamedTuple):
         file or option.
     about: what is known about it, as Markdown.
     replaces: how many code points before the place it replaces: the word that is typed already.
-    is_doubtful: whether it is offered only if it was tried out, and causes no finding.
+    is_doubtful: whether it is left out if it could not be tried out, and others could.
     """
 
     text: str

@@ -22,6 +22,7 @@ _SUFFIXES = {
 }  # fmt: skip
 """The files that an element reads, by its tag."""
 _OF_A_ROBOT = rb"<(?:link|joint|xacro:(?!include|property|arg|if|unless|macro))\b"
+_OF_TESTS = r"(?:^|/)tests?/"
 _NAMED_ROBOT = rb"<robot\b[^<>]*\sname\s*="
 
 
@@ -65,7 +66,7 @@ def files_in_package(question: Question, tag: str, package: str, begun: str) -> 
         if tag == "xacro:include" and _is_robot(path):
             robots.append(Item(relative, "file", is_doubtful=True))
         else:
-            yield Item(relative, "file")
+            yield Item(relative, "file", is_doubtful=bool(re.search(_OF_TESTS, relative)))
     yield from robots
 
 
