@@ -182,8 +182,15 @@ def test_a_rename_that_is_not_sure_is_refused_with_the_reason(
         (
             URDF,
             "neck",
-            ["**joint** `neck`", "revolute, -1 to 1 rad, at most 2 rad/s, at most 5 N m", "controller `turn`"],
+            [
+                "**joint** `neck`",
+                "revolute, -1 to 1 rad, at most 2 rad/s, at most 5 N m, connects `base` to `head`",
+                "controller `turn`",
+            ],
         ),
+        (XACRO, 'wheel"', ["**macro** `wheel`", "parameters: `side`, `radius:=0.1`"]),
+        (XACRO, "radius}", ["**parameter** `radius` of macro `wheel`", "default: `0.1`"]),
+        (XACRO, "side}", ["**parameter** `side` of macro `wheel`", "no default: it must be given"]),
         (YAML, "joints", ["**parameter** `joints`", "type: `string_array`", "order of the values in a command"]),
         (YAML, "neck", ["revolute, -1 to 1 rad", "controller `turn`: command interface position"]),
         (URDF, '"position"/><s', ["**command interface** `neck/position`", "controller `turn` claims it"]),
@@ -226,10 +233,29 @@ def test_a_file_has_an_outline(folder: Folder) -> None:
     assert [(one.name, one.kind) for one in outline] == expected
 
 
-def test_values_are_shown_where_all_calls_agree(folder: Folder) -> None:
-    text = MACROS.replace('effort="1"', 'effort="${3 * 4}"')
+@pytest.mark.parametrize(
+    ("word", "told"),
+    [
+        ("{gap", "**property** `gap`  \nwritten as `${2 * 3}`"),
+        (" pi ", "**property** `pi`  \na constant of xacro: `3.141592653589793`"),
+        ("load)", "**argument** `load`  \ndefault: `7`"),
+    ],
+)
+def test_pointing_at_a_name_of_xacro_tells_its_value(folder: Folder, word: str, told: str) -> None:
+    defined = '<xacro:property name="gap" value="${2 * 3}"/><xacro:arg name="load" default="7"/>'
+    text = ROBOT.replace('effort="5"', 'effort="${gap * pi + $(arg load)}"').replace("<link", f"{defined}<link", 1)
+    found = hover(question(folder, URDF, place(text, word), typed=text))
+    assert found is not None
+    assert told in found
+
+
+@pytest.mark.parametrize(
+    ("written", "shown"), [("${3 * 4}", "12"), ("${pi / 3}", "1.047"), ("a1.23456789${2}", "a1.234567892")]
+)
+def test_values_are_shown_where_all_calls_agree(folder: Folder, written: str, shown: str) -> None:
+    text = MACROS.replace('effort="1"', f'effort="{written}"')
     asks = question(folder, XACRO, types.Position(0, 0), typed=text)
-    assert [(hint.line, hint.value) for hint in hints_in(asks)] == [(6, "12")]
+    assert [(hint.line, hint.value) for hint in hints_in(asks)] == [(6, shown)]
 
 
 IGNORED = ROBOT.replace("  <link name", "  <!-- urdfctl: ignore[UC116] later -->\n  <link name", 1)

@@ -11,6 +11,7 @@ import pytest
 from editor import Editor, in_editor, types
 from edits import edited
 from folder import Folder
+from pygls.exceptions import JsonRpcException
 from pygls.workspace import PositionCodec
 
 Found = dict[str, list[tuple[str, int, int]]]
@@ -148,6 +149,19 @@ def test_edits_are_for_a_version_if_the_editor_can_tell(folder: Folder) -> None:
     assert isinstance(part, types.TextDocumentEdit)
     assert part.text_document.version == 1
     assert len(part.edits) == 2
+
+
+def test_what_cannot_be_renamed_is_refused_before_a_name_is_typed(folder: Folder) -> None:
+    text = TEXT.replace('<link name="arm"/>', '<link name="arm${pi}"/>')
+
+    async def use(editor: Editor) -> None:
+        await editor.open(NAME, text)
+        await editor.checked()
+        at = types.Position(5, text.splitlines()[5].index("pi}"))
+        with pytest.raises(JsonRpcException, match="property 'pi' is not defined in these files"):
+            await editor.client.text_document_prepare_rename_async(types.PrepareRenameParams(editor.document(NAME), at))
+
+    in_editor(ws(folder, text), use)
 
 
 def test_a_computed_name_is_renamed_with_a_preview(folder: Folder) -> None:

@@ -16,7 +16,7 @@ from urdfctl.server.completion import items_at
 from urdfctl.server.dialogue import show_page
 from urdfctl.server.hover import hover
 from urdfctl.server.items import Item
-from urdfctl.server.navigation import NamesAround, definitions, references, renamed
+from urdfctl.server.navigation import NamesAround, check_renamable, definitions, references, renamed
 from urdfctl.server.positions import Positions, path_of
 from urdfctl.server.question import Question
 from urdfctl.server.symbols import hints_in, symbols_in
@@ -54,6 +54,7 @@ def answer_questions(server: Window) -> None:
     """Register what answers an editor."""
     _about_findings(server)
     _about_names(server)
+    _about_places(server)
     _about_completion(server)
     _about_files(server)
 
@@ -117,9 +118,15 @@ def _about_names(server: Window) -> None:
         around = names(window, params)
         if around is None or around.at is None:
             return None
+        try:
+            check_renamable(around)
+        except UserError as error:
+            raise JsonRpcInvalidParams(str(error)) from None
         span = around.at.span
         return types.PrepareRenamePlaceholder(window.positions().range_of(located(span)), span.text)
 
+
+def _about_places(server: Window) -> None:
     @server.feature(types.TEXT_DOCUMENT_HOVER)
     def about(window: Window, params: types.HoverParams) -> types.Hover | None:
         question = window.question(params.text_document.uri, params.position)

@@ -12,6 +12,7 @@ from urdfctl.diagnostic import Diagnostic
 from urdfctl.load.loader import LoadedTarget
 from urdfctl.model.project import Project
 from urdfctl.model.robot import Joint
+from urdfctl.server.about_names import described_name
 from urdfctl.server.about_parameters import described_parameter
 from urdfctl.server.about_rules import rules_at
 from urdfctl.server.fitting import INTERFACES, elements_at
@@ -41,7 +42,7 @@ def _name(question: Question) -> Iterator[str]:
     if around.at is None:
         return
     for name in {(one.kind, one.text): one for one in around.all if one.span == around.at.span}.values():
-        yield f"**{name.kind}** `{name.text}`{_scope(name)}"
+        yield "  \n".join([f"**{name.kind}** `{name.text}`{_scope(name)}", *described_name(question, name)])
         yield from _of_robots(question.robots, name)
 
 
@@ -87,6 +88,8 @@ def _joint(joint: Joint) -> str:
         words.append(f"at most {limit.effort.text} {effort}")
     if joint.mimic is not None and joint.mimic.joint:
         words.append(f"follows `{joint.mimic.joint}`")
+    if joint.parent is not None and joint.parent.name and joint.child is not None and joint.child.name:
+        words.append(f"connects `{joint.parent.name}` to `{joint.child.name}`")
     return ", ".join(words)
 
 

@@ -59,6 +59,27 @@ def _places(names: Iterable[Name]) -> list[Location]:
     return sorted({located(name.span) for name in names})
 
 
+def check_renamable(around: NamesAround) -> None:
+    """Raise UserError with the reason if the thing at the asked place cannot have another name, whatever it is."""
+    at = around.at
+    if at is None or at.is_computed:
+        return
+    places = around.same()
+    computed = next((name for name in places if name.is_computed), None)
+    if computed is not None:
+        raise _of_computed(computed)
+    if (at.kind, at.text) in _SPECIAL:
+        raise UserError(f"{at.kind} '{at.text}' has a meaning of its own by this name")
+    if not any(name.defines for name in places):
+        raise UserError(f"{at.kind} '{at.text}' is not defined in these files")
+
+
+def _of_computed(name: Name) -> UserError:
+    where = located(name.span)
+    written = f"'{name.span.text}' at {os.path.basename(where.file)}:{where.line}"
+    return UserError(f"'{name.text}' is computed from {written}; rename its literal parts there")
+
+
 def renamed(around: NamesAround, new: str) -> list[Replacement]:
     """Return the edits that rename the thing at the asked place. UserError with the reason if that is impossible.
 
@@ -69,16 +90,9 @@ def renamed(around: NamesAround, new: str) -> list[Replacement]:
         raise UserError("there is no name here that can be renamed, or a file with it cannot be read now")
     if at.is_computed and "$" in new and not _SIGNS - set("${}") & set(new):
         return renamed_parts(around.all, at, new)
-    places = around.same()
-    computed = next((name for name in places if name.is_computed), None)
-    if computed is not None:
-        where = located(computed.span)
-        written = f"'{computed.span.text}' at {os.path.basename(where.file)}:{where.line}"
-        raise UserError(f"'{computed.text}' is computed from {written}; rename its literal parts there")
-    if (at.kind, at.text) in _SPECIAL:
-        raise UserError(f"{at.kind} '{at.text}' has a meaning of its own by this name")
-    if not any(name.defines for name in places):
-        raise UserError(f"{at.kind} '{at.text}' is not defined in these files")
+    check_renamable(around)
+    if at.is_computed:
+        raise _of_computed(at)
     if (at.kind in _OF_XACRO and not re.fullmatch(_IDENTIFIER, new)) or not new or _SIGNS & set(new):
         raise UserError(f"'{new}' is no name for a {at.kind}")
     if any(name.kind == at.kind and name.text == new and name.scope == at.scope for name in around.all):
@@ -86,4 +100,4 @@ def renamed(around: NamesAround, new: str) -> list[Replacement]:
     shared = {PROPERTY: PARAMETER, PARAMETER: PROPERTY}.get(at.kind)
     if any(name.kind == shared and name.text in {at.text, new} for name in around.all):
         raise UserError(f"'{at.text}' or '{new}' is a parameter of a macro and elsewhere a property; rename it by hand")
-    return [Replacement(location, new) for location in _places(places)]
+    return [Replacement(location, new) for location in _places(around.same())]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from urdfctl.diagnostic import Location, located
@@ -12,6 +13,7 @@ from urdfctl.source.opaque import UNKNOWN
 from urdfctl.startup.records import NamedTuple
 
 _MOST_TEXT = 24
+_LONG_NUMBER = r"(?<![\w.])\d+\.\d{5,}(?:e[+-]?\d+)?(?![\w.])"
 
 
 class Symbol(NamedTuple):
@@ -43,7 +45,10 @@ def symbols_in(question: Question) -> list[Symbol]:
 
 
 def hints_in(question: Question) -> list[Hint]:
-    """Return the values of the attributes with expressions, where all calls and robots agree on them."""
+    """Return the values of the attributes with expressions, where all calls and robots agree on them.
+
+    Numbers are rounded to four digits.
+    """
     values: dict[tuple[int, int], set[str]] = {}
     for line, column, value in _values(question):
         values.setdefault((line, column), set()).add(value)
@@ -53,6 +58,7 @@ def hints_in(question: Question) -> list[Hint]:
 
 def _values(question: Question) -> Iterator[tuple[int, int, str]]:
     for evaluated in question.evaluated():
-        if len(evaluated.value) <= _MOST_TEXT:
+        value = re.sub(_LONG_NUMBER, lambda found: f"{float(found[0]):.4g}", evaluated.value)
+        if len(value) <= _MOST_TEXT:
             position = question.source.position(evaluated.span.end)
-            yield position.line, position.column, evaluated.value
+            yield position.line, position.column, value
