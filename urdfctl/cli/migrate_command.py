@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import gc
 import os
-import shutil
 import subprocess
 from collections.abc import Sequence
 from contextlib import closing
@@ -13,12 +12,11 @@ from urdfctl.catalog.distros import ALL, ROS2, SIMULATORS
 from urdfctl.cli.journal import restore_unfinished
 from urdfctl.cli.migrate_lint import Lint
 from urdfctl.cli.migrate_options import MigrateOptions
+from urdfctl.cli.migrate_writing import write_changes, write_copy
 from urdfctl.cli.patch import patch
 from urdfctl.cli.words import configured, settings_from
-from urdfctl.cli.writing import encoded, print_bytes, print_message, print_text, write_file
-from urdfctl.cli.writing_all import write_all
+from urdfctl.cli.writing import encoded, print_bytes, print_message, print_text
 from urdfctl.errors import UserError
-from urdfctl.fix.edits import Change, bytes_of
 from urdfctl.migrate.engine import Migration, migrate
 from urdfctl.migrate.report import as_json, as_markdown
 from urdfctl.migrate.scratch import Scratch
@@ -116,48 +114,29 @@ def _finish(result: Migration, scratch: Scratch, options: MigrateOptions, wishes
     """Write the result where the user wants it, and return the exit status."""
     base = os.path.commonpath([scratch.real(folder) for folder in scratch.folders])
     is_written = options.in_place or options.output is not None
-    report = options.report or (os.path.join(options.output or base, REPORT) if is_written else None)
-    is_reported = report is not None and bool(result.changes or (options.report and result.lines))
-    render = as_json if report and report.endswith(".json") else as_markdown
+    path = options.report or (os.path.join(options.output or base, REPORT) if is_written else None)
+    is_reported = path is not None and bool(result.changes or (options.report and result.lines))
+    render = as_json if path and path.endswith(".json") else as_markdown
     text = encoded(render(result.lines, wishes.source, wishes.target, base)) if is_reported else b""
-    changes = result.changes
+    report = (path, text) if path is not None and is_reported else None
+    if report is not None and os.path.isdir(report[0]):
+        raise UserError(f"'{report[0]}' is a folder")
     if options.output is not None:
-        _write_copy(scratch, options.output, base)
+        problems = write_copy(scratch, base, options.output, report)
     elif options.in_place:
-        if report is not None and is_reported and options.report is None:
-            changes = (*changes, Change(report, bytes_of(report), text))
-        problems = write_all(changes)
-        for problem in problems:
-            print_message(problem)
-        if problems:
-            return 2
+        problems = write_changes(result.changes, report)
     else:
-        print_bytes(patch(changes))
-    if report is not None and is_reported and changes is result.changes:
-        write_file(report, text, force=True)
+        print_bytes(patch(result.changes))
+        problems = write_changes((), report)
+    for problem in problems:
+        print_message(problem)
+    if problems:
+        return 2
     counts = {kind: sum(line.kind is kind for line in result.lines) for kind in EntryKind}
     verb = "changed" if is_written else "would change"
     files = f"{len(result.changes)} file{'s' * (len(result.changes) != 1)}"
     print_message(
         f"{verb} {files}; {counts[EntryKind.DONE]} done, {counts[EntryKind.DECIDED]} decided, "
-        f"{counts[EntryKind.FOR_YOU]} for you{f' (see {report})' if is_reported else ''}"
+        f"{counts[EntryKind.FOR_YOU]} for you{f' (see {path})' if is_reported else ''}"
     )
     return int(bool(result.changes) and not is_written)
-
-
-def _write_copy(scratch: Scratch, output: str, base: str) -> None:
-    """Write the migrated packages below a folder, in the same places as below `base`; as a whole if there is none."""
-    is_new = not os.path.lexists(output)
-    folder = f"{os.path.realpath(output)}.{os.getpid()}" if is_new else output
-    try:
-        os.makedirs(folder, exist_ok=True)
-        for path in scratch.files():
-            target = os.path.join(folder, os.path.relpath(scratch.real(path), base))
-            os.makedirs(os.path.dirname(target), exist_ok=True)
-            shutil.copyfile(path, target)
-        if is_new:
-            os.rename(folder, output)
-    except OSError as error:
-        if is_new:
-            shutil.rmtree(folder, ignore_errors=True)
-        raise UserError(f"'{output}' cannot be written: {error.strerror}") from None

@@ -6,8 +6,10 @@ import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from urdfctl.config.settings import Settings
+from urdfctl.diagnostic import Edit
 from urdfctl.fix.edits import Shift, Splice, Taken, bytes_of, clash, edited
 from urdfctl.migrate.acceptance import Before, Objection, objections
+from urdfctl.migrate.line_ends import with_line_ends_of
 from urdfctl.migrate.packages import Lint, Linted, Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Step
 from urdfctl.migrate.todo import with_todos
@@ -140,12 +142,13 @@ class Attempt:
 
     def _create(self, proposals: Sequence[Proposal]) -> Iterator[str]:
         for proposal in proposals:
+            replaced = {path: bytes_of(path) or b"" for path in proposal.deleted}
             for path in proposal.deleted:
                 if os.path.lexists(path):
                     self.packages.scratch.write(path, None)
                     yield path
             for path, text in proposal.created:
-                data = text.encode("utf-8", "surrogateescape")
+                data = with_line_ends_of(replaced.get(path, b""), text).encode("utf-8", "surrogateescape")
                 if not os.path.lexists(path) and bytes_of(path) != data:
                     self.packages.scratch.write(path, data)
                     yield path
@@ -156,10 +159,17 @@ class Attempt:
         return list(objections(state, self.linted, self.packages.loaded(), self._claims, self._moved))
 
 
+def _splice(edit: Edit) -> Splice:
+    span = edit.span
+    text = with_line_ends_of(span.source.data, edit.text)
+    return Splice(os.path.realpath(span.file), span.start, span.end, text)
+
+
 def _splices(proposal: Proposal) -> list[Splice]:
     """The edits of a proposal. Where they touch, they are one edit, in the order of the proposal."""
-    edits = (Splice(os.path.realpath(one.span.file), one.span.start, one.span.end, one.text) for one in proposal.edits)
-    splices = sorted(dict.fromkeys(edits), key=lambda splice: (splice.file, splice.start, splice.end))
+    splices = sorted(
+        dict.fromkeys(map(_splice, proposal.edits)), key=lambda splice: (splice.file, splice.start, splice.end)
+    )
     joined: list[Splice] = []
     for splice in splices:
         last = joined[-1] if joined else None

@@ -116,8 +116,11 @@ class Scratch:
         found = ((path, before, bytes_of(path)) for path, before in self._originals.items())
         return tuple(sorted(Change(self.real(path), old, new) for path, old, new in found if old != new))
 
-    def files(self) -> Iterator[str]:
-        """Yield the files in the folders to migrate, in order, except those that git ignores."""
+    def files(self, *, with_links: bool = False) -> Iterator[str]:
+        """Yield the files in the folders to migrate, in order, except those that git ignores.
+
+        with_links: also links to folders.
+        """
         for folder in self.folders:
             git = GitIgnore(folder)
             for current, folders, names in os.walk(folder):
@@ -125,7 +128,8 @@ class Scratch:
                 folders[:] = sorted(
                     one for one in wanted if not git.ignores(os.path.join(current, one), is_folder=True)
                 )
-                paths = (os.path.join(current, name) for name in sorted(names))
+                linked = [one for one in folders if with_links and os.path.islink(os.path.join(current, one))]
+                paths = (os.path.join(current, name) for name in sorted([*names, *linked]))
                 yield from (path for path in paths if not git.ignores(path, is_folder=False))
 
     def _copy_settings(self, real: Sequence[str]) -> None:

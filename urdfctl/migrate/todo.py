@@ -38,8 +38,7 @@ def for_you(at: Place, text: str, *, authority: str = "") -> Proposal:
         without_punctuation(comment.encode())
     ):
         return Proposal(entries=(entry,))
-    newline = "\r\n" if b"\r\n" in source.data[:4096] else "\n"
-    edit = Edit(SourceSpan(source, start, start), f"{indent}{comment}{newline}")
+    edit = Edit(SourceSpan(source, start, start), f"{indent}{comment}\n")
     return Proposal(edits=(edit,), entries=(entry,))
 
 

@@ -53,8 +53,7 @@ def inserted(parent: Element, text: str) -> Edit | None:
     last = span_of(children[-1])
     line = source.data.rfind(b"\n", 0, last.start) + 1
     indent = source.data[line : last.start]
-    newline = "\r\n" if b"\r\n" in source.data[:4096] else "\n"
-    lead = "" if indent.strip() else f"{newline}{indent.decode('utf-8', 'replace')}"
+    lead = "" if indent.strip() else f"\n{indent.decode('utf-8', 'replace')}"
     return Edit(SourceSpan(source, last.end, last.end), f"{lead}{text}")
 
 

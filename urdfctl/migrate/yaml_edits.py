@@ -20,7 +20,6 @@ class MapEdits:
         self._splices: list[tuple[int, int, str]] = []
         self._inserted: dict[int, int] = {}
         self._dropped: dict[int, set[int]] = {}
-        self._newline = "\r\n" if b"\r\n" in source.data[:4096] else "\n"
 
     def replace(self, node: Node, text: str) -> None:
         """Replace a key or a value."""
@@ -38,7 +37,7 @@ class MapEdits:
             at = self._line_end(_end(entry.value))
             indent = " " * (parent.entries[0].key.start - self._line_start(parent.entries[0].key.start))
             has_newline = self.source.data[at - 1 : at] == b"\n"
-            text = f"{indent}{line}{self._newline}" if has_newline else f"{self._newline}{indent}{line}"
+            text = f"{indent}{line}\n" if has_newline else f"\n{indent}{line}"
             self._splices.append((at, at, text))
 
     def drop(self, path: Path) -> None:

@@ -99,11 +99,10 @@ def _replaced_in_yaml(entry: YamlEntry, lists: dict[str, list[str]], gone: list[
     source, value = entry.key.source, entry.value
     start = entry.key.start
     end = value.start + len(source.data[value.start : value.end].rstrip())
-    newline = "\r\n" if b"\r\n" in source.data[:4096] else "\n"
     indent = " " * (start - source.data.rfind(b"\n", 0, start) - 1)
     filled = {name: items for name, items in lists.items() if items}
     lines = [line for name, items in filled.items() for line in (f"{name}:", *(f"  - {item}" for item in items))]
-    edit = Edit(SourceSpan(source, start, end), f"{newline}{indent}".join(lines))
+    edit = Edit(SourceSpan(source, start, end), f"\n{indent}".join(lines))
     return Proposal((edit,), entries=_entries(entry.key.at, list(lists), gone))
 
 
