@@ -182,3 +182,19 @@ def test_a_repeated_name_is_listed_by_its_line() -> None:
 def test_a_remark_without_a_place_is_listed_by_its_name() -> None:
     one = found("link 'a' is wrong", 1)._replace(also=(Remark("link 'b' is wrong"),))
     assert likewise(one) == "also 'b'"
+
+
+def test_warnings_that_depend_on_an_unknown_distro_are_one_from_three_in_a_file_on() -> None:
+    def dependent(name: str, line: int, applies: str, severity: Severity = Severity.WARNING) -> Diagnostic:
+        message = f"no parameter '{name}'; replacement: {name}_{line}"
+        return found(message, line, severity=severity)._replace(notes=(Remark(f"applies to {applies}"),))
+
+    names = list(enumerate("abc", 1))
+    [one] = grouped(dependent(name, line, "jazzy") for line, name in names)
+    assert (one.message, likewise(one)) == ("no parameter 'a'; replacement: a_1", "also 'b' (line 2) and 'c' (line 3)")
+    assert [note.message for note in one.notes] == ["applies to jazzy"]
+    [one] = grouped(dependent(name, line, "jazzy" if line > 1 else "kilted") for line, name in names)
+    assert one.notes == ()
+    assert len(grouped(dependent(name, line, "jazzy") for line, name in names[:2])) == 2
+    assert len(grouped(dependent(name, line, "jazzy", Severity.ERROR) for line, name in names)) == 3
+    assert len(grouped(dependent(name, line, "jazzy")._replace(notes=()) for line, name in names)) == 3

@@ -508,6 +508,18 @@ def test_what_is_installed_is_only_judged_where_all_of_it_is_said(
     assert all(build in message for message in told)
 
 
+def test_a_file_that_only_rviz_misses_makes_a_warning(folder: Folder) -> None:
+    manifest = MANIFEST.replace("</package>", "<export><build_type>ament_cmake</build_type></export></package>")
+    rviz = '<node pkg="rviz2" exec="rviz2" args="-d $(find-pkg-share arm)/view.rviz"/></launch>'
+    to = "DESTINATION share/arm)"
+    install = f"install(DIRECTORY launch {to}\ninstall(FILES controllers.yaml arm.urdf {to}"
+    build = f"project(arm)\n{install}"
+    files = {**samples.SOUND, "package.xml": manifest, "CMakeLists.txt": build, "view.rviz": ""}
+    [launch] = [name for name in files if ".launch" in name]
+    files[launch] = files[launch].replace("</launch>", rviz)
+    assert [one[:2] for one in found(folder, files, "UC615")] == [("UC615", "warning")]
+
+
 def test_of_a_package_that_installs_nothing_each_file_is_told(folder: Folder) -> None:
     manifest = MANIFEST.replace("</package>", "<export><build_type>ament_cmake</build_type></export></package>")
     files = {**samples.SOUND, "package.xml": manifest, "CMakeLists.txt": "install(FILES x DESTINATION share/arm)"}

@@ -143,6 +143,11 @@ def test_a_misspelt_file_is_reported(robot: Robot, written: str, meant: str) -> 
     assert f"did you mean '{meant}'?" in robot.only("UC503", plugin(filename=written)).message
 
 
+def test_a_misspelt_library_of_the_other_ros_is_reported_once_with_what_to_load(robot: Robot) -> None:
+    found = robot.only("UC504", component(IN_CLASSIC) + plugin(filename="gazebo_ros_control.so"), distro="humble")
+    assert "libgazebo_ros2_control.so" in robot.fixed(found)
+
+
 def test_a_misspelt_plugin_that_moves_the_robot_is_an_error(robot: Robot) -> None:
     assert robot.only("UC503", plugin(filename="libgazebo_ros_contol.so")).severity.value == "error"
     assert robot.only("UC503", plugin(filename="libgazebo_ros_camra.so")).severity.value == "warning"

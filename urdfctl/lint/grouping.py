@@ -18,6 +18,9 @@ MOST_ERRORS = 3
 MOST_OF_A_RULE = 10
 """From this many findings of a rule in a file on, all of one severity are one finding, equal or not."""
 
+MOST_IN_SOME_DISTROS = 2
+"""The same for warnings that depend on the distro, which is unknown: they say more about that than about the file."""
+
 Group = list[Diagnostic]
 Key = Callable[[Diagnostic], object]
 
@@ -31,13 +34,23 @@ def _folder(finding: Diagnostic) -> object:
     return finding.message.partition("; did you mean")[0].rpartition("/")[0].rpartition("'")[2]
 
 
+def _message(finding: Diagnostic) -> object:
+    return finding.message
+
+
 def _install_rules(finding: Diagnostic) -> object:
     """The manifest of the package."""
     return next((note.at.file for note in finding.notes if note.at), finding.at.file)
 
 
-_OUTSIDE: dict[str, Key] = {"UC003": _package, "UC149": _folder, "UC150": _package, "UC615": _install_rules}
-"""What is missing outside of the files, by rule: findings in several files are one fault if it is the same."""
+_OUTSIDE: dict[str, Key] = {
+    "UC003": _package,
+    "UC149": _folder,
+    "UC150": _package,
+    "UC359": _message,
+    "UC615": _install_rules,
+}
+"""What is missing or wrong outside of the files, by rule: findings in several files are one fault if it is the same."""
 
 
 def grouped(findings: Iterable[Diagnostic]) -> list[Diagnostic]:
@@ -52,9 +65,10 @@ def grouped(findings: Iterable[Diagnostic]) -> list[Diagnostic]:
 
     def of_many(finding: Diagnostic) -> object:
         place = _rule_in_file(finding)
-        return (place, finding.severity) if counts[place] > MOST_OF_A_RULE else finding.order
+        most = MOST_IN_SOME_DISTROS if _depends_on_distro(finding) else MOST_OF_A_RULE
+        return (place, finding.severity) if counts[place] > most else finding.order
 
-    if max(counts.values(), default=0) > MOST_OF_A_RULE:
+    if max(counts.values(), default=0) > MOST_IN_SOME_DISTROS:
         groups = _joined(groups, of_many)
     groups = _joined(groups, _copy)
     return sorted(map(_one, groups), key=lambda finding: finding.order)
@@ -66,16 +80,24 @@ def _apart(group: Group) -> list[Group]:
     return [[finding] for finding in group] if is_short else [group]
 
 
-def _rule_in_file(finding: Diagnostic) -> tuple[str, str]:
-    return finding.code, finding.at.file
+def _rule_in_file(finding: Diagnostic) -> tuple[str, str, bool]:
+    return finding.code, finding.at.file, _depends_on_distro(finding)
+
+
+def _depends_on_distro(finding: Diagnostic) -> bool:
+    return finding.severity is not Severity.ERROR and bool(_applies(finding))
+
+
+def _applies(finding: Diagnostic) -> tuple[str, ...]:
+    return tuple(note.message for note in finding.notes if note.message.startswith(APPLIES))
 
 
 def _likeness(finding: Diagnostic) -> object:
     """What equal findings have in common: rule, file, severity, words, kind of fix, and the distros they apply to."""
     if finding.code in _OUTSIDE:
         return finding.code, finding.severity, _OUTSIDE[finding.code](finding)
-    applies = tuple(note.message for note in finding.notes if note.message.startswith(APPLIES))
-    return finding.code, finding.at.file, finding.severity, shape(finding.message), _kind(finding), applies
+    words = shape(finding.message)
+    return finding.code, finding.at.file, finding.severity, words, _kind(finding), _applies(finding)
 
 
 def _copy(finding: Diagnostic) -> object:
@@ -115,6 +137,8 @@ def _one(group: Group) -> Diagnostic:
         return group[0]
     first = max(group, key=lambda finding: finding.severity.weight)
     others = tuple(Remark(finding.message, finding.at) for finding in group if finding is not first)
+    if len({_applies(finding) for finding in group}) > 1:
+        first = first._replace(notes=tuple(note for note in first.notes if not note.message.startswith(APPLIES)))
     return first._replace(also=others, fix=_fix([finding.fix for finding in group if finding.fix]))
 
 

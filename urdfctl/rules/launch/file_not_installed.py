@@ -48,6 +48,8 @@ def file_not_installed(project: Project) -> Iterator[Finding]:
     `ros2 launch` looks in the installed package. It contains only what `install()` in CMakeLists.txt or `data_files` in
     setup.py lists. The launch fails, although the file is in the source tree. ROS 1 needs install rules only for
     `catkin_make install` and for binary packages; there the rule reports files that an installed launch file uses.
+    Without a file that a program gets as an argument, such as RViz's configuration, only that program does not work as
+    intended: a warning.
     """
     launch = project.launch
     package = launch.package if launch else None
@@ -56,18 +58,19 @@ def file_not_installed(project: Project) -> Iterator[Finding]:
     severity = None if launch.ros == ROS_2 else Severity.WARNING
     if severity and not package.installs(launch.path):
         return
-    for path, at in _own(launch, package):
+    for path, at, use in _own(launch, package):
         if package.installs(path) is False:
             inner = path.removeprefix(package.folder).lstrip("/")
             folder = inner.rpartition("/")[0]
             what = f"folder '{folder}'" if folder else "it"
             message = f"'{inner}' is not installed: {package.build_file} does not list {what}"
-            yield Finding(at, message, (Note("the package's manifest is here", package.at),), severity=severity)
+            manifest = Note("the package's manifest is here", package.at)
+            yield Finding(at, message, (manifest,), severity=Severity.WARNING if use == "argument" else severity)
 
 
-def _own(launch: Launch, package: Package) -> Iterator[tuple[str, Place]]:
-    """Yield the package's files that the launch file uses in every case."""
+def _own(launch: Launch, package: Package) -> Iterator[tuple[str, Place, str]]:
+    """Yield the package's files that the launch file uses in every case, and what for."""
     for reference in launch.references:
         path = reference.file.path
         if path and reference.sure and reference.file.exists and path.startswith(f"{package.folder}/"):
-            yield path, reference.file.at
+            yield path, reference.file.at, reference.use

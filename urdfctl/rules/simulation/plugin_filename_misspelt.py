@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.catalog.distros import generation
 from urdfctl.catalog.hardware import library_of
 from urdfctl.control.gazebo_plugins import DRIVES, LIBRARIES
 from urdfctl.control.simulator_plugins import LoadedPlugin, loaded_plugins
@@ -47,13 +48,20 @@ def plugin_filename_misspelt(project: Project) -> Iterator[Finding]:
         if not sim_plugin.filename or not is_known(sim_plugin.filename) or "/" in sim_plugin.filename:
             continue
         meant = _meant(sim_plugin, known)
-        if meant:
+        if meant and not _is_of_other_ros(project, meant):
             at = sim_plugin.plugin.at["filename"]
             vital = library_of(meant) in DRIVES or _hosts_control(project, meant)
             severity = Severity.ERROR if vital else None
             message = f"unknown plugin library '{sim_plugin.filename}'; did you mean '{meant}'?"
             fix = replaced(at, sim_plugin.plugin.filename or "", meant)
             yield Finding(at, message, fix=fix, severity=severity)
+
+
+def _is_of_other_ros(project: Project, filename: str) -> bool:
+    """Whether only the other generation of ROS has a library: another rule reports that, and what to load instead."""
+    having = {generation(distro) for distro in project.catalog.distros_of_library(filename)}
+    having |= {ros for ros, libraries in LIBRARIES.items() if library_of(filename) in libraries}
+    return bool(having) and project.ros is not None and project.ros not in having
 
 
 def _hosts_control(project: Project, filename: str) -> bool:
