@@ -635,6 +635,24 @@ def test_a_world_that_does_not_exist_is_told_of_also_if_its_folder_is_missing(
     ]
 
 
+def test_an_argument_for_the_simulator_may_contain_its_own_former_value(folder: Folder) -> None:
+    changes = {
+        "import IncludeLaunchDescription": (
+            "import DeclareLaunchArgument, IncludeLaunchDescription\n"
+            "    from launch.substitutions import LaunchConfiguration"
+        ),
+        'os.path.join(get_package_share_directory("arm"), "worlds", "empty.world")': (
+            '[get_package_share_directory("arm"), "/worlds/", LaunchConfiguration("world")]'
+        ),
+        "LaunchDescription([Inc": 'LaunchDescription([DeclareLaunchArgument("world", default_value="empty.world"), Inc',
+    }
+    named = WORLDS
+    for before, after in changes.items():
+        named = named.replace(before, after, 1)
+    files = {"arm.launch.py": named, "package.xml": MANIFEST, "CMakeLists.txt": "ament_package()"}
+    assert [one[2] for one in found(folder, files, "UC616")] == ["world file does not exist: 'arm/worlds/empty.world'"]
+
+
 @pytest.mark.parametrize("text", ["$(var side)", "$(arg side)", "$(find-pkg-share arm)", "${side}"])
 def test_what_launch_would_substitute_is_text_in_a_controller_file(folder: Folder, text: str) -> None:
     controllers = CONTROLLERS.replace("joints: [shoulder, elbow]", f"joints: ['{text}shoulder', elbow]")

@@ -299,11 +299,8 @@ class _Walk:
             return
         path = texts.of(source)
         given = table_of(term.given("launch_arguments"))
-        for name, value in given.entries.items() if given else ():
-            scope.settings[name] = texts.of(value)
-            self._described(name, value, scope)
         package = package_outside(path) or _package_in(path)
-        if package in _SIMULATORS:
+        if package in _SIMULATORS:  # before the arguments are set: one may contain the former value of its own name
             self._simulation(
                 simulator=_SIMULATORS[package],
                 file=os.path.basename(path),
@@ -313,7 +310,10 @@ class _Walk:
                 state=state,
             )
             self.nodes(scope).worlds(given, texts, sure=state.sure)
-        elif package_outside(path) not in _WITHOUT_CONTROLLERS:
+        for name, value in given.entries.items() if given else ():
+            scope.settings[name] = texts.of(value)
+            self._described(name, value, scope)
+        if package not in _SIMULATORS and package_outside(path) not in _WITHOUT_CONTROLLERS:
             at = source.at if source is not None else term.at
             self._follow(path, Word(path, at), scope, state)
 
