@@ -635,6 +635,27 @@ def test_a_world_that_does_not_exist_is_told_of_also_if_its_folder_is_missing(
     ]
 
 
+@pytest.mark.parametrize(
+    ("package", "value", "told"),
+    [
+        ("robot_state_publisher", "$(find-pkg-share arm)/arm.urdf", True),
+        ("robot_state_publisher", "$(var model)", True),
+        ("robot_state_publisher", "$(command 'cat $(find-pkg-share arm)/arm.urdf')", False),
+        ("robot_state_publisher", "$(env DESCRIPTION)", False),
+        ("robot_state_publisher", "<robot name='r'><link name='a.urdf'/></robot>", False),
+        ("webots_ros2_driver", "$(find-pkg-share arm)/arm.urdf", False),
+    ],
+)
+def test_a_path_in_place_of_the_description_is_an_error_for_what_reads_xml(
+    folder: Folder, package: str, value: str, told: bool
+) -> None:
+    declared = '<arg name="model" default="$(find-pkg-share arm)/arm.urdf"/>'
+    escaped = value.replace("<", "&lt;")
+    node = f'<node pkg="{package}" exec="{package}"><param name="robot_description" value="{escaped}"/></node>'
+    expected = ("UC645", "error", "'robot_description' is the path 'arm.urdf', but must be the text of the description")
+    assert found(folder, launched(declared, node), "UC645") == ([expected] if told else [])
+
+
 def test_an_argument_for_the_simulator_may_contain_its_own_former_value(folder: Folder) -> None:
     changes = {
         "import IncludeLaunchDescription": (

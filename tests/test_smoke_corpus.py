@@ -38,7 +38,7 @@ WITHOUT_HARDWARE = """
 """.split()
 """They have controllers of ROS 2 and no <ros2_control> in the description that the corpus pairs these with."""
 FAULTY = {
-    **dict.fromkeys(WITHOUT_HARDWARE, {"UC902"}),
+    **{name: {"UC902"} for name in WITHOUT_HARDWARE},
     # it turns right when commanded to turn left: the steering joints' axes point down
     "ros-controls__gz_ros2_control:gz_ros2_control_demos.urdf.test_ackermann_drive.xacro.urdf": {"UC942"},
     # left_wheel_joint is on the right side, at y = -0.05

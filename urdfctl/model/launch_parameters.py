@@ -16,7 +16,9 @@ MANAGERS = ("ros2_control_node",)
 DESCRIBED = ("robot_state_publisher", *MANAGERS, "move_group")
 """The programs that take a robot description."""
 _OF_MANAGERS = r"ros2_control|controller_manager"
-_SEMANTIC = "robot_description_semantic"
+_DESCRIPTION, _SEMANTIC = "robot_description", "robot_description_semantic"
+_DESCRIPTION_PATH = r"[^<>\s]+\.(?:urdf|xacro|sdf)"
+"""A text in place of a description that is the path of its file."""
 
 
 class NodeParameters:
@@ -77,9 +79,11 @@ class NodeParameters:
         self.complete = self.complete and table.whole
         for name, value in table.entries.items():
             self.names.append(Word(name, table.keys[name]))
-            if isinstance(value, (Constant, Called)) and name != "robot_description":
-                self.values[name] = self.texts.of(value)
-            if name == "robot_description":
+            is_text = isinstance(value, (Constant, Called)) or (name == _DESCRIPTION and isinstance(value, Items))
+            text = self.texts.of(value) if is_text else None
+            if text is not None and (name != _DESCRIPTION or re.fullmatch(_DESCRIPTION_PATH, text)):
+                self.values[name] = text
+            if name == _DESCRIPTION:
                 self._description(value)
         read = lambda term: content_of(term, self.texts, lambda _: False)  # noqa: E731 (one use)
         files = files_of_table(table, table.at, read, self.facts.locate)
@@ -91,7 +95,7 @@ class NodeParameters:
         """Add the parameters of a MoveItConfigsBuilder: one of its dicts, or all of them (`to_dict()`)."""
         self.complete = False
         builder = builder_of(term, self.texts)
-        if isinstance(term, Member) and term.name == "robot_description":
+        if isinstance(term, Member) and term.name == _DESCRIPTION:
             self.names.append(Word(term.name, term.at))
             self._description(term)
         elif builder is not None and (isinstance(term, Called) or term.name == _SEMANTIC):

@@ -8,6 +8,7 @@ from urdfctl.rules.launch.control_plugin_not_loaded import control_plugin_not_lo
 from urdfctl.rules.launch.controller_not_spawned import controller_not_spawned
 from urdfctl.rules.launch.controller_spawned_twice import controller_spawned_twice
 from urdfctl.rules.launch.described_by_macros_only import described_by_macros_only
+from urdfctl.rules.launch.description_is_a_path import description_is_a_path
 from urdfctl.rules.launch.description_not_published import description_not_published
 from urdfctl.rules.launch.description_of_other_namespace import description_of_other_namespace
 from urdfctl.rules.launch.description_read_as_yaml import description_read_as_yaml
@@ -65,4 +66,5 @@ RULES: tuple[Rule, ...] = (
     package_misspelt,
     control_plugin_not_loaded,
     publisher_of_older_distro,
+    description_is_a_path,
 )
