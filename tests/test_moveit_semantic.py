@@ -128,6 +128,27 @@ _CONFIG = {
 }
 
 
+@pytest.mark.parametrize(
+    ("launch", "plugin", "expected"),
+    [
+        ("demo", "gz_ros2_control/GazeboSimSystem", ["UC607"]),
+        ("demo", "mock_components/GenericSystem", []),
+        ("move_group", "gz_ros2_control/GazeboSimSystem", []),
+    ],
+)
+def test_the_manager_of_a_demo_cannot_load_simulated_hardware(
+    launch: str, plugin: str, expected: list[str], tmp_path: Path
+) -> None:
+    hardware = f"""<ros2_control name="arm" type="system"><hardware><plugin>{plugin}</plugin></hardware>
+        <joint name="elbow"><command_interface name="position"/><state_interface name="position"/></joint>
+    </ros2_control>"""
+    text = _BUILDER.replace("CALLS", "").replace("LAUNCH", launch)
+    robot = whole("arm.urdf.xacro", hardware)
+    _write(tmp_path, {**_CONFIG, "config/arm.urdf.xacro": robot, "demo.launch.py": text})
+    found = findings(tmp_path / "demo.launch.py", ("UC607",), workspace=str(tmp_path), distro="jazzy")
+    assert [each.code for each in found] == expected
+
+
 @pytest.mark.parametrize("launch", ["demo", "move_group"])
 def test_a_builder_reads_the_usual_files_of_its_package(launch: str, tmp_path: Path) -> None:
     _write(tmp_path, {**_CONFIG, "demo.launch.py": _BUILDER.replace("CALLS", "").replace("LAUNCH", launch)})

@@ -8,8 +8,16 @@ from urdfctl.catalog.distros import ROS2
 from urdfctl.control.simulator_plugins import IN_GAZEBO, components, simulator_of
 from urdfctl.model.launch import Launch
 from urdfctl.rule import Finding, Note, Project, Severity, rule
-from urdfctl.rules.launch.common import CONTROLLER_MANAGER, ROS_2, launch_of, manager_nodes, simulators_managers
+from urdfctl.rules.launch.common import (
+    CONTROLLER_MANAGER,
+    MANAGER,
+    ROS_2,
+    launch_of,
+    manager_nodes,
+    simulators_managers,
+)
 from urdfctl.rules.launch_samples import ARM, BROADCASTER, PUBLISHER, ROBOT, SOUND, launched
+from urdfctl.source.span import Place
 
 _MANAGER = """
       «<node pkg="controller_manager" exec="ros2_control_node">»
@@ -45,12 +53,17 @@ def manager_beside_simulator(project: Project) -> Iterator[Finding]:
         return
     hardware = simulated[0]
     where = IN_GAZEBO[simulator_of(project, hardware) or ""]
-    for node in manager_nodes(launch):
-        if node.sure and node.namespace == (launch.description.namespace or ""):
-            message = (
-                f"ros2_control_node cannot load '{hardware.plugin}'; {where} runs it in its own controller manager"
-            )
-            yield Finding(node.at, message, (Note("the hardware is defined here", hardware.at),))
+    for at in _started(launch, launch.description.namespace or ""):
+        message = f"ros2_control_node cannot load '{hardware.plugin}'; {where} runs it in its own controller manager"
+        yield Finding(at, message, (Note("the hardware is defined here", hardware.at),))
+
+
+def _started(launch: Launch, namespace: str) -> Iterator[Place]:
+    """Yield the places that start ros2_control_node in a namespace; also the calls of MoveIt that do."""
+    nodes = manager_nodes(launch)
+    yield from (node.at for node in nodes if node.sure and node.namespace == namespace)
+    if not nodes:
+        yield from (load.at for load in launch.loads if load.node == MANAGER and load.sure and load.of == namespace)
 
 
 def _second(project: Project, launch: Launch) -> Iterator[Finding]:
