@@ -69,6 +69,13 @@ def test_a_driver_may_offer_more_than_its_tag_says() -> None:
     assert found.absence(Kind.COMMAND, "tcp", "twist.x") is None
 
 
+def test_a_driver_that_exports_interfaces_of_its_own_lacks_none_that_its_tag_does_not_list() -> None:
+    found = hardware(component(joint("elbow"), plugin="canopen_ros2_control/CanopenSystem"))
+    assert found.absence(Kind.COMMAND, "elbow", "nmt/reset") is None
+    other = hardware(component(joint("elbow"), plugin="our_drivers/Arm"))
+    assert other.absence(Kind.COMMAND, "elbow", "nmt/reset") is Absence.LIKELY
+
+
 def test_with_two_components_certainty_depends_on_each_plugin() -> None:
     found = hardware(component(joint("elbow")) + component(joint("shoulder"), plugin="acme/Driver"))
     assert found.absence(Kind.COMMAND, "elbow", "effort") is Absence.SURE

@@ -22,6 +22,7 @@ class HardwareType(NamedTuple):
     sensor_interfaces: by kind of sensor.
     states_commanded: boolean parameters, each with a kind of part whose state interfaces get command interfaces too.
     offered_as: exported names of renamed command interfaces, by declared name.
+    exports_own: whether it exports interfaces of its own for each joint, whatever the description lists.
     """
 
     type: str
@@ -39,6 +40,7 @@ class HardwareType(NamedTuple):
     replacement: Replacement | None = None
     states_commanded: Mapping[str, str] = MappingProxyType({})
     offered_as: Mapping[str, str] = MappingProxyType({})
+    exports_own: bool = False
 
 
 class PluginChild(NamedTuple):
@@ -134,6 +136,7 @@ def hardware_type(own: Plain, distro: str) -> HardwareType:
             name: kind for name, kind in own.get("states_commanded", {}).items() if name in (parameters or ())
         },
         offered_as=own.get("offered_as", {}),
+        exports_own=own.get("exports_own", False),
     )
 
 

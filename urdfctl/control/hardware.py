@@ -58,7 +58,8 @@ class Hardware(NamedTuple):
     fixed: frozenset[str] = frozenset()
     """Joints of the robot that are fixed."""
     bare: frozenset[str] = frozenset()
-    """Components of drivers that export interfaces of their own: the description lists none at all."""
+    """Components of drivers that export interfaces of their own: the description lists none at all, or the catalogue
+    says so."""
 
     def offers(self, kind: Kind) -> Offers:
         """Return the command or the state interfaces."""

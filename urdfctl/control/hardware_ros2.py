@@ -35,7 +35,8 @@ def described_hardware(robot: Robot, catalog: Catalog, distro: str) -> Hardware:
             exact |= {part.name.strip() for part in control.parts if part.name}
         else:
             is_open = True
-            if not any(part.interfaces for part in control.parts):
+            has_own = plugin is not None and plugin.exports_own
+            if has_own or not any(part.interfaces for part in control.parts):
                 bare |= {part.name.strip() for part in control.parts if part.name}
     joints = frozenset(robot.joint_names)
     fixed = fixed_joints(robot)
