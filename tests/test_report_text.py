@@ -171,6 +171,14 @@ def test_paths_in_messages_are_shown_in_the_same_way(folder: Folder) -> None:
     assert told == f"r.xacro:1:1: error UC901 file 'a b.xacro' does not exist, nor c:3, nor x{folder.path}/d\n"
 
 
+def test_a_path_in_an_address_of_a_file_is_shown_in_the_same_way(folder: Folder) -> None:
+    one = fault(
+        at(folder, "r.xacro", (1, 1)), message=f"no mesh 'file://{folder.path}/a.stl', nor 'x://{folder.path}/b'"
+    )
+    told = concise.render(Report((), (one,)))
+    assert told == f"r.xacro:1:1: error UC901 no mesh 'file://a.stl', nor 'x://{folder.path}/b'\n"
+
+
 @pytest.mark.parametrize(
     ("severities", "counted"),
     [

@@ -127,7 +127,7 @@ def relative_message(message: str, folder: str | None = None) -> str:
     begins = _inside(folder)
     if begins == os.sep or begins not in message:
         return message
-    return re.sub(r"(?<![\w./-])" + re.escape(begins), "", message)
+    return re.sub(r"(?:(?<![\w./-])|(?<=\bfile://))" + re.escape(begins), "", message)
 
 
 def _located(at: Location, folder: str | None) -> Location:
