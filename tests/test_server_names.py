@@ -258,10 +258,24 @@ def test_values_are_shown_where_all_calls_agree(folder: Folder, written: str, sh
     assert [(hint.line, hint.value) for hint in hints_in(asks)] == [(6, shown)]
 
 
+@pytest.mark.parametrize(
+    ("written", "shown"),
+    [("12 / 8", "= 1.5"), ("pi / 2", "≈ 1.5708"), ("-0.1 * 0.7", "≈ -0.07"), ("1e-9 / 3", "≈ 3.33333e-10")],
+)
+def test_a_value_with_many_digits_is_shown_with_six(folder: Folder, written: str, shown: str) -> None:
+    text = MACROS.replace('effort="1"', f'effort="${{{written}}}"')
+    [hint] = hints_in(question(folder, XACRO, types.Position(0, 0), typed=text))
+    assert hint.label == shown
+
+
 IGNORED = ROBOT.replace("  <link name", "  <!-- urdfctl: ignore[UC116] later -->\n  <link name", 1)
 LIMITED = CONTROLLERS.replace("JointGroupPositionController", "GripperActionController").replace(
     "joints: [neck]", "joint: neck\n    stall_timeout: 1.0"
 )
+TRAJECTORY = CONTROLLERS.replace(
+    "position_controllers/JointGroupPosition", "joint_trajectory_controller/JointTrajectory"
+)
+TRAJECTORY = TRAJECTORY.replace("joints: [neck]", "joints: [neck]\n    command_interfaces: [position]")
 
 
 @pytest.mark.parametrize(
@@ -269,6 +283,13 @@ LIMITED = CONTROLLERS.replace("JointGroupPositionController", "GripperActionCont
     [
         (URDF, IGNORED, "UC116", ["**UC116** unknown-link (error)", "Runtime: rejects the part"]),
         (YAML, LIMITED, "stall_timeout", ["type: `double`", "unit: s", "default: `1.0`"]),
+        (
+            YAML,
+            TRAJECTORY,
+            "command_interfaces",
+            ["must not contain duplicates", "can contain only 'position'"],
+        ),
+        (URDF, IGNORED.replace("UC116", "UC126"), "UC126", ["reads an &lt;axis> without `xyz` as 0 0 0"]),
         (URDF, ROBOT.replace('<command_interface name="position"/>', ""), '"position"/>', ["no controller uses it"]),
     ],
 )

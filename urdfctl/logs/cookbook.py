@@ -11,6 +11,7 @@ from urdfctl.catalog.distros import in_words
 from urdfctl.catalog.log_messages import Cause, LogMessage, log_messages
 from urdfctl.rule import Rule
 from urdfctl.rules import all_rules
+from urdfctl.rules.prose import as_markdown
 
 COMMONEST = {
     "no-hardware-interface-in-joint": "UC201",
@@ -82,8 +83,8 @@ def _named(text: str) -> str:
 
 
 def _prose(text: str) -> str:
-    """The same, with `<` escaped so that Markdown does not read it as HTML."""
-    return _named(text).replace("<", "&lt;")
+    """The same as Markdown."""
+    return as_markdown(_named(text))
 
 
 if __name__ == "__main__":

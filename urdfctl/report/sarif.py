@@ -19,6 +19,7 @@ from urdfctl.report.fingerprint import fingerprints
 from urdfctl.report.words import fix_in_words, notes
 from urdfctl.rule import Rule
 from urdfctl.rules import all_rules
+from urdfctl.rules.prose import as_markdown
 from urdfctl.startup.hints import Any
 
 _SCHEMA = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json"
@@ -80,15 +81,10 @@ def _rule(rule: Rule) -> Json:
         "defaultConfiguration": {"level": _LEVELS[rule.severity]},
         "help": {
             "text": "\n\n".join(part for part in paragraphs if part),
-            "markdown": "\n\n".join([*(_prose(part) for part in paragraphs if part), *_examples(rule)]),
+            "markdown": "\n\n".join([*(as_markdown(part) for part in paragraphs if part), *_examples(rule)]),
         },
         "properties": {"tags": ["ros", "urdf"], "distros": list(rule.distros)},
     }
-
-
-def _prose(text: str) -> str:
-    """Return a text as Markdown, with `<` escaped outside of code."""
-    return re.sub(r"(`[^`]*`)|<", lambda match: match[1] or "&lt;", text)
 
 
 def _examples(rule: Rule) -> list[str]:

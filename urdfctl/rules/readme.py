@@ -7,6 +7,7 @@ import sys
 from urdfctl.catalog.distros import in_words
 from urdfctl.rule import Rule
 from urdfctl.rules import FAMILIES
+from urdfctl.rules.prose import as_markdown
 
 _HEAD = """\
 # The rules
@@ -36,14 +37,8 @@ def _section(rules: tuple[Rule, ...]) -> str:
 def _row(rule: Rule) -> str:
     path = rule.check.__module__.removeprefix("urdfctl.rules.").replace(".", "/")
     summary = rule.summary.replace("|", "\\|")
-    cells = f"[{rule.code}]({path}.py)", rule.name, rule.severity.value, in_words(rule.distros), _plain(summary)
+    cells = f"[{rule.code}]({path}.py)", rule.name, rule.severity.value, in_words(rule.distros), as_markdown(summary)
     return f"| {' | '.join(cells)} |\n"
-
-
-def _plain(text: str) -> str:
-    """A text with angle brackets escaped, outside of code, so that Markdown does not read them as HTML."""
-    parts = text.split("`")
-    return "`".join(part if index % 2 else part.replace("<", "&lt;") for index, part in enumerate(parts))
 
 
 if __name__ == "__main__":

@@ -5,7 +5,9 @@ from __future__ import annotations
 import re
 
 from urdfctl.catalog.entries import Parameter
+from urdfctl.catalog.validators import requirement
 from urdfctl.generate.recipes import recipes
+from urdfctl.rules.prose import as_markdown
 
 _UNITS = {
     r"(?:^|[._])timeout$|(?:^|[._])timeout_s$|goal_time$|time_from_start_tolerance$": "s",
@@ -53,11 +55,11 @@ def described_parameter(parameter: Parameter, name: str, owner: str) -> str:
         lines.append("required")
     elif parameter.default is not None:
         lines.append(f"default: `{parameter.default}`")
-    lines += [f"{check}: `{limit}`" for check, limit in parameter.validators.items()]
+    lines += [requirement(check, limit) for check, limit in parameter.validators.items()]
     if parameter.deprecated:
         lines.append("deprecated" + (f"; use `{parameter.replacement}`" if parameter.replacement else ""))
     if parameter.ignored:
         lines.append("documented, but never read")
     if parameter.note:
         lines.append(parameter.note)
-    return "  \n".join(lines)
+    return as_markdown("  \n".join(lines))

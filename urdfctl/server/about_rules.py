@@ -9,6 +9,7 @@ from urdfctl.diagnostic import Diagnostic
 from urdfctl.report.rule_explanation import runtime_of
 from urdfctl.rule import Rule
 from urdfctl.rules import all_rules
+from urdfctl.rules.prose import as_markdown
 from urdfctl.server.question import Question
 
 _CODE = r"\bUC\d{3}\b"
@@ -26,4 +27,4 @@ def rules_at(question: Question, findings: Sequence[Diagnostic]) -> Iterator[str
 
 def _described(rule: Rule) -> str:
     heading = f"**{rule.code}** {rule.name} ({rule.severity.value}): {rule.summary}"
-    return "\n\n".join(part for part in (heading, rule.why, runtime_of(rule)) if part)
+    return as_markdown("\n\n".join(part for part in (heading, rule.why, runtime_of(rule)) if part))
