@@ -40,6 +40,7 @@ class Editor:
         self.findings: dict[Path, list[types.Diagnostic]] = {}
         self.robots: list[Any] = []
         self.messages: list[str] = []
+        self.problems: list[str] = []
         self.versions: list[int | None] = []
         """The versions of the texts that the findings were sent for."""
         self._versions: dict[Path, int] = {}
@@ -55,6 +56,7 @@ class Editor:
         self.versions.append(params.version)
 
     def _checked(self, params: Any) -> None:
+        self.problems = list(params.problems)
         if params.changes == self._sent:
             self._near.set()
         if params.whole and params.changes == self._sent:

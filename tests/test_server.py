@@ -111,12 +111,14 @@ def test_columns_are_counted_in_the_units_of_the_editor(folder: Folder) -> None:
 def test_a_wrong_configuration_is_told_in_one_message(folder: Folder) -> None:
     async def use(editor: Editor) -> list[str]:
         await editor.open("urdf/robot.xacro")
-        while not editor.messages:
+        while not editor.messages or not editor.problems:
             await asyncio.sleep(0.05)
-        return editor.messages
+        return [*editor.messages, *editor.problems]
 
-    [message, *_] = in_editor(ws(folder, **{"urdfctl.toml": "distro = 7\n"}), use)
+    message, *others, problem = in_editor(ws(folder, **{"urdfctl.toml": "distro = 7\n"}), use)
     assert "urdfctl.toml: distro" in message
+    assert others == []
+    assert "is not linted: urdfctl.toml: distro" in problem
 
 
 def test_the_editor_chooses_the_distro_and_the_variant_that_is_shown(folder: Folder) -> None:

@@ -15,6 +15,7 @@ from urdfctl.lint.job import Work, WorkFunction, job_for
 from urdfctl.load.target import Target
 from urdfctl.run.fresh import run_all_fresh
 from urdfctl.run.limits import Json, Limits
+from urdfctl.server.processes import pip_install
 from urdfctl.server.workspace import Workspace
 from urdfctl.view.html import html as view_html
 from urdfctl.view.job import portrait_details, portrait_work
@@ -38,7 +39,7 @@ async def view_page(workspace: Workspace, path: str) -> str:
     Raises UserError if the libraries for it are missing, or the robot cannot be shown.
     """
     if not installed():
-        raise UserError("the libraries that read meshes are not installed: pip install 'urdfctl[view]'")
+        raise UserError(f"the libraries that read meshes are not installed: {pip_install('view')}")
     details = portrait_details(workspace.settings)
     result = await _made(view_page_work, workspace, workspace.target_with(path), details)
     if not result["page"]:

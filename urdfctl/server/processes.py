@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import os
+import shlex
 import signal
 import sys
 from collections.abc import Callable, Sequence
@@ -29,6 +30,11 @@ class Ended(NamedTuple):
     def reason(self) -> str:
         """Return why the command failed, in its own words."""
         return self.problems[-1].removeprefix("urdfctl: ") if self.problems else f"exit status {self.status}"
+
+
+def pip_install(extra: str) -> str:
+    """Return the command that installs an extra of urdfctl where the server runs."""
+    return f"{shlex.quote(sys.executable)} -m pip install 'urdfctl[{extra}]'"
 
 
 async def run_command(

@@ -8,6 +8,7 @@ from collections import Counter
 
 from urdfctl.diagnostic import Diagnostic, Location, Remark, Repair, Severity, Step
 from urdfctl.load.target import Target
+from urdfctl.server.processes import pip_install
 from urdfctl.smoke.engines import installed
 from urdfctl.startup.hints import Any
 from urdfctl.startup.records import NamedTuple
@@ -31,7 +32,11 @@ class Tested(NamedTuple):
         total = len(self.controllers)
         each = ", ".join(f"{count} {verdict}" for verdict, count in counts.items())
         text = f"{total} controller{'' if total == 1 else 's'}: {each}" if total else "there are no controllers to test"
-        return f"{text}; interrupted before all were tested" if self.interrupted else text
+        if self.interrupted:
+            text += "; interrupted before all were tested"
+        elif total and not installed():
+            text += f"; nothing was moved. To install a physics engine: {pip_install('smoke')}"
+        return text
 
 
 def words_for(target: Target) -> list[str]:

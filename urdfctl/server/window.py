@@ -48,6 +48,7 @@ class Window(LanguageServer):
         self.looked_at: str | None = None
         """The file that was opened, changed or asked about last."""
         self._wishes = Wishes()
+        self._problems: tuple[str, ...] = ()
 
     # -- the workspace -------------------------------------------------------------------------------------------------
 
@@ -61,9 +62,11 @@ class Window(LanguageServer):
         self._loop = asyncio.get_running_loop()
         self._folders, self._wishes = tuple(dict.fromkeys(map(os.path.realpath, folders))), wishes
         self._found, self.checking = FoundByFolder(self._folders), None
+        self._problems = ()
         checking = Checking(self._opened, partial(self._take, self._found))
         if not checking.workspaces:
             self._show(set(self.findings))
+            self.tell_robots()
             return
         self.checking, self._versions = checking, Versions()
         checking.start()
@@ -77,6 +80,7 @@ class Window(LanguageServer):
             try:
                 opened.append(Workspace(folder, self._wishes, is_outdated))
             except UserError as error:
+                self._problems += (f"'{folder}' is not linted: {error}",)
                 self.window_show_message(types.ShowMessageParams(types.MessageType.Error, f"urdfctl: {error}"))
         return opened
 
@@ -193,10 +197,11 @@ class Window(LanguageServer):
         self.tell_robots(is_whole=is_last)
 
     def tell_robots(self, *, is_whole: bool = True) -> None:
-        """Tell the editor what was linted, for its status item. is_whole: whether that are all folders."""
+        """Tell the editor what was linted and what was not, for its status item. is_whole: whether that is all."""
         workspaces = self.checking.workspaces if self.checking else ()
         robots = [_robot(result, is_shown) for one in workspaces for result, is_shown in one.robots() if result.robot]
-        self.protocol.notify("urdfctl/checked", {"whole": is_whole, "changes": self._changes, "robots": robots})
+        told = {"whole": is_whole, "changes": self._changes, "robots": robots, "problems": self._problems}
+        self.protocol.notify("urdfctl/checked", told)
 
     def take_tested(self, findings: Mapping[str, tuple[Diagnostic, ...]]) -> None:
         """Show the findings of a smoke test instead of those of the last one. In a file that is changed they end."""
