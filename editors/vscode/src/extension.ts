@@ -1,78 +1,103 @@
 import { existsSync, statSync } from "node:fs";
 import { homedir } from "node:os";
+import * as path from "node:path";
 import * as vscode from "vscode";
-import { LanguageClient, type LanguageClientOptions } from "vscode-languageclient/node";
+import { type LanguageClient, type LanguageClientOptions, State } from "vscode-languageclient/node";
 
+import { connect } from "./client";
 import { FILE_COMMANDS, fileCommand, type Question, withFile } from "./commands";
-import { findUrdfctl, installCommand } from "./find";
+import { findUrdfctl } from "./find";
+import { install } from "./install";
+import { showDocument } from "./pages";
 import { DOCUMENTS, wishes } from "./settings";
-import { type Robot, statusOf } from "./status";
+import { type Known, statusOf } from "./status";
 
 const INSTALL = "Install urdfctl";
 const SETTINGS = "Open settings";
+const OUTPUT = "Show output";
 const EXPLAIN = "urdfctl.explain";
 
 let client: LanguageClient | undefined;
-let robots: Robot[] = [];
+let known: Known = { robots: [], problems: [] };
 let status: vscode.StatusBarItem;
 let output: vscode.OutputChannel;
+let environment: string;
+let started: Promise<void> = Promise.resolve();
 
 export async function activate(context: vscode.ExtensionContext): Promise<void> {
   status = vscode.window.createStatusBarItem("urdfctl", vscode.StatusBarAlignment.Right, 100);
   status.name = "urdfctl";
   status.command = "urdfctl.menu";
   output = vscode.window.createOutputChannel("urdfctl");
+  environment = path.join(context.globalStorageUri.fsPath, "environment");
   context.subscriptions.push(
     status,
     output,
-    vscode.commands.registerCommand("urdfctl.restart", start),
+    vscode.commands.registerCommand("urdfctl.restart", restart),
+    vscode.commands.registerCommand("urdfctl.install", installOwn),
     vscode.commands.registerCommand("urdfctl.showOutput", () => output.show()),
     vscode.commands.registerCommand("urdfctl.explainHere", explainHere),
     vscode.commands.registerCommand("urdfctl.menu", menu),
     vscode.window.onDidChangeActiveTextEditor(showStatus),
-    vscode.workspace.onDidChangeConfiguration(configured),
+    vscode.workspace.onDidChangeConfiguration((event) => event.affectsConfiguration("urdfctl") && restart()),
   );
-  await start();
+  const environments = await pythonEnvironments();
+  const changed = environments?.onDidChangeActiveEnvironmentPath(() => void restart());
+  context.subscriptions.push(...(changed ? [changed] : []));
+  await restart();
 }
 
 export async function deactivate(): Promise<void> {
   await client?.dispose();
 }
 
+/** Start the server again, after what is started already. */
+function restart(): Promise<void> {
+  started = started.then(start, start);
+  return started;
+}
+
 async function start(): Promise<void> {
   await client?.dispose();
   client = undefined;
-  robots = [];
-  showStatus();
-  const python = await interpreter();
+  learn({ robots: [], problems: [] });
+  const setting = vscode.workspace.getConfiguration("urdfctl").get("path", "");
   const found = findUrdfctl({
-    setting: vscode.workspace.getConfiguration("urdfctl").get("path", ""),
-    interpreter: python,
+    setting,
+    interpreter: (await pythonEnvironments())?.getActiveEnvironmentPath().path,
     searchPath: process.env.PATH ?? "",
+    own: environment,
     platform: process.platform,
     home: homedir(),
     isFile: (file) => existsSync(file) && statSync(file).isFile(),
   });
-  if (!found) {
-    void offerToInstall(python);
-    return;
+  const failures: string[] = [];
+  for (const one of found) {
+    const connected = await connect(one, options(), listen);
+    if (typeof connected !== "string") {
+      client = connected;
+      return;
+    }
+    failures.push(`'${one.command}' cannot serve the editor: ${connected}`);
+    output.appendLine(failures.at(-1)!);
   }
-  const run = { command: found.command, args: [...found.args, "server"] };
-  const started = new LanguageClient("urdfctl", "urdfctl", run, options());
-  started.onNotification("urdfctl/checked", (checked: { whole: boolean; robots: Robot[] }) => {
+  const why = failures[0] ?? "urdfctl was not found in the selected Python environment or on PATH";
+  learn({ robots: [], problems: [why] });
+  void offerHelp(why, setting ? [SETTINGS, OUTPUT] : [INSTALL, SETTINGS, OUTPUT]);
+}
+
+function listen(client: LanguageClient): void {
+  client.onNotification("urdfctl/checked", (checked: Partial<Known> & { whole: boolean }) => {
     if (checked.whole) {
-      robots = checked.robots;
-      showStatus();
+      learn({ robots: checked.robots ?? [], problems: checked.problems ?? [] });
     }
   });
-  started.onRequest("urdfctl/pick", pick);
-  try {
-    await started.start();
-    client = started;
-  } catch (error) {
-    output.appendLine(`${run.command} server does not start: ${String(error)}`);
-    void offerToInstall(python, `${run.command} server does not start; see the output.`);
-  }
+  client.onRequest("urdfctl/pick", pick);
+  client.onDidChangeState(({ oldState, newState }) => {
+    if (oldState === State.Running && newState === State.Stopped) {
+      learn({ robots: [], problems: ["the server has stopped; restart it from the menu"] });
+    }
+  });
 }
 
 function options(): LanguageClientOptions {
@@ -81,7 +106,7 @@ function options(): LanguageClientOptions {
     documentSelector: DOCUMENTS,
     outputChannel: output,
     initializationOptions: { ...wishes((name) => settings.get(name)), pick: true },
-    middleware: { executeCommand },
+    middleware: { executeCommand, window: { showDocument } },
   };
 }
 
@@ -109,43 +134,56 @@ async function pick(question: Question): Promise<number | null> {
 }
 
 async function menu(): Promise<void> {
-  const output = { label: "$(output) Show the output of the server", command: "urdfctl.showOutput" };
-  const chosen = await vscode.window.showQuickPick([...FILE_COMMANDS, output], { title: "urdfctl" });
+  const others = [
+    { label: "$(refresh) Restart the server", command: "urdfctl.restart" },
+    { label: "$(output) Show the output of the server", command: "urdfctl.showOutput" },
+  ];
+  const about = client ? FILE_COMMANDS : [{ label: "$(cloud-download) Install urdfctl", command: "urdfctl.install" }];
+  const chosen = await vscode.window.showQuickPick([...about, ...others], { title: "urdfctl" });
   if (chosen) {
     await vscode.commands.executeCommand(chosen.command);
   }
 }
 
-async function configured(event: vscode.ConfigurationChangeEvent): Promise<void> {
-  if (event.affectsConfiguration("urdfctl")) {
-    await start();
-  }
+interface PythonEnvironments {
+  getActiveEnvironmentPath(): { path: string };
+  onDidChangeActiveEnvironmentPath: vscode.Event<unknown>;
 }
 
-/** The interpreter of the selected Python environment, if the Python extension is installed. */
-async function interpreter(): Promise<string | undefined> {
+/** What the Python extension knows about environments, if it is installed. */
+async function pythonEnvironments(): Promise<PythonEnvironments | undefined> {
   const python = vscode.extensions.getExtension("ms-python.python");
-  if (!python) {
-    return undefined;
-  }
-  const api = (python.isActive ? python.exports : await python.activate()) as
-    | { environments?: { getActiveEnvironmentPath(): { path: string } } }
+  const api = (python?.isActive ? python.exports : await python?.activate()) as
+    | { environments?: PythonEnvironments }
     | undefined;
-  return api?.environments?.getActiveEnvironmentPath().path;
+  return api?.environments;
 }
 
-async function offerToInstall(python: string | undefined, why = "urdfctl is not installed."): Promise<void> {
-  const chosen = await vscode.window.showWarningMessage(why, INSTALL, SETTINGS);
+async function offerHelp(why: string, ways: string[]): Promise<void> {
+  const chosen = await vscode.window.showWarningMessage(`${why}.`, ...ways);
   if (chosen === SETTINGS) {
     await vscode.commands.executeCommand("workbench.action.openSettings", "urdfctl.path");
   } else if (chosen === INSTALL) {
-    const terminal = vscode.window.createTerminal("urdfctl");
-    terminal.show();
-    terminal.sendText(installCommand(python, process.platform));
-    const again = await vscode.window.showInformationMessage("Start the server once urdfctl is installed.", "Start");
-    if (again) {
-      await start();
-    }
+    await installOwn();
+  } else if (chosen === OUTPUT) {
+    output.show();
+  }
+}
+
+/** Install urdfctl, or its newest version, into the extension's own environment, and start it. */
+async function installOwn(): Promise<void> {
+  const interpreter = (await pythonEnvironments())?.getActiveEnvironmentPath().path;
+  const failure = await vscode.window.withProgress(
+    { location: vscode.ProgressLocation.Notification, title: "Installing urdfctl into an environment of its own" },
+    () => install({ interpreter, environment, platform: process.platform, log: (text) => output.append(text) }),
+  );
+  if (failure === undefined) {
+    await restart();
+    return;
+  }
+  const chosen = await vscode.window.showErrorMessage(`urdfctl was not installed: ${failure}.`, OUTPUT);
+  if (chosen === OUTPUT) {
+    output.show();
   }
 }
 
@@ -161,8 +199,15 @@ async function explainHere(): Promise<void> {
   await vscode.commands.executeCommand(EXPLAIN, String(code));
 }
 
+function learn(news: Known): void {
+  known = news;
+  showStatus();
+}
+
 function showStatus(): void {
-  const shown = statusOf(vscode.window.activeTextEditor?.document.uri.fsPath, robots);
+  const document = vscode.window.activeTextEditor?.document;
+  const isOurs = document !== undefined && vscode.languages.match(DOCUMENTS, document) > 0;
+  const shown = statusOf(document?.uri.fsPath, known, isOurs && client !== undefined);
   if (shown) {
     status.text = shown.text;
     status.tooltip = shown.tooltip;

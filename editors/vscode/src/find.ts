@@ -1,4 +1,4 @@
-/** Where urdfctl is: the setting, the selected Python environment, or PATH. Knows nothing of the editor. */
+/** Where urdfctl is: the setting, the selected Python environment, PATH, or an environment of the extension's own. */
 
 import * as path from "node:path";
 
@@ -6,7 +6,7 @@ import * as path from "node:path";
 export interface Found {
   command: string;
   args: string[];
-  from: "setting" | "environment" | "path";
+  from: "setting" | "environment" | "path" | "own";
 }
 
 /** What finding depends on. */
@@ -17,46 +17,50 @@ export interface Surroundings {
   interpreter?: string;
   /** The environment variable PATH. */
   searchPath: string;
+  /** The folder of the Python environment that the extension makes for urdfctl. */
+  own: string;
   platform: NodeJS.Platform;
   home: string;
   isFile: (file: string) => boolean;
 }
 
-/** Return the command that starts urdfctl; undefined if it is not installed. */
-export function findUrdfctl(around: Surroundings): Found | undefined {
+/** Return the commands that may start urdfctl, the preferred one first. A setting is the only one. */
+export function findUrdfctl(around: Surroundings): Found[] {
   const setting = around.setting.trim();
   if (setting) {
-    return { command: withHome(setting, around.home), args: [], from: "setting" };
+    return [{ command: withHome(setting, around.home), args: [], from: "setting" }];
   }
-  const { join, dirname } = around.platform === "win32" ? path.win32 : path.posix;
-  const beside = around.interpreter ? executable(dirname(around.interpreter), around, join) : undefined;
-  if (beside) {
-    return { command: beside, args: [], from: "environment" };
-  }
-  const separator = around.platform === "win32" ? ";" : ":";
-  for (const folder of around.searchPath.split(separator).filter(Boolean)) {
-    const found = executable(folder, around, join);
-    if (found) {
-      return { command: found, args: [], from: "path" };
+  const found: Found[] = [];
+  const look = (folder: string, from: Found["from"]): void => {
+    const command = executable(folder, around);
+    if (command && !found.some((one) => one.command === command)) {
+      found.push({ command, args: [], from });
     }
+  };
+  if (around.interpreter) {
+    look(pathsOf(around.platform).dirname(around.interpreter), "environment");
   }
-  return undefined;
+  around.searchPath
+    .split(around.platform === "win32" ? ";" : ":")
+    .filter(Boolean)
+    .forEach((folder) => look(folder, "path"));
+  look(pathsOf(around.platform).dirname(pythonOf(around.own, around.platform)), "own");
+  return found;
 }
 
-/** Return the command line that installs urdfctl with its server into a Python environment. */
-export function installCommand(interpreter: string | undefined, platform: NodeJS.Platform): string {
-  const python = interpreter ?? (platform === "win32" ? "py" : "python3");
-  const start = platform === "win32" ? `& "${python}"` : `'${python.replaceAll("'", `'\\''`)}'`;
-  return `${start} -m pip install "urdfctl[server]"`;
+/** Return the interpreter of a Python environment in a folder. */
+export function pythonOf(environment: string, platform: NodeJS.Platform): string {
+  const words = platform === "win32" ? ["Scripts", "python.exe"] : ["bin", "python"];
+  return pathsOf(platform).join(environment, ...words);
 }
 
-function executable(
-  folder: string,
-  around: Surroundings,
-  join: (...parts: string[]) => string,
-): string | undefined {
+function executable(folder: string, around: Surroundings): string | undefined {
   const names = around.platform === "win32" ? ["urdfctl.exe", "Scripts\\urdfctl.exe"] : ["urdfctl"];
-  return names.map((name) => join(folder, name)).find(around.isFile);
+  return names.map((name) => pathsOf(around.platform).join(folder, name)).find(around.isFile);
+}
+
+function pathsOf(platform: NodeJS.Platform): path.PlatformPath {
+  return platform === "win32" ? path.win32 : path.posix;
 }
 
 function withHome(file: string, home: string): string {

@@ -1,43 +1,44 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { findUrdfctl, installCommand, type Surroundings } from "../src/find";
+import { type Found, findUrdfctl, pythonOf, type Surroundings } from "../src/find";
 
 function around(changes: Partial<Surroundings>, files: string[] = []): Surroundings {
   const isFile = (file: string): boolean => files.includes(file);
-  return { setting: "", searchPath: "/usr/bin:/opt/bin", platform: "linux", home: "/home/ada", isFile, ...changes };
+  const usual = { setting: "", searchPath: "/usr/bin:/opt/bin", own: "/own", home: "/home/ada" };
+  return { ...usual, platform: "linux", isFile, ...changes };
 }
 
-test("the setting comes first", () => {
+function commands(found: Found[]): string[] {
+  return found.map((one) => `${one.from} ${one.command}`);
+}
+
+test("the setting is the only one", () => {
   const found = findUrdfctl(around({ setting: "~/venv/bin/urdfctl", interpreter: "/v/bin/python" }, ["/v/bin/urdfctl"]));
-  assert.deepEqual(found, { command: "/home/ada/venv/bin/urdfctl", args: [], from: "setting" });
+  assert.deepEqual(commands(found), ["setting /home/ada/venv/bin/urdfctl"]);
 });
 
-test("the selected Python environment comes before PATH", () => {
-  const found = findUrdfctl(around({ interpreter: "/v/bin/python" }, ["/v/bin/urdfctl", "/usr/bin/urdfctl"]));
-  assert.deepEqual(found, { command: "/v/bin/urdfctl", args: [], from: "environment" });
+test("the selected Python environment comes before PATH, and that before the extension's own", () => {
+  const files = ["/own/bin/urdfctl", "/usr/bin/urdfctl", "/v/bin/urdfctl"];
+  const found = findUrdfctl(around({ interpreter: "/v/bin/python" }, files));
+  assert.deepEqual(commands(found), ["environment /v/bin/urdfctl", "path /usr/bin/urdfctl", "own /own/bin/urdfctl"]);
 });
 
-test("an environment without urdfctl leaves it to PATH, in its order", () => {
-  const found = findUrdfctl(around({ interpreter: "/v/bin/python" }, ["/opt/bin/urdfctl"]));
-  assert.equal(found?.command, "/opt/bin/urdfctl");
-  assert.equal(found?.from, "path");
+test("the folders of PATH are looked at in their order, and each command is tried once", () => {
+  const files = ["/opt/bin/urdfctl", "/usr/bin/urdfctl"];
+  const found = findUrdfctl(around({ interpreter: "/opt/bin/python" }, files));
+  assert.deepEqual(commands(found), ["environment /opt/bin/urdfctl", "path /usr/bin/urdfctl"]);
 });
 
 test("nothing is found where nothing is installed", () => {
-  assert.equal(findUrdfctl(around({ interpreter: "/v/bin/python" })), undefined);
+  assert.deepEqual(findUrdfctl(around({ interpreter: "/v/bin/python" })), []);
 });
 
 test("on Windows it is beside the interpreter or in Scripts", () => {
   const windows = { platform: "win32" as const, searchPath: "C:\\bin;D:\\bin", interpreter: "C:\\py\\python.exe" };
-  assert.equal(
-    findUrdfctl(around(windows, ["C:\\py\\Scripts\\urdfctl.exe"]))?.command,
-    "C:\\py\\Scripts\\urdfctl.exe",
-  );
-  assert.equal(findUrdfctl(around(windows, ["D:\\bin\\urdfctl.exe"]))?.from, "path");
-});
-
-test("it is installed into the selected environment, whatever its path contains", () => {
-  assert.equal(installCommand("/my env/it's/python", "linux"), `'/my env/it'\\''s/python' -m pip install "urdfctl[server]"`);
-  assert.equal(installCommand(undefined, "win32"), `& "py" -m pip install "urdfctl[server]"`);
+  const find = (...files: string[]): string[] => commands(findUrdfctl(around({ ...windows, own: "C:\\own" }, files)));
+  assert.deepEqual(find("C:\\py\\Scripts\\urdfctl.exe"), ["environment C:\\py\\Scripts\\urdfctl.exe"]);
+  assert.deepEqual(find("D:\\bin\\urdfctl.exe"), ["path D:\\bin\\urdfctl.exe"]);
+  assert.deepEqual(find("C:\\own\\Scripts\\urdfctl.exe"), ["own C:\\own\\Scripts\\urdfctl.exe"]);
+  assert.equal(pythonOf("C:\\own", "win32"), "C:\\own\\Scripts\\python.exe");
 });
