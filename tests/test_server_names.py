@@ -258,16 +258,6 @@ def test_values_are_shown_where_all_calls_agree(folder: Folder, written: str, sh
     assert [(hint.line, hint.value) for hint in hints_in(asks)] == [(6, shown)]
 
 
-@pytest.mark.parametrize(
-    ("written", "shown"),
-    [("12 / 8", "= 1.5"), ("pi / 2", "≈ 1.5708"), ("-0.1 * 0.7", "≈ -0.07"), ("1e-9 / 3", "≈ 3.33333e-10")],
-)
-def test_a_value_with_many_digits_is_shown_with_six(folder: Folder, written: str, shown: str) -> None:
-    text = MACROS.replace('effort="1"', f'effort="${{{written}}}"')
-    [hint] = hints_in(question(folder, XACRO, types.Position(0, 0), typed=text))
-    assert hint.label == shown
-
-
 IGNORED = ROBOT.replace("  <link name", "  <!-- urdfctl: ignore[UC116] later -->\n  <link name", 1)
 LIMITED = CONTROLLERS.replace("JointGroupPositionController", "GripperActionController").replace(
     "joints: [neck]", "joint: neck\n    stall_timeout: 1.0"
