@@ -63,3 +63,20 @@ def test_an_export_is_not_repeated(folder: Folder) -> None:
     own = MANIFEST.replace(export, export + PARENT)
     manifest = after(folder, {"package.xml": own, "meshes/shell.stl": "solid shell\nendsolid\n"})["package.xml"]
     assert manifest.count("gazebo_model_path") == 1
+
+
+IN_GZ = """\
+  <gazebo>
+    <plugin filename="ign_ros2_control-system" name="ign_ros2_control::IgnitionROS2ControlPlugin">
+      <parameters>$(find base)/config/controllers.yaml</parameters>
+    </plugin>
+  </gazebo>
+  <gazebo reference="body"><sensor name="imu" type="imu"><topic>imu</topic></sensor></gazebo>
+"""
+
+
+def test_a_robot_that_is_simulated_in_gz_already_finds_its_meshes_and_sensors_as_before(folder: Folder) -> None:
+    now = after(folder, {"meshes/shell.stl": ""}, MESH + IN_GZ)
+    assert "gazebo_model_path" not in now["package.xml"]
+    assert "gz-sim-imu-system" not in now["urdf/base.xacro"]
+    assert "gz_ros2_control-system" in now["urdf/base.xacro"]

@@ -69,6 +69,11 @@ class Packages:
             return generation(self.wishes.source) == 1
         return any(result.ros == 1 for _, result in self._began)
 
+    @property
+    def was_in_gz(self) -> bool:
+        """Whether gz simulates a robot of the packages before the migration."""
+        return any(result.simulator == "gz" for _, result in self._began)
+
     def crosses(self, since: str) -> bool:
         """Return whether the migration leads from a distro before `since` to it or a later one."""
         return self.wishes.crosses(since, self.source)

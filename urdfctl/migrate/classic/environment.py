@@ -47,7 +47,8 @@ def _variables(packages: Packages) -> Iterator[Proposal]:
 
 
 def _exports(packages: Packages) -> Iterator[Proposal]:
-    if not goes_to_gz(packages) and not (packages.is_ros1 and packages.simulator == "gazebo-classic"):
+    stays_classic = packages.is_ros1 and packages.simulator == "gazebo-classic"
+    if not (goes_to_gz(packages) and not packages.was_in_gz) and not stays_classic:
         return
     used = set(_packages_of_meshes(packages))
     for path in packages.files("package.xml"):
@@ -81,7 +82,9 @@ def _paths(folder: str, *, is_used: bool) -> Iterator[str]:
 
 def _is_set(packages: Packages) -> bool:
     """Whether a launch file or a hook of the packages says where the models are."""
-    return any(b"GZ_SIM_RESOURCE_PATH" in packages.read(path).data for path in packages.files(*HOOKS, ".py", ".xml"))
+    names = (b"GZ_SIM_RESOURCE_PATH", b"IGN_GAZEBO_RESOURCE_PATH")
+    texts = (packages.read(path).data for path in packages.files(*HOOKS, ".py", ".xml"))
+    return any(name in text for text in texts for name in names)
 
 
 def _added(export: Element, lines: list[str]) -> Edit | None:

@@ -33,7 +33,7 @@ SYSTEMS: Mapping[str, tuple[str, str]] = {
 
 
 def _systems(packages: Packages) -> Iterator[Proposal]:
-    if not goes_to_gz(packages):
+    if not goes_to_gz(packages) or packages.was_in_gz:
         return
     worlds = b"".join(packages.read(path).data for path in packages.files(".sdf", ".world"))
     done: set[str] = set()
@@ -44,7 +44,8 @@ def _systems(packages: Packages) -> Iterator[Proposal]:
         absent = (system for system in _needed(packages, loaded, robot) if system[0].encode() not in worlds)
         missing = [system for system in absent if not _has(robot, system[0])]
         root = root_of(packages.read(path))
-        if not missing or root is None or root.close is None or CHOICE.encode() in root.source.data:
+        is_robot = root is not None and root.tagName == "robot"
+        if not missing or root is None or not is_robot or root.close is None or CHOICE.encode() in root.source.data:
             continue
         done.add(path)
         step = step_of(root.source)
