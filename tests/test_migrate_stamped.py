@@ -60,7 +60,39 @@ from launch_ros.actions import Node
 
 def generate_launch_description():
     topics = [("cmd_vel", "/wheels/cmd_vel_unstamped"), ("out", "/other/cmd_vel_unstamped")]
-    return LaunchDescription([Node(package="twist_mux", executable="twist_mux", remappings=topics)])
+    return LaunchDescription([Node(package="topic_tools", executable="relay", remappings=topics)])
 """
     shown = after(folder, {"launch/mux.launch.py": launch})["launch/mux.launch.py"]
     assert shown == launch.replace("/wheels/cmd_vel_unstamped", "/wheels/cmd_vel")
+
+
+MUX = "package='twist_mux', executable='twist_mux'"
+
+
+@pytest.mark.parametrize(
+    ("node", "expected"),
+    [
+        (f"Node({MUX})", f'Node({MUX}, parameters=[{{"use_stamped": True}}])'),
+        (f"Node({MUX}, parameters=[file])", f'Node({MUX}, parameters=[file, {{"use_stamped": True}}])'),
+        (f"Node({MUX}, parameters=[{{'use_stamped': False}}])", None),
+        ("Node(package='twist_mux', executable='twist_marker')", None),
+    ],
+)
+def test_a_node_that_only_a_launch_file_configures_publishes_a_stamp(
+    folder: Folder, node: str, expected: str | None
+) -> None:
+    text = f"from launch_ros.actions import Node\n\nfile = ''\nmux = {node}\n"
+    now = after(folder, {"launch/a.launch.py": text})["launch/a.launch.py"]
+    assert now == text.replace(node, expected or node)
+
+
+def test_a_node_in_xml_publishes_a_stamp_unless_its_file_says_so(folder: Folder) -> None:
+    node = '  <node pkg="twist_mux" exec="twist_mux">\n    <param from="/mux.yaml"/>\n  </node>\n'
+    text = f"<launch>\n{node}</launch>\n"
+    added = node.replace("  </node>", '    <param name="use_stamped" value="true"/>\n  </node>')
+    assert after(folder, {"launch/a.launch.xml": text})["launch/a.launch.xml"] == text.replace(node, added)
+    alone = '<launch>\n  <node pkg="twist_mux" exec="twist_mux"/>\n</launch>\n'
+    opened = alone.replace("/>", '>\n    <param name="use_stamped" value="true"/>\n  </node>')
+    assert after(folder, {"launch/a.launch.xml": alone})["launch/a.launch.xml"] == opened
+    file = {"config/mux.yaml": "twist_mux:\n  ros__parameters:\n    topics: {}\n"}
+    assert after(folder, {"launch/a.launch.xml": text, **file})["launch/a.launch.xml"] == text

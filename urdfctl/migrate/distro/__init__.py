@@ -9,6 +9,7 @@ from urdfctl.migrate.distro.moveit import MOVEIT
 from urdfctl.migrate.distro.names import NAMES
 from urdfctl.migrate.distro.parameters import PARAMETERS
 from urdfctl.migrate.distro.stamped import STAMPED, STAMPED_TOPICS
+from urdfctl.migrate.distro.stamped_nodes import STAMPED_NODES
 from urdfctl.migrate.distro.types import DEPENDENCIES, TYPES
 from urdfctl.migrate.step import Step
 
@@ -20,6 +21,7 @@ STEPS: tuple[Step, ...] = (
     PARAMETERS,
     STAMPED,
     STAMPED_TOPICS,
+    STAMPED_NODES,
     LAUNCH_PYTHON,
     LAUNCH_XML,
     MOVEIT,

@@ -15,7 +15,7 @@ from urdfctl.source.files import is_launch
 from urdfctl.source.span import Place, SourceSpan
 from urdfctl.startup.patterns import lazy_pattern
 
-_SINCE = "jazzy"
+SINCE = "jazzy"
 _STAMPED = "ros2_controllers#812, #958: ~/cmd_vel is always geometry_msgs/msg/TwistStamped"
 _NAV2 = "docs.nav2.org, Iron to Jazzy: enable_stamped_cmd_vel"
 _READERS = (
@@ -28,7 +28,7 @@ _READERS = (
     "tricycle_steering_controller/",
 )
 """The beginnings of the types of controllers that read stamped velocities."""
-_NODES: Mapping[str, tuple[str, str]] = {
+PARAMETERS: Mapping[str, tuple[str, str]] = {
     **dict.fromkeys(
         ("controller_server", "behavior_server", "velocity_smoother", "collision_monitor", "docking_server"),
         ("enable_stamped_cmd_vel", _NAV2),
@@ -42,15 +42,15 @@ _OF_JOYSTICK = ("axis_linear", "scale_linear", "axis_angular")
 _OLD_TOPIC = lazy_pattern(r"(\w+)/(cmd_vel|reference)_unstamped\Z")
 
 
-def _drives(packages: Packages) -> set[str]:
-    """The controllers of the packages that read stamped velocities."""
-    if not packages.crosses(_SINCE):
+def drives(packages: Packages) -> set[str]:
+    """Return the controllers of the packages that read stamped velocities, if they did not before the migration."""
+    if not packages.crosses(SINCE):
         return set()
     return {one.controller for one in type_names(packages) if one.value.text.startswith(_READERS)}
 
 
 def _publishers(packages: Packages) -> Iterator[Proposal]:
-    for section in sections(packages) if _drives(packages) else ():
+    for section in sections(packages) if drives(packages) else ():
         parameter = _parameter(section)
         known = {entry.key.text for entry in section.parameters.entries}
         if parameter is None or parameter[0] in known or not packages.may_change(section.path):
@@ -68,17 +68,17 @@ def _parameter(section: Section) -> tuple[str, str] | None:
         return None
     names = {entry.key.text.partition(".")[0] for entry in section.parameters.entries}
     node = "teleop_twist_joy_node" if names & {*_OF_JOYSTICK} else section.node
-    return _NODES.get(node)
+    return PARAMETERS.get(node)
 
 
 def _topics(packages: Packages) -> Iterator[Proposal]:
-    drives = _drives(packages)
-    for path in packages.files(".py", ".xml", ".launch", ".yaml", ".yml") if drives else ():
+    readers = drives(packages)
+    for path in packages.files(".py", ".xml", ".launch", ".yaml", ".yml") if readers else ():
         source = packages.read(path)
         is_read = b"_unstamped" in source.data and (is_launch(path) or path.endswith((".yaml", ".yml")))
         for token in tokens_in(source) if is_read and packages.may_change(path) else ():
             found = _OLD_TOPIC.search(token.text)
-            if found is None or found[1] not in drives:
+            if found is None or found[1] not in readers:
                 continue
             start = token.end - len(b"_unstamped")
             what = f"the topic '{token.text}' is now '{token.text.removesuffix('_unstamped')}'"
@@ -92,8 +92,8 @@ STAMPED = Step(
     summary="Nodes that command a mobile base",
     propose=_publishers,
     rows=tuple(
-        Row(f"{node} without {parameter}", f"{parameter}: true", _SINCE, authority)
-        for node, (parameter, authority) in _NODES.items()
+        Row(f"{node} without {parameter}", f"{parameter}: true", SINCE, authority)
+        for node, (parameter, authority) in PARAMETERS.items()
     ),
 )
 STAMPED_TOPICS = Step(
@@ -102,7 +102,7 @@ STAMPED_TOPICS = Step(
     summary="Topics that command a mobile base",
     propose=_topics,
     rows=(
-        Row("CONTROLLER/cmd_vel_unstamped", "CONTROLLER/cmd_vel", _SINCE, _STAMPED),
-        Row("CONTROLLER/reference_unstamped", "CONTROLLER/reference", _SINCE, _STAMPED),
+        Row("CONTROLLER/cmd_vel_unstamped", "CONTROLLER/cmd_vel", SINCE, _STAMPED),
+        Row("CONTROLLER/reference_unstamped", "CONTROLLER/reference", SINCE, _STAMPED),
     ),
 )
