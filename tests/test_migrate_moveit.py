@@ -191,6 +191,22 @@ def test_the_planning_context_says_where_the_descriptions_are_if_nothing_else_do
     assert "launch/rsp.launch.py" in after
 
 
+def test_only_launch_files_beside_that_of_move_group_are_moveits(folder: Folder) -> None:
+    loads = '<launch><param name="octomap_resolution" value="0.1"/></launch>\n'
+    demo = """\
+<launch>
+  <include file="$(find arm_moveit)/launch/sensor_manager.launch.xml"/>
+  <include file="$(find arm_moveit)/launch/own/sensor_manager.launch.xml"/>
+</launch>
+"""
+    files = {"launch/sensor_manager.launch.xml": loads, "launch/own/sensor_manager.launch.xml": loads}
+    after = migrated(folder, {"launch/move_group.launch": STARTED, "launch/demo.launch": demo, **files})
+    assert "launch/sensor_manager.launch.xml" not in after
+    assert "launch/own/sensor_manager.launch.py" in after
+    assert after["launch/demo.launch.py"].count("IncludeLaunchDescription(") == 1
+    assert "/launch/own/sensor_manager.launch.py" in after["launch/demo.launch.py"]
+
+
 def test_a_description_outside_of_packages_is_left_to_a_person(folder: Folder) -> None:
     after = without_mark(folder, CONTEXT.replace("$(find arm)", "/home/me/arm"))
     text = after["launch/move_group.launch.py"]

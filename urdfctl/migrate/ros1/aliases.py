@@ -101,5 +101,6 @@ ALIASES = Step(
     summary="Aliases in controller files",
     propose=_aliases,
     generation=1,
+    is_needed=True,
     rows=(Row("an alias *NAME in YAML", "the value of the anchor &NAME", "", _AUTHORITY),),
 )

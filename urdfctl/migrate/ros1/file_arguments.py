@@ -56,5 +56,6 @@ FILE_ARGUMENTS = Step(
     summary="Arguments of launch files in files of parameters",
     propose=_arguments,
     generation=1,
+    is_needed=True,
     rows=(Row('<rosparam file subst_value="true">: $(arg NAME)', "the default of the argument", "", _AUTHORITY),),
 )

@@ -218,6 +218,7 @@ MOVEIT_FILES = Step(
     summary="Parameters of MoveIt",
     propose=_moveit_files,
     generation=1,
+    is_needed=True,
     rows=(
         Row(
             "controller_list: [{name: N, ...}]",

@@ -46,7 +46,7 @@ def _launch_files(packages: Packages) -> Iterator[Proposal]:
         old = {
             os.path.basename(path): path
             for path in packages.files(".launch", ".launch.xml")
-            if path.startswith(launches)
+            if os.path.dirname(path) + os.sep == launches
         }
         if not package.robot or not old:
             continue

@@ -19,7 +19,7 @@ from urdfctl.migrate.launch.actions import (
     words_of,
 )
 from urdfctl.migrate.ros1.joint_states import DECLARED_IN
-from urdfctl.migrate.ros1.moveit_launch import MADE_BY_MOVEIT
+from urdfctl.migrate.ros1.moveit_launch import LOADED_BY_MOVEIT, MADE_BY_MOVEIT
 from urdfctl.migrate.ros1.roslaunch_nodes import Notes, migrated_node, remapping, simulator_actions
 from urdfctl.migrate.ros1.roslaunch_values import (
     given_by_name,
@@ -147,6 +147,8 @@ class Reading(Notes):
             self.left.append(f"start here what replaces MoveIt's '{file[-1].text.rpartition('/')[2]}'")
             return
         made = self._made_by_moveit(file)
+        if made and made.endswith(LOADED_BY_MOVEIT):
+            return  # MoveItConfigsBuilder reads the parameters that it loaded
         if made:
             action = Action("include", value=(*file[:-1], PartOfText("text", made)))
         else:
@@ -170,11 +172,16 @@ class Reading(Notes):
         return (package, name) in self.target.left
 
     def _made_by_moveit(self, file: Text) -> str:
-        """The end of the path of an included launch file that MoveIt makes, with other arguments; empty for others."""
+        """The end of the path of an included launch file that MoveIt makes, with other arguments; empty for others.
+
+        It is the old one for a file that only loaded parameters.
+        """
         package = next((part.text for part in file if part.kind == "find"), self.target.own_package)
         if package not in self.target.moveit or not file or file[-1].kind != "text":
             return ""
         folder, slash, name = file[-1].text.rpartition("/")
+        if name.endswith(LOADED_BY_MOVEIT) and name not in MADE_BY_MOVEIT and folder.endswith("/launch"):
+            return file[-1].text
         return f"{folder}{slash}{MADE_BY_MOVEIT[name]}.launch.py" if name in MADE_BY_MOVEIT else ""
 
     def _new_path(self, file: Text) -> Text:

@@ -127,7 +127,8 @@ def migrated_node(reading: Notes, element: Element, description: Text, files: Se
         if not has_successor(element, reading.target.own):
             reading.left.append(f"check that package '{package}' exists for ROS 2, and the name of '{program}'")
         for name in unread_parameters_of(element):
-            text = f"give node '{program}' its parameter '{name}': launch files of ROS 2 have no such form of it"
+            what = f"parameter '{name}'" if name else "parameters of this <rosparam>"
+            text = f"give node '{program}' its {what}: launch files of ROS 2 have no such form"
             reading.left.append(text)
         if package == "rviz":
             reading.decided.append("RViz 2 reads other files: convert the .rviz file with rviz1_to_rviz2.py")

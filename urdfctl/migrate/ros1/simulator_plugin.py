@@ -115,7 +115,7 @@ def _migrated(packages: Packages, element: Element, robots: list[LoadedTarget]) 
 
 def _chosen(element: Element, files: list[str], fitting: list[str]) -> Iterator[Entry]:
     """The entry on the choice of a controller file among several."""
-    others = _addresses(fitting[1:])
+    others = [one for one in _addresses(fitting[1:]) if one not in files]
     if others and files == _addresses(fitting[:1]):
         more = "1 more controller file names" if len(others) == 1 else f"{len(others)} more controller files name"
         message = f"'{files[0]}' is chosen: {more} only joints of the robot"
