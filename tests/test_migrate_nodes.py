@@ -133,3 +133,27 @@ def test_variables_and_remappings_apply_to_the_nodes_after_them(folder: Folder, 
     text = " ".join(after[f"launch/arm.launch.{form}"].split())
     assert expected in text
     assert "TODO" not in text
+
+
+@pytest.mark.parametrize(
+    ("written", "in_python", "in_xml"),
+    [
+        (
+            "prefix != ''",
+            """PythonExpression(["'", LaunchConfiguration("prefix"), "' != ''"])""",
+            "$(eval &quot;'$(var prefix)' != ''&quot;)",
+        ),
+        (
+            "not gui and arg('n') > 3",
+            """PythonExpression(["not ('", LaunchConfiguration("gui"), "'.lower() == 'true') and ", \
+LaunchConfiguration("n"), " > 3"])""",
+            "$(eval &quot;not ('$(var gui)'.lower() == 'true') and $(var n) &gt; 3&quot;)",
+        ),
+    ],
+)
+def test_expressions_get_the_text_of_their_arguments(folder: Folder, written: str, in_python: str, in_xml: str) -> None:
+    arguments = "".join(f'<arg name="{name}" default="1"/>' for name in ("prefix", "gui", "n"))
+    node = f'<node name="a" pkg="arm" type="a" if="$(eval {written.replace(">", "&gt;")})"/>'
+    launch = {"launch/arm.launch": f"<launch>{arguments}{node}</launch>"}
+    assert f"condition=IfCondition({in_python})" in migrated(folder, launch)["launch/arm.launch.py"]
+    assert f'if="{in_xml}"' in migrated(folder, launch, "--launch", "xml")["launch/arm.launch.xml"]

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from urdfctl.generate.scalars import python_text
 from urdfctl.migrate.launch.actions import Action, Condition, Text, all_actions, is_literal, plain
+from urdfctl.migrate.launch.expressions import Used, parts_of
 
 _STEP = "    "
 _NAMES = {
@@ -159,13 +160,16 @@ def _part(kind: str, text: str, default: str | None) -> str:
 
 
 def _expression(text: str) -> str:
-    """The parts of an expression of $(eval), in which arguments are names or calls of arg()."""
-    pieces = re.split(r"arg\(\s*['\"](\w+)['\"]\s*\)", text)
-    shown = [
-        python_text(piece) if index % 2 == 0 else f'"\'", LaunchConfiguration({python_text(piece)}), "\'"'
-        for index, piece in enumerate(pieces)
-    ]
-    return ", ".join(piece for piece in shown if piece not in ('""', "''"))
+    """The parts of an expression of $(eval), with the arguments in it."""
+    shown: list[str] = []
+    before = ""
+    for part in parts_of(text):
+        if isinstance(part, Used):
+            shown += [python_text(before + part.before), f"LaunchConfiguration({python_text(part.name)})"]
+            before = part.after
+        else:
+            before += part
+    return ", ".join(piece for piece in (*shown, python_text(before)) if piece not in ('""', "''"))
 
 
 def _typed(text: Text) -> str:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 
 from urdfctl.generate.scalars import xml_comment, xml_text
 from urdfctl.migrate.launch.actions import Action, Text
+from urdfctl.migrate.launch.expressions import Used, parts_of
 
 _STEP = "  "
 
@@ -103,6 +103,8 @@ def _part(kind: str, text: str, default: str | None) -> str:
     if kind == "dirname":
         return "$(dirname)"
     if kind == "eval":
-        expression = re.sub(r"arg\(\s*['\"](\w+)['\"]\s*\)", r"'$(var \1)'", text)
-        return f"$(eval &quot;{xml_text(expression)}&quot;)"
+        parts = (
+            f"{one.before}$(var {one.name}){one.after}" if isinstance(one, Used) else one for one in parts_of(text)
+        )
+        return f"$(eval &quot;{xml_text(''.join(parts))}&quot;)"
     return xml_text(text)

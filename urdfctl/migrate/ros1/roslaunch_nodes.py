@@ -94,7 +94,7 @@ _DROPPED_WORDS = ("--shutdown-timeout", "--wait-for")
 _SPAWNER_WORDS = {"--timeout": "--controller-manager-timeout", "--stopped": "--inactive"}
 _SAME = frozenset(
     "diagnostic_aggregator image_view joint_state_publisher_gui joy rqt_controller_manager rqt_graph "
-    "rqt_joint_trajectory_controller rqt_robot_steering teleop_twist_joy twist_mux".split()
+    "rqt_joint_trajectory_controller rqt_robot_steering teleop_twist_joy topic_tools twist_mux".split()
 )
 """Packages of ROS 1 that exist for ROS 2, with programs of the same names."""
 _ARGUMENTS = {"world": "world_name", "gui": "gui", "pause": "paused", "verbose": "verbose"}
