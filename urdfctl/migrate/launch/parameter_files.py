@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from itertools import takewhile
 
 from urdfctl.catalog.moves import MANAGER
 from urdfctl.generate.bringup import takes_param_file
@@ -13,6 +12,8 @@ from urdfctl.migrate.packages import Packages
 from urdfctl.source.span import SourceText
 
 _OPTION = "--param-file"
+_FLAGS = ("--inactive", "--activate-as-group", "--unload-on-kill", "-u")
+"""The options of a spawner without a value."""
 
 
 def with_parameter_files(packages: Packages, source: SourceText, actions: Sequence[Action]) -> list[Action]:
@@ -53,7 +54,13 @@ def _files(
 
 def _names(words: Sequence[Text], defaults: Mapping[str, str]) -> Iterator[str]:
     """The names of the controllers that a spawner starts; an empty one if one is not known."""
-    for word in takewhile(lambda word: not plain(word).startswith("-"), words):
+    rest = iter(words)
+    for word in rest:
+        if plain(word) in _FLAGS:
+            continue
+        if plain(word).startswith("-"):
+            next(rest, None)
+            continue
         is_argument = len(word) == 1 and word[0].kind == "arg"
         text = plain(word) if is_literal(word) else defaults.get(word[0].text, "") if is_argument else ""
         yield from text.split() or [""]
