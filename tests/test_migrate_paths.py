@@ -173,3 +173,27 @@ def test_what_is_read_of_a_written_launch_file_is_all_of_it(tmp_path: Path) -> N
             ),
             *("group", "node", "include"),
         ]
+
+
+PARTS = ("urdf", "yaml", "launch", "manifest", "moveit")
+
+
+def parts_of(folder: Folder, source: str, parts: tuple[str, ...], *words: str) -> dict[str, str]:
+    """The files of a copy after a migration to lyrical of one part after the other, without the report."""
+    shutil.copytree(folder.path / source, folder.path / "parts")
+    for part in parts:
+        ran = folder.run("migrate", "parts", "--to", "lyrical", "--only", part, "--in-place", "--force", *words)
+        assert ran.returncode == 0, ran.stderr
+    files = (path for path in (folder.path / "parts").rglob("*") if path.is_file() and path.name != "MIGRATION.md")
+    return {path.relative_to(folder.path / "parts").as_posix(): path.read_text() for path in files}
+
+
+def test_parts_of_a_robot_of_ros_1_that_are_migrated_one_after_the_other_equal_all_at_once(folder: Folder) -> None:
+    folder.write(FILES)
+    assert parts_of(folder, "arm", PARTS, "--from", "noetic") == over(folder, "arm", "lyrical")
+
+
+def test_parts_of_a_robot_of_ros_2_equal_all_at_once_if_launch_files_come_after_descriptions(folder: Folder) -> None:
+    folder.write(FILES)
+    at_once = over(folder, "arm", "humble", "lyrical")
+    assert parts_of(folder, "humble-py", ("moveit", "manifest", "yaml", "urdf", "launch")) == at_once
