@@ -216,6 +216,7 @@ def test_a_run_that_is_killed_leaves_all_files_as_they_were_or_as_they_should_be
         (["arm", "--to", "jazzy", "--only", "yml"], "unknown part 'yml'"),
         (["arm", "--to", "jazzy", "--in-place", "-o", "x"], "exclude each other"),
         (["leg", "--to", "jazzy"], "does not exist"),
+        (["arm", "--from", "jazzy", "--to", "humble"], "'humble' is earlier than 'jazzy'"),
     ],
 )
 def test_what_migrate_cannot_do_is_said_in_one_line(folder: Folder, words: list[str], told: str) -> None:

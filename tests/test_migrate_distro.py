@@ -11,12 +11,12 @@ import pytest
 from folder import Folder
 
 from urdfctl.catalog.catalog import CATALOG
-from urdfctl.catalog.distros import ROS2
+from urdfctl.catalog.distros import ALL, ROS2
 from urdfctl.catalog.entries import Parameter
 from urdfctl.catalog.map_parameters import matching
 from urdfctl.catalog.moves import MANAGER, Move, name_moves, parameter_moves
 from urdfctl.migrate.steps import STEPS
-from urdfctl.migrate.table import rows
+from urdfctl.migrate.table import rows, table
 from urdfctl.migrate.wishes import Wishes
 
 MANIFEST = '<package format="3"><name>arm</name><exec_depend>ros_ign_gazebo</exec_depend></package>\n'
@@ -248,6 +248,15 @@ def test_the_table_lists_what_lies_between_two_distros(folder: Folder) -> None:
     assert "constraints.goal_time" in listed
     assert "i_clamp" not in listed
     assert all(row.authority for _, row in rows(STEPS, Wishes("rolling")))
+
+
+@pytest.mark.parametrize("target", ROS2)
+def test_the_table_fits_a_terminal_and_grows_with_the_way_between_two_distros(target: str) -> None:
+    shown = [table(STEPS, Wishes(target, source)) for source in ALL[: ALL.index(target) + 1]]
+    assert all(len(line) <= 120 for text in shown for line in text.splitlines())
+    assert all("\n    = " in text for text in shown)
+    sizes = [len(text.splitlines()) for text in shown]
+    assert sizes == sorted(sizes, reverse=True)
 
 
 def test_a_migration_of_nothing_changes_nothing(folder: Folder, tmp_path: Path) -> None:

@@ -65,6 +65,8 @@ def _wishes(options: MigrateOptions) -> Wishes:
             raise UserError(
                 f"{name}: unknown distro '{distro}'{did_you_mean(distro, known)}; known are {', '.join(known)}"
             )
+    if options.source in ROS2 and ROS2.index(options.source) > ROS2.index(options.to):
+        raise UserError(f"'{options.to}' is earlier than '{options.source}'; urdfctl migrates to later distros only")
     if options.simulator is not None and options.simulator not in SIMULATORS:
         near = did_you_mean(options.simulator, SIMULATORS)
         raise UserError(f"unknown simulator '{options.simulator}'{near}; known are {', '.join(SIMULATORS)}")

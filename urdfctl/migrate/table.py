@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import groupby
+from textwrap import wrap
 
 from urdfctl.catalog.distros import generation
 from urdfctl.migrate.step import Row, Step
 from urdfctl.migrate.wishes import Wishes
+
+_WIDTH = 120
 
 
 def rows(steps: Sequence[Step], wishes: Wishes) -> Iterator[tuple[Step, Row]]:
@@ -22,13 +26,21 @@ def rows(steps: Sequence[Step], wishes: Wishes) -> Iterator[tuple[Step, Row]]:
 
 
 def table(steps: Sequence[Step], wishes: Wishes) -> str:
-    """Return the changes as text, one line each: part, old form, new form, authority."""
-    found = [
-        (step.part.value, row.old, row.new or "(dropped)", row.since or "ROS 2", row.authority)
-        for step, row in rows(steps, wishes)
-    ]
-    widths = [max((len(line[column]) for line in found), default=0) for column in range(4)]
-    lines = (
-        "  ".join([*(cell.ljust(width) for cell, width in zip(line, widths, strict=False)), line[4]]) for line in found
-    )
-    return "".join(f"{line.rstrip()}\n" for line in lines)
+    """Return the changes as text: below each step and its part, the old forms, the new ones, and their authority."""
+    lines: list[str] = []
+    for name, same in groupby(rows(steps, wishes), key=lambda found: found[0].name):
+        found = list(same)
+        step = found[0][0]
+        lines += ["", f"{step.summary}: step '{name}', part '{step.part.value}'"]
+        for authority, its in groupby((row for _, row in found), key=lambda row: row.authority):
+            for row in its:
+                since = f"  (since {row.since})" if row.since else ""
+                lines += _wrapped(f"{row.old} -> {row.new or '(dropped)'}{since}", "  ")
+            lines += _wrapped(authority, "    = ")
+    return "".join(f"{line}\n" for line in lines[1:])
+
+
+def _wrapped(text: str, lead: str) -> list[str]:
+    """The lines of a text; the further ones are indented more."""
+    more = " " * (len(lead) + 4)
+    return wrap(text, _WIDTH, initial_indent=lead, subsequent_indent=more, break_on_hyphens=False) or [lead]
