@@ -145,6 +145,8 @@ def test_sdf_is_no_description_for_a_controller_manager_or_for_ros_1(folder: Fol
     assert says in folder.run("lint", "--distro", "jazzy", "--format", "concise").stdout
     folder.write({"src/arm_bringup/launch/arm.launch.xml": LAUNCH_WITHOUT_CONTROLLERS})
     assert says in folder.run("lint", "--distro", "noetic", "--format", "concise").stdout
+    folder.write({"alone/arm.urdf": SDF})
+    assert says in folder.run("lint", "alone/arm.urdf", "--distro", "jazzy", "--format", "concise").stdout
 
 
 MOUNTED = """\

@@ -37,14 +37,16 @@ def root_element_not_robot(project: Project) -> Iterator[Finding]:
     """Root element is not <robot>.
 
     urdfdom looks for exactly <robot>, and rejects a description with any other root element. In ROS 2,
-    robot_state_publisher also reads SDF if package sdformat_urdf is installed. The controller manager does not.
+    robot_state_publisher also reads SDF if package sdformat_urdf is installed: what a launch file gives it makes a
+    warning. The controller manager does not.
     """
     robot = project.robot
     if robot is None or robot.element == "robot":
         return
-    if robot.element != "sdf" or project.ros != _ROS2 or project.controllers is not None:
+    launch = project.launch
+    if robot.element != "sdf" or project.ros != _ROS2 or launch is None or project.controllers is not None:
         yield Finding(robot.at, f"root element is <{robot.element}>; it must be <robot>")
-    elif project.launch and project.launch.package and project.launch.package.reaches(_READS_SDF):
+    elif launch.package and launch.package.reaches(_READS_SDF):
         yield Finding(robot.at, "SDF is not checked", severity=Severity.INFO)
     else:
         message = f"the description is SDF: robot_state_publisher reads it only if package '{_READS_SDF}' is installed"
