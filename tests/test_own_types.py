@@ -181,6 +181,19 @@ def test_parameters_without_a_definition_are_said_to_be_unchecked_once(folder: F
     assert [one[1] for one in said(folder, ARM, "{x: 1}", **{"ours/src/arm.cpp": prefixed})] == ["UC424"]
 
 
+@pytest.mark.parametrize(("file", "is_read"), [("arm.yaml", True), ("gone.yaml", False)])
+def test_the_definition_may_be_named_by_variables(folder: Folder, file: str, is_read: bool) -> None:
+    cmake = f"""project(our_controllers)
+        set(TARGET arm_parameters)
+        set(SOURCE "src/{file}")
+        generate_parameter_library(${{TARGET}} ${{SOURCE}})
+        set(TARGET ours)
+        pluginlib_export_plugin_description_file(controller_interface plugins/${{TARGET}}.xml)
+    """
+    found = said(folder, ARM, "{joints: [a], speed: 0.0}", **{"ours/CMakeLists.txt": cmake})
+    assert [one[1] for one in found] == (["UC433"] if is_read else ["UC424"])
+
+
 UPSTREAM = "battery_state_broadcaster/BatteryStateBroadcaster"
 
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from urdfctl.source.files import FileProblem, Files, first_bytes
 from urdfctl.source.problem import ReadError
@@ -21,6 +21,8 @@ _XML_COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _EXPORT_FILE = re.compile(r"(?i)\bpluginlib_export_plugin_description_file\s*\(\s*[^\s()]+\s+\"?([^\s()\"]+)\"?\s*\)")
 _PLUGIN_ATTRIBUTE = re.compile(r"<\w+\s[^<>]*\bplugin\s*=\s*[\"']\$\{prefix\}/([^\"']+)[\"']")
 _LIBRARY = re.compile(r"(?i)\bgenerate_parameter_(?:library|module)\s*\(\s*([^\s()]+)\s+\"?([^\s()\"]+)\"?")
+_SET = re.compile(r"(?i)\bset\s*\(\s*(\w+)\s+\"?([^\s()\"]+)\"?\s*\)")
+_VARIABLE = re.compile(r"\$\{(\w+)\}")
 _BUILT = ("build", "install")
 _SOURCE_ENDS = (".hpp", ".h", ".cpp", ".cc", ".cxx", ".hxx")
 
@@ -128,4 +130,19 @@ def _substituted(cmake: str) -> str:
     for variable in ("${CMAKE_CURRENT_SOURCE_DIR}/", "${PROJECT_SOURCE_DIR}/", "${CMAKE_CURRENT_LIST_DIR}/"):
         text = text.replace(variable, "")
     project = re.search(r"(?i)\bproject\s*\(\s*([\w.-]+)", text)
-    return text.replace("${PROJECT_NAME}", project[1]) if project else text
+    return _with_variables(text.replace("${PROJECT_NAME}", project[1]) if project else text)
+
+
+def _with_variables(text: str) -> str:
+    """A text with the variables that it sets replaced by the values that they have there."""
+    values: dict[str, str] = {}
+    parts, start = [], 0
+    for found in _SET.finditer(text):
+        parts.append(_replaced(text[start : found.start()], values))
+        values[found[1]] = _replaced(found[2], values)
+        start = found.end()
+    return "".join((*parts, _replaced(text[start:], values)))
+
+
+def _replaced(text: str, values: Mapping[str, str]) -> str:
+    return _VARIABLE.sub(lambda found: values.get(found[1], found[0]), text) if values else text
