@@ -125,6 +125,10 @@ def test_a_name_with_letters_that_no_node_can_have_is_told(tmp_path: Path) -> No
         ("joint_trajectory_controller/Trajectory", TRAJECTORY),
         ("position_controllers/JointGroupVelocityController", "velocity_controllers/JointGroupVelocityController"),
         ("gripper_controllers/GripperActionController", "GripperActionController"),
+        (
+            "position_controllers/ScaledJointTrajectoryController",
+            "use 'ur_controllers/ScaledJointTrajectoryController'",
+        ),
     ],
 )
 def test_a_misspelt_type_is_recognised(tmp_path: Path, slip: str, right: str) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import generation
-from urdfctl.control.controller_types import instead_of, typed
+from urdfctl.control.controller_types import Typed, instead_of, typed
 from urdfctl.rule import Finding, Fix, Note, Project, Severity, rule
 
 
@@ -54,8 +54,15 @@ def controller_type_of_other_ros(project: Project) -> Iterator[Finding]:
         if not controller.known_in or any(generation(distro) == ros for distro in controller.known_in):
             continue
         replacement, advice = instead_of(project, controller.type, controller.distros[-1])
-        advice = advice or f"no ROS {ros} package provides a controller of this type"
+        advice = advice or _namesake(project, controller) or f"no ROS {ros} package provides a controller of this type"
         message = f"'{controller.type}' is a controller type of ROS {3 - ros}; {advice}"
         fix = Fix(f"write '{replacement.type}'") if replacement else None
         notes = (Note(replacement.note),) if replacement and replacement.note else ()
         yield Finding(controller.at.at, message, notes, fix)
+
+
+def _namesake(project: Project, controller: Typed) -> str:
+    """The advice to use the only type with the same class in the other generation; empty if there is none."""
+    known = project.catalog.known_types(controller.distros[-1])
+    same = [name for name in known if name.rpartition("/")[2] == controller.type.rpartition("/")[2]]
+    return f"use '{same[0]}' if that is meant" if len(same) == 1 else ""
