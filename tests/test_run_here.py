@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import sys
 import threading
+import time
 
 import pytest
 from folder import CHECKOUT, Folder, environment
@@ -58,6 +59,20 @@ def test_a_job_that_raises_is_a_failure_of_its_own() -> None:
     assert isinstance(result, WorkerFailure)
     assert result.our_fault
     assert "ValueError: broken" in result.reason
+
+
+def test_a_job_that_only_waits_uses_no_time() -> None:
+    [result] = run_all_here([{}], lambda _: {"slept": time.sleep(4 * LIMITS.seconds)}, LIMITS)
+    assert result == {"slept": None}
+
+
+def test_a_job_that_waits_for_ever_is_ended_after_a_multiple_of_its_time() -> None:
+    def waiting(_: Json) -> Json:
+        while True:
+            time.sleep(0.01)
+
+    [result] = run_all_here([{}], waiting, LIMITS)
+    assert result == WorkerFailure(LIMITS.too_slow)
 
 
 def test_the_clock_interrupts_only_the_thread_that_it_watches() -> None:

@@ -44,6 +44,11 @@ def quick(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @needs_fork
+def test_a_job_that_only_waits_uses_no_time() -> None:
+    assert results(lambda job: {"slept": time.sleep(2 * SHORT.seconds)}, SHORT) == [{"slept": None}]
+
+
+@needs_fork
 def test_results_come_in_the_order_of_the_jobs_though_the_first_takes_longest() -> None:
     def perform(job: Json) -> Json:
         time.sleep(0.2 - 0.05 * job["number"])

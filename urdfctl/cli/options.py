@@ -39,7 +39,7 @@ class ReadingOptions:
     package_path: Annotated[list[str] | None, _list("Folder with packages, searched first.")] = None
     env: Annotated[list[str] | None, _list("Environment variable that $(env NAME) may read.")] = None
     trust: Annotated[bool, typer.Option("--trust", help="Read any file and evaluate any expression.")] = False
-    timeout: Annotated[float, typer.Option(help="Time limit for one robot, in seconds.")] = 20.0
+    timeout: Annotated[float, typer.Option(help="Processor time for one robot, in seconds.")] = 20.0
     memory: Annotated[int, typer.Option(help="Memory limit for one robot, in MiB.")] = 2048
     config: Annotated[
         str | None,

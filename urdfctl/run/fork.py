@@ -124,7 +124,7 @@ class _Worker:
         self.start_clock()
 
     def start_clock(self) -> None:
-        self.deadline = time.monotonic() + self.limits.seconds + GRACE
+        self.deadline = time.monotonic() + self.limits.patience + GRACE
 
     def kill(self) -> None:
         if sys.platform != "win32":

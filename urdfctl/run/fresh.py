@@ -8,7 +8,7 @@ import sys
 from collections.abc import Iterator, Sequence
 
 from urdfctl.run.limits import GRACE, Json, Limits, Result, WorkerFailure
-from urdfctl.run.results import decoded_result, encoded_result
+from urdfctl.run.results import decoded_result
 
 _KEPT_VARIABLES = ("PATH", "SYSTEMROOT", "PYTHONPATH", "VIRTUAL_ENV", "LD_LIBRARY_PATH")
 _START = "import sys; sys.path[:] = sys.argv[1:]; from urdfctl.run.fresh import main; main()"
@@ -32,13 +32,14 @@ def run_all_fresh(jobs: Sequence[Json], function_name: str, limits: Limits, para
 def _run_fresh(job: Json, function_name: str, limits: Limits) -> Result:
     import subprocess
 
+    request = {"function": function_name, "job": job, "limits": limits._replace(environ={})._asdict()}
     kept = {name: os.environ[name] for name in _KEPT_VARIABLES if name in os.environ}
     try:
         process = subprocess.run(  # noqa: S603 (our own module)
             [sys.executable, "-c", _START, *(entry for entry in sys.path if entry)],
-            input=json.dumps({"function": function_name, "job": job}).encode(),
+            input=json.dumps(request).encode(),
             capture_output=True,
-            timeout=limits.seconds + GRACE,
+            timeout=limits.patience + GRACE,
             env={**limits.environ, **kept},
             check=False,
         )
@@ -57,11 +58,13 @@ def main() -> None:
     """
     from importlib import import_module
 
+    from urdfctl.run.here import encoded_within
+
     request = json.loads(sys.stdin.buffer.read())
     module, _, name = request["function"].partition(":")
     function = getattr(import_module(module), name)
     with os.fdopen(os.dup(1), "wb") as output:
-        output.write(encoded_result(request["job"], function))
+        output.write(encoded_within(Limits(**request["limits"]), request["job"], function))
 
 
 if __name__ == "__main__":

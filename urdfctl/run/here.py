@@ -7,7 +7,9 @@ the environment is that of its settings, as everywhere.
 from __future__ import annotations
 
 import ctypes
+import sys
 import threading
+import time
 from collections.abc import Callable, Iterator, Sequence
 from types import TracebackType
 
@@ -19,12 +21,16 @@ from urdfctl.source.budget import OverBudget
 def run_all_here(jobs: Sequence[Json], function: Callable[[Json], Json], limits: Limits) -> Iterator[Result]:
     """Yield the result of each job, in order."""
     for job in jobs:
-        try:
-            with Clock(limits):
-                text = encoded_result(job, function)
-        except OverBudget:  # between the end of the job and that of the clock
-            text = encoded_result(job, _raiser(OverBudget(limits.too_slow)))
-        yield decoded_result(text)
+        yield decoded_result(encoded_within(limits, job, function))
+
+
+def encoded_within(limits: Limits, job: Json, function: Callable[[Json], Json]) -> bytes:
+    """Return a job's result, or the reason why there is none, as one line of JSON."""
+    try:
+        with Clock(limits):
+            return encoded_result(job, function)
+    except OverBudget:  # between the end of the job and that of the clock
+        return encoded_result(job, _raiser(OverBudget(limits.too_slow)))
 
 
 def _raiser(error: Exception) -> Callable[[Json], Json]:
@@ -46,13 +52,24 @@ def _without_arguments(reason: str) -> type[OverBudget]:
 
 _AGAIN = 1.0
 """Seconds after which work that is still not interrupted is interrupted again."""
+_LEAST = 0.02
+"""Seconds between two looks at the clock, at least."""
+
+
+def _clock_of(thread: int) -> Callable[[], float]:
+    """Return a function that returns the processor time of a thread in s; that of the process if there is none."""
+    if sys.platform == "win32" or not hasattr(time, "pthread_getcpuclockid"):
+        return time.process_time
+    clock = time.pthread_getcpuclockid(thread)
+    return lambda: time.clock_gettime(clock)
 
 
 class Clock:
-    """Raises OverBudget in the thread that entered it, after `limits.seconds` or when `stop` is called.
+    """Raises OverBudget in the thread that entered it, after its time or when `stop` is called.
 
     Python code is interrupted at its next bytecode, and again until it leaves: what is raised in a callback of the
-    garbage collector is lost. Without threads, nothing is interrupted.
+    garbage collector is lost. Without threads, nothing is interrupted. Where the processor time of one thread cannot
+    be asked for, that of the process counts.
     """
 
     def __init__(self, limits: Limits) -> None:
@@ -64,10 +81,21 @@ class Clock:
 
     def __enter__(self) -> None:
         self._thread = threading.get_ident()
-        self._timer = self._started(self._limits.seconds)
+        self._clock = _clock_of(self._thread)
+        self._end, self._deadline = self._clock() + self._limits.seconds, time.monotonic() + self._limits.patience
+        self._timer = self._started(self._limits.seconds, self._look)
 
-    def _started(self, seconds: float) -> threading.Timer | None:
-        timer = threading.Timer(seconds, self.stop)
+    def _look(self) -> None:
+        """Stop the thread if its time is over; otherwise look again when it can be."""
+        with self._lock:
+            left = self._end - self._clock() if self._thread is not None else 0.0
+            if left > 0 and time.monotonic() < self._deadline:
+                self._timer = self._started(max(left, _LEAST), self._look)
+                return
+        self.stop()
+
+    def _started(self, seconds: float, then: Callable[[], None]) -> threading.Timer | None:
+        timer = threading.Timer(seconds, then)
         timer.daemon = True
         try:
             timer.start()
@@ -86,4 +114,4 @@ class Clock:
         with self._lock:
             if self._thread is not None:
                 ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self._thread), ctypes.py_object(self._error))
-                self._timer = self._started(_AGAIN)
+                self._timer = self._started(_AGAIN, self.stop)

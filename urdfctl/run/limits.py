@@ -17,6 +17,8 @@ from urdfctl.startup.signals import signal
 Json = dict[str, Any]
 GRACE = 2.0
 """Seconds between the deadline inside a worker and the moment when its parent ends it."""
+WAITING = 12.0
+"""On a loaded machine, a job may take this multiple of its processor time."""
 HAS_PROCESSES = sys.platform not in {"emscripten", "wasi"}
 """Whether there are other processes: a browser has none."""
 CAN_FORK = hasattr(os, "fork") and sys.platform != "win32"
@@ -30,14 +32,21 @@ def processors() -> int:
 class Limits(NamedTuple):
     """The limits of one job.
 
-    seconds: wall-clock time, in s.
+    seconds: processor time, in s: what a job may do does not depend on what else the machine does.
     memory: address space beyond that of the process that starts the workers, in bytes.
     environ: the environment variables that the job sees.
+    waiting: the wall-clock time that the job may take, as a multiple of its processor time.
     """
 
     seconds: float
     memory: int
     environ: Mapping[str, str]
+    waiting: float = WAITING
+
+    @property
+    def patience(self) -> float:
+        """The wall-clock time that the job may take, in s."""
+        return self.seconds * self.waiting
 
     @property
     def too_slow(self) -> str:
@@ -72,6 +81,7 @@ def restrict(limits: Limits) -> None:
     _limit(resource.RLIMIT_CORE, 0)
     if signal.getsignal(signal.SIGINT) != signal.SIG_IGN:  # a shell's background jobs ignore it
         signal.signal(signal.SIGINT, signal.SIG_DFL)  # the parent reports the interruption
+    signal.signal(signal.SIGPROF, _raise_over_budget(limits))
     signal.signal(signal.SIGALRM, _raise_over_budget(limits))
 
 
@@ -89,18 +99,20 @@ def _address_space() -> int:
 
 
 def start_clock(limits: Limits) -> None:
-    """Give this process `limits.seconds` from now on; after that, OverBudget is raised."""
+    """Give this process its time from now on; after that, OverBudget is raised."""
     if sys.platform == "win32":
         raise NotImplementedError
     import resource
 
     _limit(resource.RLIMIT_CPU, int(time.process_time() + limits.seconds + GRACE) + 1)
-    signal.setitimer(signal.ITIMER_REAL, limits.seconds)
+    signal.setitimer(signal.ITIMER_PROF, limits.seconds)
+    signal.setitimer(signal.ITIMER_REAL, limits.patience)
 
 
 def stop_clock() -> None:
-    """Cancel the alarm, so that it cannot interrupt the writing of a result."""
+    """Cancel the alarms, so that they cannot interrupt the writing of a result."""
     if sys.platform != "win32":
+        signal.setitimer(signal.ITIMER_PROF, 0)
         signal.setitimer(signal.ITIMER_REAL, 0)
 
 

@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterator, Sequence
 
 from urdfctl.config.settings import Settings
-from urdfctl.run.limits import Limits, Result, WorkerFailure
+from urdfctl.run.limits import WAITING, Limits, Result, WorkerFailure
 from urdfctl.run.pool import run_jobs
 from urdfctl.smoke.agreement import decided, is_certain
 from urdfctl.smoke.plan import Plan, Tried
@@ -14,9 +14,8 @@ from urdfctl.smoke.progress import keep, kept, live_lines, stopped_early
 from urdfctl.smoke.trial import tried
 from urdfctl.startup.hints import Any
 
-WAITING, STARTING = 12.0, 60.0
-"""The time after which a worker is ended on a loaded machine: a multiple of its processor time, and what its start may
-take, in s."""
+STARTING = 60.0
+"""What the start of an engine may take on a loaded machine, in s."""
 _WATCHED = 600.0
 """The time limit if a window is shown, in s."""
 _SCREEN = ("DISPLAY", "XAUTHORITY", "WAYLAND_DISPLAY")
@@ -97,7 +96,7 @@ class Runs:
         screen = {name: os.environ[name] for name in _SCREEN if watched and name in os.environ}
         budget = max((plan.budget for plan in plans), default=0.0)
         seconds = _WATCHED if watched else budget * WAITING + STARTING
-        return Limits(seconds, self._settings.memory, {**self._settings.environ, **screen})
+        return Limits(seconds, self._settings.memory, {**self._settings.environ, **screen}, waiting=1.0)
 
     def _until_interrupted(self, results: Iterator[Result], count: int) -> Iterator[Result]:
         """The results, and after Ctrl-C a failure for each that is missing."""
