@@ -13,7 +13,10 @@ from sampling import sample
 pytest.importorskip("lxml", reason="lxml is not installed")
 pytest.importorskip("jsonschema", reason="jsonschema is not installed")
 
-from urdfctl.schemas.checking import faults_in_controllers, faults_in_robot
+from jsonschema import Draft202012Validator
+
+from urdfctl.schemas.checking import Fault, faults_in_controllers, faults_in_robot
+from urdfctl.schemas.controllers import controllers_schema
 from urdfctl.schemas.robot import ros2_control_schema
 from urdfctl.source.span import SourceText
 
@@ -115,6 +118,32 @@ def test_the_schema_of_controllers_agrees_with_the_controller_manager_on_form() 
     ]
     assert len(asked) > 50
     assert len(wrong) <= (1 - AGREEMENT) * len(asked), wrong
+
+
+def test_what_another_validator_cannot_tell_is_only_how_a_number_is_written() -> None:
+    """JSON Schema and yaml-language-server take 1 for 1.0. All else that a schema says, they say too."""
+    others = {*OF_OTHER_FILES, *OF_OTHER_SECTIONS}
+    asked = [
+        case
+        for case in cases("ros2_controllers")
+        if not (case.refused and (case.of_class in others or case.name in NOT_OF_FORM))
+        and not _only_numbers(faults_in_controllers(source(case.file / "controllers.yaml"), DISTRO))
+    ]
+    plain = Draft202012Validator(controllers_schema(DISTRO))
+    wrong = [case.name for case in asked if case.refused == _accepts(plain, case.file / "controllers.yaml")]
+    assert len(asked) > 50
+    assert len(wrong) <= (1 - AGREEMENT) * len(asked), wrong
+
+
+def _only_numbers(faults: list[Fault]) -> bool:
+    return bool(faults) and all(fault.message.endswith("ROS 2 tells 1 from 1.0") for fault in faults)
+
+
+def _accepts(validator: Any, file: Path) -> bool:
+    try:
+        return all(validator.is_valid(document) for document in yaml.safe_load_all(file.read_text(encoding="utf-8")))
+    except yaml.YAMLError:
+        return False
 
 
 def test_the_schema_of_ros2_control_agrees_with_the_parser_on_form() -> None:

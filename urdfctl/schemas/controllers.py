@@ -79,10 +79,10 @@ def _names(known: Iterable[ControllerType]) -> list[str]:
 
 
 _VALUE: Schema = {
-    "description": "A value that ROS 2 can read: a scalar, a list of scalars of one type, or a map.",
+    "description": "A value that ROS 2 can read: a scalar, a list of scalars of one type, or a map; no empty one.",
     "anyOf": [
         {"type": ["string", "number", "boolean"]},
-        *({"type": "array", "items": {"type": kind}} for kind in ("string", "number", "boolean")),
+        *({"type": "array", "minItems": 1, "items": {"type": kind}} for kind in ("string", "number", "boolean")),
         {"type": "object", "minProperties": 1, "additionalProperties": {"$ref": PLAIN_VALUE}},
     ],
 }
@@ -103,7 +103,11 @@ def _manager(known: list[ControllerType], distro: str) -> Schema:
                 "type": "object",
                 **tree,
                 "patternProperties": {
-                    rf"^(?!(?:{names})$)[^.]+$": {"if": {"type": "object"}, "then": {"properties": keys}},
+                    rf"^(?!(?:{names})$)[^.]+$": {
+                        "$ref": PLAIN_VALUE,
+                        "if": {"type": "object"},
+                        "then": {"properties": keys},
+                    },
                     r"^[^.]+\.type$": keys["type"],
                 },
                 "additionalProperties": {"$ref": PLAIN_VALUE},
