@@ -112,6 +112,12 @@ class Editor:
         version = types.VersionedTextDocumentIdentifier(uri=path.as_uri(), version=self._versions[path])
         self.client.text_document_did_change(types.DidChangeTextDocumentParams(version, [change]))
 
+    async def save(self, name: str, text: str) -> None:
+        """Write a file and say so."""
+        (self.folder / name).write_text(text, encoding="utf-8")
+        self._sends()
+        self.client.text_document_did_save(types.DidSaveTextDocumentParams(self.document(name)))
+
     async def close(self, name: str) -> None:
         """Close a file without saving it."""
         self._sends()

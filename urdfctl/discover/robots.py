@@ -8,14 +8,13 @@ import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from copy import copy
 from fnmatch import fnmatchcase
-from functools import lru_cache
 
 from urdfctl.discover.generated import written_by_xacro
 from urdfctl.discover.launch_files import is_broken, is_controllers_file, is_launch_file, launch_roots, may_launch
 from urdfctl.discover.walk import DESCRIPTIONS, files_below, text_of
 from urdfctl.errors import UserError
 from urdfctl.names import nearest_path
-from urdfctl.source.files import is_launch, is_yaml
+from urdfctl.source.files import is_launch, is_yaml, remembered
 from urdfctl.source.packages import package_around, package_name
 
 _INCLUDE = rb"(?s)<(?:xacro:)?include\s[^<>]*?filename\s*=\s*[\"']([^\"']+)[\"']"
@@ -188,7 +187,7 @@ def is_match(path: str, included: str, package: str) -> bool:
     return not package or _package_of(os.path.dirname(os.path.abspath(path))) in (package, None)
 
 
-@lru_cache(4096)
+@remembered
 def _package_of(folder: str) -> str | None:
     """Return the name of the package around a folder; None if there is none."""
     package = package_around(folder)

@@ -9,12 +9,11 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from functools import lru_cache
 
 from urdfctl.discover.robots import DiscoveredFiles, is_match
 from urdfctl.discover.walk import text_of
 from urdfctl.errors import UserError
-from urdfctl.source.files import folders_upwards
+from urdfctl.source.files import folders_upwards, remembered
 from urdfctl.source.packages import package_around, package_name
 from urdfctl.startup.records import NamedTuple
 
@@ -129,7 +128,7 @@ class _Naming:
         return self._matching[end, package]
 
 
-@lru_cache(4096)
+@remembered
 def _package_of(folder: str) -> tuple[str | None, str]:
     """Return the name and folder of the package around a folder; None and the root folder if there is none."""
     package = package_around(folder)

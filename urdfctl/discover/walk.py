@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
-from urdfctl.source.files import first_bytes
+from urdfctl.source.files import open_text, start_of
 from urdfctl.source.gitignore import GitIgnore
 
 DESCRIPTIONS = (".urdf", ".xacro")
@@ -40,30 +40,14 @@ def files_below(folder: str, *, ignored: list[str] | None = None) -> Iterator[st
                     yield path
 
 
-_INSTEAD: list[Mapping[str, bytes]] = [{}]
-
-
-class reading_instead:  # noqa: N801 (a context manager, read as a verb)
-    """Within it, `text_of` returns these texts instead of the files with these real paths: an editor's open files."""
-
-    def __init__(self, texts: Mapping[str, bytes]) -> None:
-        self._texts = texts
-
-    def __enter__(self) -> None:
-        _INSTEAD.append(self._texts)
-
-    def __exit__(self, *_: object) -> None:
-        _INSTEAD.pop()
-
-
 def text_of(path: str) -> bytes:
     """Return the text of a file, as far as discovery needs it."""
-    if _INSTEAD[-1] and (real := os.path.realpath(path)) in _INSTEAD[-1]:
-        text = _INSTEAD[-1][real]
+    text = open_text(path)
+    if text is not None:
         return text if len(text) <= _MAX_BYTES else b"<robot "
     try:
         if os.path.getsize(path) > _MAX_BYTES:
             return b"<robot "  # the loader reports why it cannot be read
-        return first_bytes(path, _MAX_BYTES)
+        return start_of(path, _MAX_BYTES)
     except OSError:
         return b"<robot "

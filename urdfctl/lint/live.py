@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import time
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from functools import partial
@@ -17,6 +16,7 @@ from urdfctl.load.loader import Loader
 from urdfctl.load.target import Target
 from urdfctl.run.here import run_all_here
 from urdfctl.run.limits import Json, Limits, Result
+from urdfctl.source.files import real_path
 
 Focus = tuple[str, ...]
 _now = getattr(time, "thread_time", time.monotonic)  # a browser has no threads
@@ -59,7 +59,7 @@ class LiveLinter:
         self._loader = self._loader.with_overlay(overlay, changed)
         self._memory = RuleMemory()
         self._variants.clear()
-        kept = (pair for pair in self._results.items() if changed.isdisjoint(map(os.path.realpath, pair[1].files)))
+        kept = (pair for pair in self._results.items() if changed.isdisjoint(map(real_path, pair[1].files)))
         self._results = dict(kept)
 
     def lint(self, targets: Sequence[Target], focus: Sequence[Sequence[str]] = ()) -> Iterator[TargetResult]:

@@ -78,26 +78,40 @@ def _follow_texts(server: Window) -> None:
     def closed(ls: Window, params: types.DidCloseTextDocumentParams) -> None:
         ls.text_changed(params.text_document.uri, None)
 
+    @server.feature(types.TEXT_DOCUMENT_DID_SAVE)
+    def saved(ls: Window, params: types.DidSaveTextDocumentParams) -> None:
+        if not _watches(ls):
+            _written(ls, params.text_document.uri)
+
     @server.feature(types.WORKSPACE_DID_CHANGE_WATCHED_FILES)
     def watched(ls: Window, params: types.DidChangeWatchedFilesParams) -> None:
         for event in params.changes:
-            path = path_of(event.uri)
-            if path is not None and os.path.basename(path) in NAMES:
-                ls.again()
-            elif ls.checking is not None and path is not None:
-                is_known = event.type is types.FileChangeType.Changed
-                ls.checking.change(partial(Workspace.saved, path=path) if is_known else Workspace.forget)
+            _written(ls, event.uri, is_same_file=event.type is types.FileChangeType.Changed)
 
     @server.feature(types.SHUTDOWN)
     async def ended(ls: Window, *_: object) -> None:
         await ls.end()
 
 
-def _watch(server: Window) -> None:
-    """Ask the editor to tell what other programs write, if it can."""
+def _written(server: Window, uri: str, *, is_same_file: bool = True) -> None:
+    """Take what is on disk now. is_same_file: whether the file existed before, and exists."""
+    path = path_of(uri)
+    if path is not None and os.path.basename(path) in NAMES:
+        server.again()
+    elif server.checking is not None and path is not None:
+        server.checking.change(partial(Workspace.saved, path=path) if is_same_file else Workspace.forget)
+
+
+def _watches(server: Window) -> bool:
+    """Return whether the editor can tell what is written to disk, by itself or by other programs."""
     workspace = server.client_capabilities.workspace
     watching = workspace.did_change_watched_files if workspace else None
-    if watching is None or not watching.dynamic_registration:
+    return watching is not None and bool(watching.dynamic_registration)
+
+
+def _watch(server: Window) -> None:
+    """Ask the editor to tell what is written to disk, if it can."""
+    if not _watches(server):
         return
     options = types.DidChangeWatchedFilesRegistrationOptions([types.FileSystemWatcher(WATCHED)])
     asked = types.Registration("files", types.WORKSPACE_DID_CHANGE_WATCHED_FILES, options)

@@ -8,7 +8,6 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from urdfctl.config.file import config_for, with_environ
 from urdfctl.config.settings import Settings, passed_on, settings_with
 from urdfctl.diagnostic import Diagnostic
-from urdfctl.discover.walk import reading_instead
 from urdfctl.lint.files import LintRun, lint_files
 from urdfctl.lint.live import LiveLinter
 from urdfctl.lint.memory import RuleMemory
@@ -25,7 +24,7 @@ from urdfctl.run.limits import Limits
 from urdfctl.server.attempts import Attempts, Codes, codes_of
 from urdfctl.server.variants import Variant, variants_among
 from urdfctl.source.budget import OverBudget
-from urdfctl.source.files import MAX_BYTES, first_bytes
+from urdfctl.source.files import MAX_BYTES, as_shown, first_bytes, forget_files
 from urdfctl.source.packages import Packages, package_around
 from urdfctl.startup.records import NamedTuple
 
@@ -96,7 +95,10 @@ class Workspace:
     ) -> None:
         self.folder = os.path.realpath(folder)
         self.texts: dict[str, bytes] = {}
-        self.config = with_environ(config_for((self.folder,)), os.environ)
+        self._on_disk: dict[str, bool] = {}
+        self._aside: set[str] = set()
+        with as_shown(self.folder, {}):
+            self.config = with_environ(config_for((self.folder,)), os.environ)
         given = Settings(distro=wishes.distro, simulator=wishes.simulator, environ=passed_on(os.environ))
         self.settings = settings_with(self.config, given)
         self._selection = selection_with(self.config, Selection(wishes.select, wishes.ignore))
@@ -111,19 +113,19 @@ class Workspace:
         self._saved: dict[Target, Codes] = {}
         self._packages = Loader(self.settings)
         self._reading: tuple[dict[str, bytes], Loader] = {}, self._packages
-        self._linter = LiveLinter(self.settings, self._selection, self.texts, is_outdated)
+        self._linter = LiveLinter(self.settings, self._selection, {}, is_outdated)
 
     def changed(self, path: str, text: bytes | None) -> None:
-        """Take an open file's text; None if it was closed, and its text on disk counts again."""
+        """Take an open file's text; None if it was closed, and its text on disk counts again.
+
+        The text of a file that was never saved is kept, but not linted.
+        """
         real = os.path.realpath(path)
-        is_new = not os.path.exists(real)
         if text is None:
             self.texts.pop(real, None)
         else:
             self.texts[real] = text
-        if is_new:
-            self.forget()
-        elif text is None:
+        if text is None:
             self.saved(real)
         else:
             self._read_again(real)
@@ -136,18 +138,26 @@ class Workspace:
 
     def _read_again(self, real: str) -> None:
         """Read a file again whose text changed."""
-        if os.path.basename(real) in _OF_PACKAGES:
+        was_there = self._on_disk.get(real)
+        is_there = self._on_disk[real] = os.path.exists(real)
+        if was_there not in (None, is_there) or real in self._aside:
             self.forget()
-        else:
+        elif is_there:
             self._edition += 1
-            self._linter.changed(dict(self.texts), [real])
+            self._linter.changed(self._saved_once(), [real])
+
+    def _saved_once(self) -> dict[str, bytes]:
+        """The open texts of the files that exist."""
+        return {path: text for path, text in dict(self.texts).items() if os.path.exists(path)}
 
     def forget(self) -> None:
         """Lint everything again: files were created or deleted."""
         self._edition += 1
+        self._aside.clear()
+        forget_files()
         self._packages = Loader(self.settings)
         self._reading = {}, self._packages.with_overlay({})
-        self._linter = LiveLinter(self.settings, self._selection, dict(self.texts), self._is_outdated)
+        self._linter = LiveLinter(self.settings, self._selection, self._saved_once(), self._is_outdated)
 
     def variants(self, path: str) -> list[Variant]:
         """Return the variants of the robots that read a file, as they were found last: the one that says most first."""
@@ -194,8 +204,9 @@ class Workspace:
         chosen = list(dict.fromkeys([first, *others]))[:_MOST_ROBOTS]
         key = tuple(chosen), self._edition
         if self._loaded is None or self._loaded[0] != key:
-            loader = self._loader()
-            self._loaded = key, [self._read(loader, target) for target in chosen]
+            with as_shown(self.folder, dict(self.texts), self._aside):
+                loader = self._loader()
+                self._loaded = key, [self._read(loader, target) for target in chosen]
         return self._loaded[1]
 
     def attempts(self, path: str) -> Attempts:
@@ -208,10 +219,11 @@ class Workspace:
             target = targets[robot]
             if self._linter.seconds.get(target, 0.0) > seconds:
                 return None
-            tried = loaders[-1].with_overlay({**texts, real: text}, [real])
+            shown = {**texts, real: text}
+            tried = loaders[-1].with_overlay(shown, [real])
             loaders[:] = [tried]
             try:
-                with self._clock():
+                with as_shown(self.folder, shown, self._aside), self._clock():
                     linted = lint_target(tried, target, self._selection, memory=memory)
                     return self._reported(linted.result.outcome.diagnostics)
             except OverBudget:
@@ -231,7 +243,8 @@ class Workspace:
 
     def packages_for(self, path: str) -> Packages:
         """Return the packages of the workspace as a file sees them."""
-        return self._loader().reading(path)[1]
+        with as_shown(self.folder, dict(self.texts), self._aside):
+            return self._loader().reading(path)[1]
 
     def _loader(self) -> Loader:
         """The loader for the texts as they are. What reads none of the changed ones is not expanded again."""
@@ -262,7 +275,8 @@ class Workspace:
 
     def _clock(self) -> Clock:
         """Ends what takes longer than the user would wait."""
-        return Clock(Limits(min(self.settings.timeout, _PATIENCE), self.settings.memory, self.settings.environ))
+        seconds = min(self.settings.timeout, _PATIENCE)
+        return Clock(Limits(seconds, self.settings.memory, self.settings.environ, waiting=1.0))
 
     def check(self, path: str | None = None) -> Checked:
         """Return the findings in the package around a file, or in the whole folder.
@@ -272,7 +286,8 @@ class Workspace:
         folder = self.folder
         if path is not None:
             folder = package_around(os.path.dirname(os.path.realpath(path))) or folder
-        with reading_instead(self.texts):
+        texts = self._saved_once()
+        with as_shown(self.folder, texts, self._aside):
             files = discovered([folder], self.config)
             run = lint_files(files, self._wishes.arguments, self._linter, self.config.robots)
         if path is None or self._run is None:
@@ -338,7 +353,3 @@ def _readers(run: LintRun) -> dict[str, list[tuple[Target, TargetResult]]]:
         for file in {real[file] for file in pair[1].files}:
             found.setdefault(file, []).append(pair)
     return found
-
-
-_OF_PACKAGES = frozenset({"package.xml", "CMakeLists.txt", "setup.py", "urdfctl.toml", "pyproject.toml"})
-"""Files that decide more than the robots which read them."""

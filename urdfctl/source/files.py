@@ -5,12 +5,20 @@ from __future__ import annotations
 import errno
 import os
 import stat
+from _thread import get_ident
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import lru_cache
 from types import MappingProxyType
 
 from urdfctl.errors import UserError
 from urdfctl.source.problem import Problem, ProblemKind
 from urdfctl.source.span import Place, SourceText
+from urdfctl.startup.hints import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from typing import TypeVar
+
+    Result = TypeVar("Result")
 
 MAX_BYTES = 16 << 20
 _NONE: Mapping[str, bytes] = MappingProxyType({})
@@ -102,11 +110,15 @@ class Files:
         Raises FileProblem if the file is missing, not a regular file, too large or out of bounds.
         """
         if path not in self._read:
-            self._read[path] = self.glance(path)
+            self._read[path] = self._content(path)
         return self._read[path]
 
     def glance(self, path: str) -> SourceText:
         """Return the content of a file without adding it to `sources`. Raises FileProblem as `read` does."""
+        _note(path)
+        return self._content(path)
+
+    def _content(self, path: str) -> SourceText:
         resolved = self._resolve(path)
         self._check_bounds(resolved)
         if resolved not in self._texts:
@@ -185,6 +197,15 @@ def first_bytes(path: str, most: int) -> bytes:
 
     Raises OSError if the file cannot be read or is not a regular file: a read from a pipe or a device may never end.
     """
+    _note(path)
+    return start_of(path, most)
+
+
+def start_of(path: str, most: int) -> bytes:
+    """Return what `first_bytes` does, of a file that is read again each time."""
+    text = open_text(path)
+    if text is not None:
+        return text[:most]
     if not stat.S_ISREG(os.stat(path).st_mode):
         raise OSError(errno.EINVAL, "it is not a regular file", path)
     with open(path, "rb") as file:
@@ -200,3 +221,70 @@ def named_bytes(path: str) -> bytes:
     if len(data) > MAX_BYTES:
         raise UserError(f"'{path}' cannot be read: it is larger than {MAX_BYTES >> 20} MiB")
     return data
+
+
+# -- the window of an editor -------------------------------------------------------------------------------------------
+
+
+class as_shown:  # noqa: N801 (a context manager, read as a verb)
+    """Within it, this thread works in a folder as an editor shows it, not in the current one as it is on disk.
+
+    folder: what is relative, is relative to it.
+    texts: what is read instead of the files with these real paths.
+    aside: is given the real paths of the files on which what is remembered depends, and which are no source of a robot,
+        such as a package.xml.
+    """
+
+    def __init__(self, folder: str, texts: Mapping[str, bytes], aside: set[str] | None = None) -> None:
+        self.folder, self.texts, self.aside = folder, texts, aside
+
+    def __enter__(self) -> None:
+        _SHOWN[get_ident()] = self
+
+    def __exit__(self, *_: object) -> None:
+        del _SHOWN[get_ident()]
+
+
+_SHOWN: dict[int, as_shown] = {}
+"""By thread."""
+
+
+def current_folder() -> str:
+    """Return the folder that this thread works in."""
+    shown = _SHOWN.get(get_ident())
+    return shown.folder if shown else os.getcwd()
+
+
+_REMEMBERED: list[Callable[[], None]] = []
+_MOST_REMEMBERED = 1 << 15
+
+
+def remembered(function: Callable[[str], Result]) -> Callable[[str], Result]:
+    """Remember what a function returns for a path until `forget_files` is called."""
+    cached = lru_cache(_MOST_REMEMBERED)(function)
+    _REMEMBERED.append(cached.cache_clear)
+    return cached
+
+
+@remembered
+def real_path(path: str) -> str:
+    """Return a path with all links followed."""
+    return os.path.realpath(path)
+
+
+def forget_files() -> None:
+    """Look at the disk again: files were created, deleted or changed."""
+    for forget in _REMEMBERED:
+        forget()
+
+
+def open_text(path: str) -> bytes | None:
+    """Return the text that is read instead of a file; None if the file itself is."""
+    shown = _SHOWN.get(get_ident()) if _SHOWN else None
+    return shown.texts.get(real_path(path)) if shown and shown.texts else None
+
+
+def _note(path: str) -> None:
+    shown = _SHOWN.get(get_ident()) if _SHOWN else None
+    if shown and shown.aside is not None:
+        shown.aside.add(real_path(path))

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import os
-from functools import lru_cache
 
-from urdfctl.source.files import folders_upwards
+from urdfctl.source.files import current_folder, folders_upwards, remembered
 from urdfctl.source.packages import package_around, package_folders
 
 
@@ -25,7 +24,7 @@ def workspace_of(file: str, named: str | None = None) -> str:
     if named:
         return os.path.abspath(named)
     folder = os.path.dirname(os.path.abspath(file))
-    current = os.getcwd()
+    current = current_folder()
     inside = (folder + os.sep).startswith(current.rstrip(os.sep) + os.sep)
     for ancestor in folders_upwards(current if inside else folder):
         if _is_workspace(ancestor):
@@ -35,7 +34,7 @@ def workspace_of(file: str, named: str | None = None) -> str:
     return package_around(folder) or folder
 
 
-@lru_cache(1024)
+@remembered
 def _is_workspace(folder: str) -> bool:
     if os.path.exists(os.path.join(folder, ".git")):
         return True

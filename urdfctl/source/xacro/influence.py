@@ -12,6 +12,7 @@ import re
 from collections.abc import Collection, Iterator, Mapping
 from fnmatch import fnmatchcase
 
+from urdfctl.source.files import current_folder
 from urdfctl.source.span import Call, Place
 from urdfctl.startup.patterns import lazy_pattern
 from urdfctl.startup.records import NamedTuple
@@ -48,7 +49,7 @@ class Influence(NamedTuple):
         """Return the influence as a sentence; empty if no file is known."""
         if not self.files:
             return ""
-        files = " and ".join(f"'{os.path.relpath(file)}'" for file in self.files)
+        files = " and ".join(f"'{os.path.relpath(file, current_folder())}'" for file in self.files)
         names = " and ".join(f"'{name}'" for name in self.arguments)
         word = "argument" if len(self.arguments) == 1 else "arguments"
         return f"the value comes from {files}" + (f", chosen by the {word} {names}" if names else "")
