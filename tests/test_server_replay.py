@@ -18,7 +18,7 @@ SAMPLES = CHECKOUT / "samples"
 
 def test_after_random_edits_only_what_changed_is_linted_again_and_nothing_is_missed(tmp_path: Path) -> None:
     """The exhaustive form is tests/bench/exhaustive/test_live.py."""
-    assert list(differences(copied(SAMPLES, tmp_path), edits=12, seed=11)) == []
+    assert list(differences(copied(SAMPLES, tmp_path), edits=24, seed=11, every=6)) == []
 
 
 @pytest.mark.parametrize("seed", range(2))
