@@ -6,6 +6,8 @@ import pytest
 from folder import Folder
 from test_migrate_ros1 import EFFORT, PLUGIN, arm, migrated, transmission
 
+from urdfctl.migrate.ros1.pausing import DECIDED
+
 CONTROLLERS = """\
 joint_state_controller:
   type: joint_state_controller/JointStateController
@@ -130,3 +132,17 @@ def test_the_default_of_an_argument_that_is_a_launch_file_is_the_migrated_one(fo
     after = migrated(folder, files)
     assert "launch/inc/load.launch.py" in after
     assert '[ThisLaunchFileDir(), "/inc/load.launch.py"]' in " ".join(after["launch/arm.launch.py"].split())
+
+
+@pytest.mark.parametrize(("given", "more"), [("$(arg p)", "-unpause"), ("true", "-unpause"), ("$(arg p)", "")])
+def test_a_simulation_that_the_spawner_lets_run_is_not_paused(folder: Folder, given: str, more: str) -> None:
+    robot = arm(transmission("EffortJointInterface"), PLUGIN)
+    include = '<include file="$(find gazebo_ros)/launch/empty_world.launch">'
+    launch = SPAWNED.replace(f"{include[:-1]}/>", f'{include}<arg name="paused" value="{given}"/></include>')
+    launch = launch.replace("<launch>", '<launch>\n  <arg name="p" default="true"/>').replace("-x 1", f"{more} -x 1")
+    after = migrated(folder, {"urdf/arm.xacro": robot, "launch/arm.launch": launch})
+    is_kept = not more
+    assert (DECIDED in after["MIGRATION.md"]) is not is_kept
+    text = after["launch/arm.launch.py"]
+    assert ('DeclareLaunchArgument("p", default_value="true")' in text) is (is_kept or given == "true")
+    assert is_kept or '"gz_args": "-r empty.sdf"' in text or 'default_value="false"' in text

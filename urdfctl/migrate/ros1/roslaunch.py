@@ -20,6 +20,7 @@ from urdfctl.migrate.launch.actions import (
 )
 from urdfctl.migrate.ros1.joint_states import DECLARED_IN
 from urdfctl.migrate.ros1.moveit_launch import LOADED_BY_MOVEIT, MADE_BY_MOVEIT
+from urdfctl.migrate.ros1.pausing import DECIDED, must_run, running
 from urdfctl.migrate.ros1.roslaunch_nodes import Notes, migrated_node, remapping, simulator_actions
 from urdfctl.migrate.ros1.roslaunch_values import (
     given_by_name,
@@ -50,6 +51,9 @@ class Reading(Notes):
         The files of a spawner are those that it may need.
         """
         found = list(self._children(root, root))
+        if (self.unpauses or must_run(found)) and (started := running(found)) != found:
+            found = started
+            self.decided.append(DECIDED)
         has_description = any(action.description for action in all_actions(tuple(found)))
         return found if has_description or self.target.describes else [one for one in found if not _is_idle(one)]
 

@@ -63,6 +63,7 @@ class Notes:
 
     left: what a person must do.
     decided: the choices that were made.
+    unpauses: whether a spawner of models lets the simulation run.
     defaults: the defaults of the arguments so far.
     """
 
@@ -70,6 +71,7 @@ class Notes:
         self.target = target
         self.left: list[str] = []
         self.decided: list[str] = []
+        self.unpauses = False
         self.defaults: dict[str, str] = {}
 
     def names_controllers(self, written: str) -> bool:
@@ -111,6 +113,7 @@ def migrated_node(reading: Notes, element: Element, description: Text, files: Se
     if package == "controller_manager" and program in ("spawner", "controller_manager", "unspawner"):
         yield from _spawner(reading, element, words, files)
     elif package == "gazebo_ros" and program == "spawn_model":
+        reading.unpauses |= any(plain(word) == "-unpause" for word in words)
         yield _spawned_model(element, words)
     elif package == "gazebo_ros":
         yield from simulator_actions(reading, {})
