@@ -29,7 +29,12 @@ def found(code: str, start: int = 0, end: int = 2) -> Diagnostic:
     return Diagnostic(code, "wrong", Severity.ERROR, "wrong", Location("f", 1, 1, 1, 1, start, end))
 
 
-def kept(found_with: Mapping[str, list[Diagnostic] | None], *items: Item, saved: tuple[str, ...] = ()) -> list[Item]:
+def kept(
+    found_with: Mapping[str, list[Diagnostic] | None],
+    *items: Item,
+    saved: tuple[str, ...] = (),
+    on_disk: bytes | None = None,
+) -> list[Item]:
     """The items that are kept. found_with: what is found in a text that has a word; None if there is no time."""
 
     def lint(_: int, text: bytes, __: float) -> list[Diagnostic] | None:
@@ -37,7 +42,7 @@ def kept(found_with: Mapping[str, list[Diagnostic] | None], *items: Item, saved:
 
     question = Question([], SourceText("f", TEXT.encode()), 1, TEXT.index("w") + 2)
     usual = Counter(("f", code) for code in saved)
-    return harmless(question, items, Attempts(lint, 1, lambda _: usual))
+    return harmless(question, items, Attempts(lint, 1, lambda _: usual, on_disk))
 
 
 def test_an_item_that_causes_a_finding_is_left_out() -> None:
@@ -48,6 +53,14 @@ def test_what_comes_with_all_items_is_caused_by_what_is_around_the_place() -> No
     unfinished = found("UC105")
     with_both = {"left": [unfinished], "right": [unfinished, found("UC116")], "top": [unfinished]}
     assert kept(with_both, LEFT, RIGHT, TOP) == [LEFT, TOP]
+
+
+@pytest.mark.parametrize(("on_disk", "is_offered"), [(b"<a link='old'/>", False), (b"<b>\n<a link='old'/>", True)])
+def test_what_comes_with_all_items_is_caused_by_them_if_all_other_lines_are_saved(
+    on_disk: bytes, is_offered: bool
+) -> None:
+    with_both = {"left": [found("UC160")], "right": [found("UC160")]}
+    assert kept(with_both, LEFT, RIGHT, on_disk=on_disk) == ([LEFT, RIGHT] if is_offered else [])
 
 
 @pytest.mark.parametrize("saved", [("UC116",), ()])

@@ -30,11 +30,13 @@ class Attempts(NamedTuple):
     lint: returns what is found in robot number N with a text of the file; None if it took more seconds the last time.
     robots: how many robots there are.
     saved: returns what was found in robot number N when all texts were saved.
+    on_disk: the text of the file as it was saved; None if it never was.
     """
 
     lint: Callable[[int, bytes, float], Sequence[Diagnostic] | None]
     robots: int
     saved: Callable[[int], Codes]
+    on_disk: bytes | None = None
 
 
 def codes_of(findings: Iterable[Diagnostic]) -> Codes:
@@ -45,8 +47,8 @@ def codes_of(findings: Iterable[Diagnostic]) -> Codes:
 def harmless(question: Question, items: Sequence[Item], attempts: Attempts) -> list[Item]:
     """Return the items without those that cause a finding, in order; those that need more to be written are last.
 
-    A finding counts that is neither in the text as it is, nor was there before, nor comes with all items: what is
-    around the place causes that. Items for which there is no time are kept; doubtful ones only if no item was tried.
+    A finding counts that is neither in the text as it is, nor was there before, nor comes with all items: what else is
+    not saved yet causes that. Items for which there is no time are kept; doubtful ones only if no item was tried.
     """
     new: dict[Item, set[str]] = {}
     left = SECONDS
@@ -87,7 +89,7 @@ def _caused(
         if findings is None:
             break
         found[item] = codes_of(findings) - usual
-    common = _common(list(found.values()))
+    common = Counter() if _is_all_else_saved(question, attempts.on_disk) else _common(list(found.values()))
     yield from ((item, {code for _, code in codes - common}) for item, codes in found.items())
 
 
@@ -99,6 +101,16 @@ def _common(found: Sequence[Codes]) -> Codes:
     for codes in found[1:]:
         common = common & codes
     return common
+
+
+def _is_all_else_saved(question: Question, on_disk: bytes | None) -> bool:
+    """Return whether the text differs from the saved one only in the line of the place."""
+    data, offset = question.source.data, question.offset
+    end = data.find(b"\n", offset)
+    before, after = data[: data.rfind(b"\n", 0, offset) + 1], data[end:] if end >= 0 else b""
+    if on_disk is None or on_disk.count(b"\n") != data.count(b"\n"):
+        return False
+    return on_disk.startswith(before) and on_disk.endswith(after)
 
 
 def _is_at(finding: Diagnostic, question: Question) -> bool:

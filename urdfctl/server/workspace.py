@@ -213,6 +213,7 @@ class Workspace:
         """Return what lints the robots that read a file with other texts of it. Nothing of that is kept."""
         real = os.path.realpath(path)
         targets = list(dict.fromkeys([self.target_with(path), *(target for target, _ in self._pairs_with(path))]))
+        on_disk = text_on_disk(real)
         loaders, texts, memory = [self._loader()], dict(self.texts), RuleMemory()
 
         def lint(robot: int, text: bytes, seconds: float) -> Sequence[Diagnostic] | None:
@@ -232,10 +233,9 @@ class Workspace:
         def saved(robot: int) -> Codes:
             if targets[robot] in self._saved:
                 return self._saved[targets[robot]]
-            text = text_on_disk(real)
-            return codes_of((text is not None and lint(robot, text, _PATIENCE)) or ())
+            return codes_of((on_disk is not None and lint(robot, on_disk, _PATIENCE)) or ())
 
-        return Attempts(lint, min(len(targets), _MOST_ROBOTS), saved)
+        return Attempts(lint, min(len(targets), _MOST_ROBOTS), saved, on_disk)
 
     def _reported(self, findings: Iterable[Diagnostic]) -> list[Diagnostic]:
         """The findings that the configuration does not ignore."""
