@@ -25,7 +25,9 @@ STARTER = LAUNCH.replace("arguments=['turn']", "arguments=[|]")
     [
         (URDF, ROBOT.replace('"macros.xacro"', '"$(find p)/|"'), {"urdf/macros.xacro"}, {"urdf/robot.xacro"}),
         (URDF, ROBOT.replace('"macros.xacro"', '"$(find |)/urdf/macros.xacro"'), {"p"}, set()),
-        (XACRO, MACROS.replace("${2 * radius}", "${2 * |}"), {"radius"}, {"side"}),
+        (XACRO, MACROS.replace("${2 * radius}", "${2 * |}"), {"radius", "pi"}, {"side"}),
+        (XACRO, MACROS.replace("<link", """<xacro:property name="ns" value="${'a' + side + '/'}"/><link""")
+         .replace('joint name="$', 'joint name="${|}$'), {"ns", "side"}, {"pi"}),
         (XACRO, MACROS.replace('child link="${side}_wheel"', 'child link="|"'),
          {"${side}_wheel"}, {"left_wheel", "base"}),
         (URDF, ROBOT.replace('<parent link="base"', '<parent link="|"'), {"base", "left_wheel"}, {"head"}),

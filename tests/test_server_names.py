@@ -233,6 +233,16 @@ def test_a_file_has_an_outline(folder: Folder) -> None:
     assert [(one.name, one.kind) for one in outline] == expected
 
 
+def test_a_property_is_defined_in_the_macro_that_it_is_used_in(folder: Folder) -> None:
+    axle = """<xacro:macro name="axle" params=""><xacro:property name="gap" value="3"/>
+    <link name="${gap}"/></xacro:macro>
+  <xacro:property name="gap" value="1"/><xacro:macro name="wheel\""""
+    text = MACROS.replace('<xacro:macro name="wheel"', axle)
+    asks = question(folder, XACRO, place(text, "{gap}"), typed=text)
+    assert [at.line for at in definitions(NamesAround(asks))] == [2]
+    assert "written as `3`" in (hover(asks) or "")
+
+
 @pytest.mark.parametrize(
     ("word", "told"),
     [

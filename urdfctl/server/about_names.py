@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from urdfctl.server.names import Name
 from urdfctl.server.question import Question
-from urdfctl.server.scopes import Defined, Scopes
+from urdfctl.server.scopes import Defined, Scopes, macro_around
 from urdfctl.server.xacro_names import ARGUMENT, MACRO, PARAMETER, PROPERTY
 
 CONSTANTS = {"pi": math.pi, "e": math.e, "tau": math.tau}
@@ -35,7 +35,10 @@ def described_name(question: Question, name: Name) -> Iterator[str]:
         if known is not None:
             yield _default(known)
     else:
-        defined = list(_same(scopes, name))
+        here = macro_around(name.span.source.data, name.span.start)
+        everywhere = list(_same(scopes, name))
+        local = [one for one in everywhere if here and (one.macro, one.file) == (here, name.span.file)]
+        defined = local or everywhere
         yield from _values(defined) if name.kind == PROPERTY else map(_default, defined[:1])
         if name.kind == ARGUMENT:
             yield from _given(question, name.text)

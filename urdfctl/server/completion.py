@@ -22,5 +22,8 @@ def items_at(question: Question, attempts: Attempts | None = None) -> list[Item]
         found = in_python(question)
     else:
         found = in_yaml(question) if is_yaml(question.file) else in_xml(question)
-    items = list({(item.text, item.kind): item for item in found}.values())
+    unique: dict[str, Item] = {}
+    for item in found:
+        unique.setdefault(item.text, item)
+    items = list(unique.values())
     return harmless(question, items, attempts) if attempts else items

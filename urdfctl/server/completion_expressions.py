@@ -5,11 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from urdfctl.server.about_names import CONSTANTS
 from urdfctl.server.fitting import defined_names, fitting_names, kind_at
 from urdfctl.server.items import Item
 from urdfctl.server.scopes import MAP, NUMBER, TEXT, TRUTH, Defined, Scopes, is_number_at, is_positive_at
 from urdfctl.server.spot import Spot
-from urdfctl.server.xacro_names import ARGUMENT, PARAMETER
+from urdfctl.server.xacro_names import ARGUMENT, PARAMETER, PROPERTY
 
 _ARE_NAMES = frozenset({"name", "link", "reference", "joint", "params", "filename"})
 
@@ -41,8 +42,11 @@ def values(spot: Spot) -> Iterator[Item]:
         if _fits(scopes, one, expected) and not (own and one.name == own[1])
         if not must_be_positive or scopes.is_positive(one)
     ]
+    visible.sort(key=lambda one: expected is not None and scopes.nature(one) != expected)
     for one in _of_names(spot, visible, scopes) or visible:
         yield Item(one.name, one.kind, f"= `{one.value}`" if one.value is not None else "")
+    if expected == NUMBER and not must_be_positive:
+        yield Item("pi", PROPERTY, f"a constant of xacro: `{CONSTANTS['pi']}`")
 
 
 def _expected(spot: Spot, scopes: Scopes, expression: str) -> str | None:

@@ -10,6 +10,7 @@ from urdfctl.diagnostic import Location, Replacement, located
 from urdfctl.errors import UserError
 from urdfctl.server.names import LINK, Name, name_at, names_in
 from urdfctl.server.question import Question
+from urdfctl.server.scopes import macro_around
 from urdfctl.server.templates import renamed_parts
 from urdfctl.server.xacro_names import MACRO, PARAMETER, PROPERTY
 
@@ -46,8 +47,18 @@ class NamesAround:
 
 
 def definitions(around: NamesAround) -> list[Location]:
-    """Return where the thing at the asked place is defined."""
-    return _places(name for name in around.same() if name.defines)
+    """Return where the thing at the asked place is defined; a property first of all in the same macro."""
+    defined = [name for name in around.same() if name.defines]
+    if around.at is not None and around.at.kind == PROPERTY:
+        here = _macro_of(around.at)
+        defined = [name for name in defined if _macro_of(name) == here] or defined
+    return _places(defined)
+
+
+def _macro_of(name: Name) -> tuple[str, str]:
+    """The file and the macro that a name is written in; the file is empty outside of macros."""
+    macro = macro_around(name.span.source.data, name.span.start)
+    return name.span.file if macro else "", macro
 
 
 def references(around: NamesAround, *, with_definition: bool) -> list[Location]:

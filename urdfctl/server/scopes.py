@@ -25,6 +25,8 @@ _EXPRESSION = r"\$\{([^{}]*)\}"
 _WORD = r"[A-Za-z_]\w*"
 _OF_NUMBERS = frozenset("pi e tau abs acos asin atan atan2 ceil cos degrees exp floor hypot int float len log max min "
                         "pow radians round sin sqrt tan math if else and or not in".split())  # fmt: skip
+_COMPARES = r"[\[=<>(]|\b(?:in|not|and|or)\b"
+"""What an expression with texts has if its value may be something else than a text."""
 _DEPTH = 8
 
 
@@ -102,7 +104,9 @@ class Scopes:
         words = set(re.findall(rf"(?<![\w.'\"]){_WORD}", re.sub(r"'[^']*'|\"[^\"]*\"", "''", whole[1])))
         if re.search(r"\bload_yaml\(|\bdict\(", whole[1]):
             return None if whole[1].rstrip().endswith("]") else MAP
-        if "'" in whole[1] or '"' in whole[1] or "[" in whole[1] or depth > _DEPTH:
+        if "'" in whole[1] or '"' in whole[1]:
+            return TEXT if not re.search(_COMPARES, whole[1]) else None
+        if "[" in whole[1] or depth > _DEPTH:
             return None
         natures = {self._common(PROPERTY, word, macro, depth + 1) for word in words - _OF_NUMBERS}
         natures |= {NUMBER} if not words - _OF_NUMBERS else set()
@@ -136,6 +140,16 @@ class Scopes:
                 self._passed.setdefault((tag.removeprefix("xacro:"), given), []).append(value)
         for inner in element.elements():
             self._read(inner, macro)
+
+
+def macro_around(data: bytes, offset: int) -> str:
+    """Return the macro that a byte offset of a text is in; empty if it is in none. The text may be unfinished."""
+    text = re.sub(rb"<!--.*?-->", lambda one: b" " * len(one[0]), data[:offset], flags=re.DOTALL)
+    opened = text.rfind(b"<xacro:macro")
+    if opened < 0 or text.rfind(b"</xacro:macro>") > opened:
+        return ""
+    named = re.match(rb"<xacro:macro[^<>]*?\sname\s*=\s*[\"']([^\"']*)", text[opened:])
+    return named[1].decode("utf-8", "replace").removeprefix("xacro:") if named else ""
 
 
 def parameters_of(params: str) -> Iterator[tuple[str, str | None, bool]]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from urdfctl.server.question import Question
-from urdfctl.server.scopes import Scopes
+from urdfctl.server.scopes import Scopes, macro_around
 from urdfctl.source.files import is_launch
 from urdfctl.source.span import SourceText
 from urdfctl.startup.records import NamedTuple
@@ -60,14 +60,7 @@ class Spot(NamedTuple):
 
     def macro(self) -> str:
         """Return the macro that the place is in; empty if it is in none."""
-        text = re.sub(
-            rb"<!--.*?-->", lambda one: b" " * len(one[0]), self.question.source.data[: self.start], flags=re.DOTALL
-        )
-        opened = text.rfind(b"<xacro:macro")
-        if opened < 0 or text.rfind(b"</xacro:macro>") > opened:
-            return ""
-        named = re.match(rb"<xacro:macro[^<>]*?\sname\s*=\s*[\"']([^\"']*)", text[opened:])
-        return named[1].decode("utf-8", "replace").removeprefix("xacro:") if named else ""
+        return macro_around(self.question.source.data, self.start)
 
     def parent(self) -> str:
         """Return the tag of the element that is open before the place; empty if there is none."""
