@@ -192,6 +192,7 @@ def test_a_rename_that_is_not_sure_is_refused_with_the_reason(
         (XACRO, "radius}", ["**parameter** `radius` of macro `wheel`", "default: `0.1`"]),
         (XACRO, "side}", ["**parameter** `side` of macro `wheel`", "no default: it must be given"]),
         (YAML, "joints", ["**parameter** `joints`", "type: `string_array`", "order of the values in a command"]),
+        (YAML, "position_controllers/", ["`position_controllers/JointGroupPositionController` (jazzy)", "in package"]),
         (YAML, "neck", ["revolute, -1 to 1 rad", "controller `turn`: command interface position"]),
         (URDF, '"position"/><s', ["**command interface** `neck/position`", "controller `turn` claims it"]),
         (XACRO, "${2 * radius}", ["`0.2` in the call of `wheel` in line 9", "`0.4` in the call of `wheel` in line 10"]),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 
 from urdfctl.catalog.entries import ControllerType, Parameter
 from urdfctl.catalog.map_parameters import expanded, matching
@@ -91,7 +91,7 @@ def _types(question: Question) -> Iterator[Item]:
     known_names = {"controller_manager", *(trial.controller.name for trial in _trials(question))}
     if known_names.isdisjoint(keys) and _has_other_types(question):
         return
-    name = keys[-1:]
+    name, beside = keys[-1:], list(_keys_beside(question))
     for robot in question.robots:
         project = robot.project
         if not project.distros:
@@ -100,7 +100,7 @@ def _types(question: Question) -> Iterator[Item]:
         found = (project.catalog.controller(each, distro) for each in project.catalog.known_types(distro))
         known = [kind for kind in found if kind is not None]
         trials = [trial for trial in _trials(question) if trial.controller.name in name]
-        possible = _possible(known, trials)
+        possible = _possible(known, trials, beside)
         for kind in sorted(possible, key=lambda one: any(trial.faults(one, _given(trial)) for trial in trials)):
             yield Item(kind.type, "type", f"a controller type of {distro}", is_doubtful=not trials)
 
@@ -118,10 +118,31 @@ def _given(trial: Trial) -> dict[str, object]:
     return {name: value for name, value in trial.values.items() if name not in {"type", "use_sim_time"}}
 
 
-def _possible(kinds: Sequence[ControllerType], trials: Sequence[Trial]) -> list[ControllerType]:
-    """The types that a controller can have: they fit its parameters best, or there are none yet."""
+def _possible(
+    kinds: Sequence[ControllerType], trials: Sequence[Trial], beside: Collection[str]
+) -> list[ControllerType]:
+    """The types that a controller can have: they fit its parameters best, or there are none yet.
+
+    beside: the keys beside its type; they count if the controller is unknown without a type.
+    """
     wrong = [sum(_misfits(kind, trial) for trial in trials) for kind in kinds]
+    if not trials:
+        wrong = [sum(matching(name, kind.parameters) is None for name in beside) for kind in kinds]
     return [kind for kind, number in zip(kinds, wrong, strict=True) if number == min(wrong)]
+
+
+def _keys_beside(question: Question) -> Iterator[str]:
+    """The other keys of the map that a line is in."""
+    indent = len(question.before) - len(question.before.lstrip())
+    last = question.source.data.count(b"\n") + 1
+    for numbers in (range(question.line - 1, 0, -1), range(question.line + 1, last + 1)):
+        for number in numbers:
+            text = question.source.line(number)
+            found = re.match(r"(\s*)([^\s#:][^:#]*):(?:\s|$)", text)
+            if text.strip() and len(text) - len(text.lstrip()) < indent:
+                break
+            if found and len(found[1]) == indent:
+                yield found[2].strip()
 
 
 def _misfits(kind: ControllerType, trial: Trial) -> int:
@@ -261,11 +282,20 @@ def _value(trial: Trial, name: str, full: str, candidates: list[object]) -> obje
     if each.type is None or parameter is None:
         return None
     of_joints = name in ("joints", *each.type.joint_parameters) and parameter.type == "string_array"
-    interfaces: list[object] = [[one] for one in _choices(trial, parameter, name)] if "interface" in name else []
-    for value in [*(candidates if of_joints else candidates[1:]), *interfaces]:
+    choices = _choices(trial, parameter, name)
+    interfaces: list[object] = [[one] for one in choices] if "interface" in name else []
+    joints, example, default = candidates
+    known = [default] if _is_made_up(example, choices) else [example, default]
+    for value in [*([joints] if of_joints else []), *known, *interfaces]:
         if value not in (None, []) and trial.is_as_good(each.type, {**trial.values, full: value}):
             return value
     return None
+
+
+def _is_made_up(example: object, choices: Sequence[str]) -> bool:
+    """Return whether an example has texts that the robot does not know, such as the name of a joint."""
+    texts = example if isinstance(example, list | tuple) else [example]
+    return any(isinstance(one, str) and one not in choices for one in texts)
 
 
 def _written(value: object) -> str:

@@ -130,6 +130,7 @@ def _parameter(question: Question) -> Iterator[str]:
             continue
         distro = project.distro or project.distros[-1]
         for each in session_of(project, distro).controllers:
+            yield from _type(question, each, distro)
             for given in each.controller.own:
                 if question.is_in(given.key.span) or question.is_in(given.value.at.span):
                     known = _known(each, given.name)
@@ -137,6 +138,20 @@ def _parameter(question: Question) -> Iterator[str]:
                         owner = f"{each.type.type if each.type else each.name} ({distro})"
                         yield described_parameter(known, given.name, owner)
                     return
+
+
+def _type(question: Question, each: Configured, distro: str) -> Iterator[str]:
+    """What is known about the type of a controller at the place."""
+    given = each.controller.type
+    if given is None or not question.is_in(given.at.span):
+        return
+    if each.type is None:
+        yield f"**controller type** `{given.text}`: not in the catalogue for {distro}"
+        return
+    lines = [f"**controller type** `{each.type.type}` ({distro}), in package `{each.type.package}`"]
+    needed = [f"`{one.name}`" for one in each.type.parameters.values() if one.needed]
+    lines.append(f"required parameters: {', '.join(needed)}" if needed else "no required parameters")
+    yield "  \n".join(lines)
 
 
 def _known(each: Configured, name: str) -> Parameter | None:
