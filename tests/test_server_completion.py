@@ -30,6 +30,10 @@ STARTER = LAUNCH.replace("arguments=['turn']", "arguments=[|]")
          .replace('joint name="$', 'joint name="${|}$'), {"ns", "side"}, {"pi"}),
         (XACRO, MACROS.replace('child link="${side}_wheel"', 'child link="|"'),
          {"${side}_wheel"}, {"left_wheel", "base"}),
+        (XACRO, MACROS.replace('<parent link="base"/>', '<parent link="|"/>').replace("</xacro:macro>", """
+    <xacro:axle of="${side}"/></xacro:macro>
+  <xacro:macro name="axle" params="of"><link name="${of}_axle"/></xacro:macro>"""),
+         {"${side}_axle", "base"}, {"left_axle", "${of}_axle"}),
         (URDF, ROBOT.replace('<parent link="base"', '<parent link="|"'), {"base", "left_wheel"}, {"head"}),
         (URDF, ROBOT.replace('<state_interface name="position"', '<state_interface name="|"'),
          {"velocity", "effort"}, set()),

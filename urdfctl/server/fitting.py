@@ -5,6 +5,7 @@ What a macro contains is written for each of its calls: a name must fit them all
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator
 
 from urdfctl.control.hardware import Kind
@@ -105,20 +106,40 @@ def fitting_names(question: Question, kind: str) -> Iterator[str]:
         fits = _test_for(here)
         is_called_again = sum(other.robot is here.robot for other in places) > 1 and _path(here) in _EXCLUSIVE
         texts: dict[str, None] = {}
+        beginnings = _beginnings(here)
         for one in here.named(kind):
             name = one.attrs.get("name", "")
             if name and UNKNOWN not in name and fits(name):
-                if not is_called_again:
-                    texts[name] = None
                 written = one.at["name"].span.text
                 if one.call is here.element.call and written != name:
                     texts[written] = None
+                computed = [
+                    f"{text}{name[len(value) :]}" for value, text in beginnings.items() if name.startswith(value)
+                ]
+                texts.update(dict.fromkeys(computed))
+                if not is_called_again and not computed:
+                    texts[name] = None
         common = texts if common is None else {text: None for text in common if text in texts}
     computed = [text for text in common or () if "$" in text]
     yield from computed
     yield from (text for text in common or () if "$" not in text)
 
 
+def _beginnings(here: Here) -> dict[str, str]:
+    """How the macro at the place writes the beginnings of names: `{"left_": "${prefix}"}`; empty outside of macros."""
+    found: dict[str, str] = {}
+    call = here.element.call
+    for element in here.robot.root.walk() if call is not None and here.robot.root is not None else ():
+        for attribute, value in element.attrs.items() if element.call is call else ():
+            if element is here.element or attribute not in _NAMES:
+                continue
+            written = re.fullmatch(r"(\$\{[^{}]*\})([^${}]+)", element.at[attribute].span.text)
+            if written and value.endswith(written[2]) and len(value) > len(written[2]):
+                found[value.removesuffix(written[2])] = written[1]
+    return found
+
+
+_NAMES = frozenset({"name", "link", "joint", "reference"})
 Test = Callable[[str], bool]
 
 
