@@ -279,3 +279,19 @@ def test_a_robot_in_gazebo_classic_stays_there_up_to_iron(folder: Folder) -> Non
     folder.write({"base/package.xml": MANIFEST, "base/urdf/base.xacro": base(DRIVE + LIDAR)})
     ran = folder.run("migrate", "base", "--from", "foxy", "--to", "humble", "--only", "urdf,manifest")
     assert (ran.returncode, ran.stdout) == (0, "")
+
+
+TRICYCLE = """\
+  <gazebo>
+    <plugin name="drive" filename="libgazebo_ros_tricycle_drive.so">
+      <steering_joint>left</steering_joint>
+      <actuated_wheel_joint>right</actuated_wheel_joint>
+    </plugin>
+  </gazebo>
+"""
+
+
+def test_a_tricycle_drive_is_left_to_a_person_with_its_joints_and_the_controller_for_them(folder: Folder) -> None:
+    text = migrated(folder, {"urdf/base.xacro": base(TRICYCLE)})["urdf/base.xacro"]
+    joints = "velocity of 'right' and position of 'left'"
+    assert f"TODO(urdfctl): gz has no tricycle drive: give <ros2_control> {joints}, start tricycle_controller" in text

@@ -50,6 +50,7 @@ _OLD_HARDWARE = (_HARDWARE, "gazebo_ros2_control/GazeboSystemInterface")
 _WITH_LOOP = rb"(?<![\w.])((?:position|velocity)_pid)(?=[\"'\s\],])"
 _OF_GZ = ("gz-", "gz_", "ign_", "ign-", "ignition-")
 _KEPT = ("parameters", "ros", "hold_joints", "controller_manager_name")
+_TRICYCLE = "gazebo_ros_tricycle_drive"
 _AUTHORITY = "gazebosim.org, Migrating Gazebo Classic ROS 2 packages"
 _CONTROL = "gz_ros2_control doc/index.rst; rosdistro#41224: gazebo_ros2_control ends with iron"
 _OF_XML = (".xacro", ".urdf", ".gazebo", ".xml", ".inc")
@@ -145,6 +146,17 @@ def _interfaces(packages: Packages) -> Iterator[Proposal]:
             yield Proposal(tuple(edits), entries=(Entry(EntryKind.DECIDED, message, place_of(at), authority=_CONTROL),))
 
 
+def _without_successor(element: Element, library: str) -> str:
+    """What a person must do for a plugin that no system of gz replaces."""
+    if library != _TRICYCLE:
+        return f"no system of gz replaces plugin '{library}': choose another way, and remove it"
+    given = {one.tagName.replace("_", "").lower(): content(one) for one in element.elements()}
+    wheel = given.get("actuatedwheeljoint", "front_wheel_joint")
+    steering = given.get("steeringjoint", "front_steering_joint")
+    names = f"velocity of '{wheel}' and position of '{steering}'"
+    return f"gz has no tricycle drive: give <ros2_control> {names}, start tricycle_controller, and remove '{library}'"
+
+
 def _systems(packages: Packages) -> Iterator[Proposal]:
     if not goes_to_gz(packages):
         return
@@ -169,7 +181,7 @@ def _systems(packages: Packages) -> Iterator[Proposal]:
                 entries.append(Entry(EntryKind.DONE, message, element.at, authority=_AUTHORITY))
             yield Proposal(tuple(replaced(packages, element, text)), entries=tuple(entries))
         elif library in NO_SUCCESSOR and child(element, "urdfctl") is None:
-            yield for_you(element.at, f"no system of gz replaces plugin '{library}': choose another way, and remove it")
+            yield for_you(element.at, _without_successor(element, library))
 
 
 def _is_own(element: Element, library: str) -> bool:
