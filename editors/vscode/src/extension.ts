@@ -18,7 +18,7 @@ const OUTPUT = "Show output";
 const EXPLAIN = "urdfctl.explain";
 
 let client: LanguageClient | undefined;
-let known: Known = { robots: [], problems: [] };
+let known: Known | undefined;
 let status: vscode.StatusBarItem;
 let output: vscode.OutputChannel;
 let environment: string;
@@ -48,7 +48,18 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
 }
 
 export async function deactivate(): Promise<void> {
-  await client?.dispose();
+  await stop();
+}
+
+/** Stop the server. One that crashed cannot be stopped any more, and says so. */
+async function stop(): Promise<void> {
+  const stopped = client;
+  client = undefined;
+  try {
+    await stopped?.dispose();
+  } catch (error) {
+    output.appendLine(String(error));
+  }
 }
 
 /** Start the server again, after what is started already. */
@@ -58,9 +69,8 @@ function restart(): Promise<void> {
 }
 
 async function start(): Promise<void> {
-  await client?.dispose();
-  client = undefined;
-  learn({ robots: [], problems: [] });
+  await stop();
+  learn(undefined);
   const setting = vscode.workspace.getConfiguration("urdfctl").get("path", "");
   const found = findUrdfctl({
     setting,
@@ -94,8 +104,10 @@ function listen(client: LanguageClient): void {
   });
   client.onRequest("urdfctl/pick", pick);
   client.onDidChangeState(({ oldState, newState }) => {
-    if (oldState === State.Running && newState === State.Stopped) {
-      learn({ robots: [], problems: ["the server has stopped; restart it from the menu"] });
+    if (newState === State.Running) {
+      learn(undefined);
+    } else if (oldState === State.Running) {
+      learn({ robots: [], problems: ["the server has stopped; if it does not start again, restart it from the menu"] });
     }
   });
 }
@@ -199,7 +211,8 @@ async function explainHere(): Promise<void> {
   await vscode.commands.executeCommand(EXPLAIN, String(code));
 }
 
-function learn(news: Known): void {
+/** Take what the server said; undefined until it says something. */
+function learn(news: Known | undefined): void {
   known = news;
   showStatus();
 }
@@ -207,7 +220,7 @@ function learn(news: Known): void {
 function showStatus(): void {
   const document = vscode.window.activeTextEditor?.document;
   const isOurs = document !== undefined && vscode.languages.match(DOCUMENTS, document) > 0;
-  const shown = statusOf(document?.uri.fsPath, known, isOurs && client !== undefined);
+  const shown = known && statusOf(document?.uri.fsPath, known, isOurs);
   if (shown) {
     status.text = shown.text;
     status.tooltip = shown.tooltip;
