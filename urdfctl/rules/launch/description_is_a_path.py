@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfctl.catalog.distros import ROS2
 from urdfctl.rule import Finding, Fix, Project, Severity, rule
 from urdfctl.rules.common import is_known
-from urdfctl.rules.launch.common import launch_of
+from urdfctl.rules.launch.common import ROS_2, launch_of
 from urdfctl.rules.launch_samples import PUBLISHER, launched
 
 _DESCRIPTION, _ENDINGS = "robot_description", (".urdf", ".xacro", ".sdf")
@@ -18,6 +19,7 @@ _READERS = ("robot_state_publisher", "ros2_control_node", "move_group", "rviz2")
     "UC645",
     severity=Severity.ERROR,
     runtime="refuses",
+    distros=ROS2,
     authority="robot_state_publisher src/robot_state_publisher.cpp setupURDF(): 'Unable to initialize urdf::model from robot "
     "description'; it reads the parameter as XML",
     bad=launched(
@@ -33,7 +35,7 @@ def description_is_a_path(project: Project) -> Iterator[Finding]:
     The parameter `robot_description` holds the XML itself. A node that gets a path reads it as XML and rejects it:
     robot_state_publisher exits, and the controller manager has no robot.
     """
-    launch = launch_of(project, 2)
+    launch = launch_of(project, ROS_2)
     for node in launch.nodes if launch else ():
         value = dict(node.values).get(_DESCRIPTION, "")
         if (
