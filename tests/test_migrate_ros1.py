@@ -306,6 +306,44 @@ arm:
     assert "state_publish_rate" not in after
 
 
+def test_a_file_with_the_parameters_of_one_controller_is_named_by_its_launch_file(folder: Folder) -> None:
+    launch = """\
+<launch>
+  <param name="robot_description" command="xacro $(find arm)/urdf/arm.xacro"/>
+  <rosparam file="$(find arm)/config/mover.yaml" ns="arm/mover"/>
+  <node pkg="controller_manager" type="spawner" name="s" ns="arm" args="mover"/>
+</launch>
+"""
+    yaml = """\
+# what moves the shoulder
+type: "effort_controllers/JointEffortController"
+# the joint
+joint: shoulder  # the only one
+"""
+    robot = arm(transmission("EffortJointInterface"), PLUGIN)
+    after = migrated(folder, {"urdf/arm.xacro": robot, "config/mover.yaml": yaml, "launch/arm.launch": launch})
+    assert (
+        after["config/mover.yaml"]
+        == """\
+/arm/controller_manager:
+  ros__parameters:
+    update_rate: 100  # Hz
+    use_sim_time: true
+
+    mover:
+      type: forward_command_controller/ForwardCommandController
+
+# what moves the shoulder
+/arm/mover:
+  ros__parameters:
+    # the joint
+    joints: [shoulder]  # the only one
+    interface_name: effort
+"""
+    )
+    assert "config/mover.yaml</parameters>" in after["urdf/arm.xacro"]
+
+
 def test_extra_joints_become_a_list_of_names(folder: Folder) -> None:
     before = """\
 joint_states:

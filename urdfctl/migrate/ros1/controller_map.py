@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 
 from urdfctl.migrate.packages import Packages
+from urdfctl.model.launch import ParameterLoad
 from urdfctl.source.span import SourceText
 from urdfctl.source.yaml import Entry, Mapping, Node, Scalar, read_yaml
 from urdfctl.startup.records import NamedTuple
@@ -19,12 +21,14 @@ class Item(NamedTuple):
     namespace: the keys above it, joined with slashes; empty at the root.
     parent: the map that it is in.
     type: its type; empty if it is no controller.
+    is_file: whether the file holds its parameters alone, and launch files name it.
     """
 
     namespace: str
     parent: Mapping
     entry: Entry
     type: str = ""
+    is_file: bool = False
 
     @property
     def name(self) -> str:
@@ -38,9 +42,30 @@ def controller_maps(packages: Packages) -> Iterator[tuple[SourceText, Node, list
         source = packages.read(path)
         documents = read_yaml(source).documents if b"type" in source.data else ()
         if len(documents) == 1 and not any(mark in source.data for mark in _OF_ROS2):
-            items = list(items_of(documents[0]))
+            items = _whole_file(packages, documents[0]) or list(items_of(documents[0]))
             if any(item.type for item in items):
                 yield source, documents[0], items
+
+
+def loads_of(packages: Packages, path: str) -> Iterator[ParameterLoad]:
+    """Yield where launch files of ROS 1 load a file into the parameters of a namespace."""
+    real = os.path.realpath(path)
+    for loaded in packages.loaded():
+        launch = loaded.project.launch
+        for load in launch.loads if launch is not None and launch.ros == 1 else ():
+            if load.file.path and os.path.realpath(load.file.path) == real and not load.in_node:
+                yield load
+
+
+def _whole_file(packages: Packages, root: Node) -> list[Item]:
+    """The only controller of a file that holds its parameters alone: launch files name it by the namespace."""
+    kind = type_in(root)
+    spaces = {load.namespace or "" for load in loads_of(packages, root.source.path)} if kind else set()
+    if len(spaces) != 1 or not isinstance(root, Mapping):
+        return []
+    namespace, _, name = spaces.pop().strip("/").rpartition("/")
+    key = root.entries[0].key._replace(text=name)
+    return [Item(namespace, root, Entry(key, root), kind, is_file=True)] if name else []
 
 
 def items_of(root: Node) -> Iterator[Item]:

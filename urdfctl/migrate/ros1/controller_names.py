@@ -28,7 +28,7 @@ _OF_CONTROLLERS = "controller_list"
 
 def _names(packages: Packages) -> Iterator[Proposal]:
     """One change for all files: the name is in controller files, in launch files, and in those of MoveIt."""
-    declared = [item for _, _, items in controller_maps(packages) for item in items if item.type]
+    declared = [item for _, _, items in controller_maps(packages) for item in items if item.type and not item.is_file]
     joints = {*_joints_of_robots(packages), *_joints_of(item.entry.value for item in declared)}
     known = {item.name for item in declared}
     new = {name: _free(f"{name}_controller", known) for name in sorted(known & joints)}

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Iterator, Sequence
 
@@ -12,7 +11,7 @@ from urdfctl.migrate.manager import BROADCASTER, RATE, manager_text
 from urdfctl.migrate.markup import attribute, child, content, elements, end_of, root_of
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.places import plugin_elements
-from urdfctl.migrate.ros1.controller_map import GAINS_OF_GAZEBO, Item, controller_maps
+from urdfctl.migrate.ros1.controller_map import GAINS_OF_GAZEBO, Item, controller_maps, loads_of
 from urdfctl.migrate.ros1.controller_section import ControllerSection, section_of
 from urdfctl.migrate.ros1.joint_gains import reads_gains
 from urdfctl.migrate.ros1.joint_states import NEW_NAME, loads_declaration
@@ -41,7 +40,8 @@ class _File:
     def __init__(self, packages: Packages, source: SourceText, root: Node, items: Sequence[Item]) -> None:
         self.packages, self.source, self.root, self.items = packages, source, root, items
         self.entries: list[Entry] = []
-        self.loaded_into = _namespace_of(packages, source.path)
+        is_named_by_file = not any(item.is_file for item in items)
+        self.loaded_into = _namespace_of(packages, source.path) if is_named_by_file else ""
 
     def proposal(self) -> Proposal:
         sections = [(item, section_of(self.packages, item, self.source) if item.type else None) for item in self.items]
@@ -162,15 +162,7 @@ def _namespace_of(packages: Packages, path: str) -> str:
 
     It is any namespace if an argument names it, or if there are several.
     """
-    real = os.path.realpath(path)
-    launches = (loaded.project.launch for loaded in packages.loaded())
-    loads = [
-        load
-        for launch in launches
-        if launch is not None and launch.ros == 1
-        for load in launch.loads
-        if load.file.path and os.path.realpath(load.file.path) == real and not load.in_node
-    ]
+    loads = list(loads_of(packages, path))
     if any(_is_argument(load.at) for load in loads):
         return _ANY
     spaces = {load.namespace or "" for load in loads}

@@ -27,6 +27,7 @@ from urdfctl.migrate.markup import (
 )
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.places import ElementKey, key_of, key_of_element, plugin_elements
+from urdfctl.migrate.ros1.controller_map import controller_maps
 from urdfctl.migrate.ros1.followers import is_mimic_plugin, mimic_plugins
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import for_you
@@ -151,7 +152,9 @@ def controller_files(packages: Packages, robots: list[LoadedTarget]) -> list[str
     ROS 2.
     """
     started = (one.project.controllers for one in robots)
-    paths = [file.path for each in started if each for file in each.files if file.form and not file.is_moveit]
+    loaded = [file for each in started if each for file in each.files if not file.is_moveit]
+    alone = {source.path for source, _, items in controller_maps(packages) for item in items if item.is_file}
+    paths = [file.path for file in loaded if file.form or file.path in alone]
     return _addresses(paths or _fitting(packages, robots)[:1])
 
 
