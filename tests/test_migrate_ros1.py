@@ -344,6 +344,21 @@ joint: shoulder  # the only one
     assert "config/mover.yaml</parameters>" in after["urdf/arm.xacro"]
 
 
+def test_a_controller_of_a_type_of_the_users_own_stays_declared_with_a_todo(folder: Folder) -> None:
+    before = """\
+mine:
+  type: my_controllers/Mine
+  gain: 3
+other: {type: my_controllers/Other}
+"""
+    after = migrated(folder, {"config/controllers.yaml": before})["config/controllers.yaml"]
+    assert "    mine:\n      type: my_controllers/Mine\n" in after
+    assert "    other:\n      type: my_controllers/Other\n" in after
+    todo = "# TODO(urdfctl): port the controller type 'my_controllers/{}' of '{}' to ROS 2\n"
+    assert f"{todo.format('Mine', 'mine')}mine:\n  ros__parameters:\n    gain: 3\n" in after
+    assert todo.format("Other", "other") in after
+
+
 def test_extra_joints_become_a_list_of_names(folder: Folder) -> None:
     before = """\
 joint_states:

@@ -38,26 +38,41 @@ class ControllerSection(NamedTuple):
     type: its type.
     lines: its parameters as YAML, indented by nothing.
     rate: the rate in Hz at which it published, None if it had none.
+    todo: what is left to a person, if it is a type of the user's own.
     """
 
     type: str
     lines: str
     rate: float | None
     entries: tuple[Entry, ...]
+    todo: str = ""
 
 
 def section_of(packages: Packages, item: Item, source: SourceText) -> ControllerSection | None:
-    """Return a controller for the target; None if its type has no replacement there."""
+    """Return a controller for the target; None if its type has no replacement there.
+
+    A type that is not of ROS stays, with its parameters.
+    """
     catalog = catalog_with(packages.settings.additions)
     target = packages.wishes.target
     same = catalog.controller(item.type, target)
     replacement = None if same else catalog.replacement(item.type, target)
     kind = same or (catalog.controller(replacement.type, target) if replacement else None)
-    if kind is None or not isinstance(item.entry.value, Map):
+    if not isinstance(item.entry.value, Map):
         return None
+    if kind is None:
+        return _unported(item, item.entry.value, source) if not catalog.distros_of(item.type) else None
     writer = _Writer(item, kind, source, catalog)
     extra = dict(replacement.parameters) if replacement else {}
     return writer.section(extra, packages)
+
+
+def _unported(item: Item, parameters: Map, source: SourceText) -> ControllerSection:
+    """A controller of a type that its owner must port, as it is."""
+    todo = f"port the controller type '{item.type}' of '{item.name}' to ROS 2"
+    lines = (line for line in _block(parameters, source, MapEdits(source)) if not line.startswith("type:"))
+    entry = Entry(EntryKind.FOR_YOU, todo, item.entry.key.at)
+    return ControllerSection(item.type, "".join(f"{line}\n" for line in lines), None, (entry,), todo)
 
 
 class _Writer:

@@ -119,10 +119,11 @@ class _File:
         comments = [text.strip() for text in data[start:line].decode("utf-8", "surrogateescape").splitlines()]
         above = "".join(f"{text}\n" for text in comments if text)
         if section is not None:
+            above += f"{todo_line(self.source.path, section.todo)}\n" if section.todo else ""
             body = "".join(f"    {text}\n" if text else "\n" for text in section.lines.splitlines())
             name = f"{self._namespace(item)}/{item.name}" if self._namespace(item) else item.name
             name = f'"{name}"' if "*" in name else name
-            return f"{above}{name}:\n  ros__parameters:\n{body}" if body.strip() else ""
+            return f"{above}{name}:\n  ros__parameters:\n{body}" if body.strip() else above * bool(section.todo)
         return above + self._other(item, data[line : _end_of_lines(data, item)].decode("utf-8", "surrogateescape"))
 
     def _other(self, item: Item, text: str) -> str:
