@@ -5,6 +5,7 @@ from __future__ import annotations
 from urdfctl.migrate.classic.bridge import BRIDGE, BRIDGE_INSTALL
 from urdfctl.migrate.classic.comments import COMMENTS
 from urdfctl.migrate.classic.environment import ENVIRONMENT, MODEL_PATHS
+from urdfctl.migrate.classic.inertias import INERTIAS
 from urdfctl.migrate.classic.initial_positions import INITIAL_POSITIONS
 from urdfctl.migrate.classic.launch_python import CLASSIC_LAUNCH
 from urdfctl.migrate.classic.launch_xml import CLASSIC_LAUNCH_XML
@@ -31,6 +32,7 @@ ROBOT_STEPS: tuple[Step, ...] = (
     WORLD_PLUGINS,
     INITIAL_POSITIONS,
     BRIDGE,
+    INERTIAS,
     COMMENTS,
 )
 PACKAGE_STEPS: tuple[Step, ...] = (

@@ -1,0 +1,94 @@
+"""Inertias that no body can have: Gazebo Classic simulates them, gz rejects the whole robot."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from urdfctl.control.simulator_plugins import sure_simulator
+from urdfctl.diagnostic import Edit
+from urdfctl.migrate.markup import attribute, element_at
+from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.places import ElementKey, key_of
+from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
+from urdfctl.migrate.wishes import Part
+from urdfctl.rules.urdf.inertia import Moments, moments_of, principal_moments
+from urdfctl.rules.urdf.numbers import MOMENTS
+from urdfctl.source.dom import Element
+from urdfctl.source.span import SourceSpan
+
+_AUTHORITY = "gz-math MassMatrix3::IsValid(), sdformat src/Link.cc: 'A link named ... has invalid inertia.'"
+_TOLERANCE = 1e-6
+"""Of gz-math, relative to the greatest principal moment."""
+_MARGIN = 1e-3
+"""By how much more than needed a moment is raised, so that it is enough after rounding."""
+_DIAGONAL = ("ixx", "iyy", "izz")
+
+
+def possible(moments: Moments) -> Moments | None:
+    """Return moments that a body can have, with the principal axes of others that none can; None if one can.
+
+    All principal moments are raised by the same amount, so that the greatest is at most the sum of the other two.
+    """
+    least, middle, most = principal_moments(moments)
+    missing = max(-least, most - least - middle)
+    if missing <= _TOLERANCE * max(abs(most), abs(least)):
+        return None
+    more = missing * (1 + _MARGIN)
+    ixx, ixy, ixz, iyy, iyz, izz = moments
+    return ixx + more, ixy, ixz, iyy + more, iyz, izz + more
+
+
+def _inertias(packages: Packages) -> Iterator[Proposal]:
+    for (path, start), links in _impossible(packages).items():
+        element = element_at(packages.read(path), start) if packages.may_change(path) else None
+        written = _written(element) if element is not None else None
+        new = possible(written) if written else None
+        if element is None or new is None:
+            continue
+        edits = tuple(_edits(element, dict(zip(MOMENTS, new, strict=True))))
+        named = ", ".join(f"'{name}'" for name in sorted(links))
+        message = f"no body has the <inertia> of link {named}, and gz rejects the robot: ixx, iyy and izz are raised"
+        entry = Entry(
+            EntryKind.DECIDED, message, element.at, authority=_AUTHORITY, option="write the moments that were measured"
+        )
+        yield Proposal(edits, entries=(entry,), moves=frozenset(links))
+
+
+def _impossible(packages: Packages) -> Mapping[ElementKey, set[str]]:
+    """The names of the links in gz whose inertia no body can have, by the element with the moments."""
+    found: dict[ElementKey, set[str]] = {}
+    for loaded in packages.loaded():
+        robot = loaded.project.robot
+        if robot is None or sure_simulator(loaded.project) != "gz":
+            continue
+        for link in robot.links:
+            inertial = link.inertials[0] if link.inertials else None
+            moments = moments_of(inertial)
+            if inertial and inertial.inertia_at and moments and possible(moments):
+                found.setdefault(key_of(inertial.inertia_at), set()).add(link.name or "")
+    return found
+
+
+def _written(element: Element) -> Moments | None:
+    """The moments of an element as they are written; None if one is an expression, or missing."""
+    try:
+        ixx, ixy, ixz, iyy, iyz, izz = (float(attribute(element, name)) for name in MOMENTS)
+    except ValueError:
+        return None
+    return ixx, ixy, ixz, iyy, iyz, izz
+
+
+def _edits(element: Element, moments: Mapping[str, float]) -> Iterator[Edit]:
+    tag = element.source.start_tag(element.start)
+    for name in _DIAGONAL if tag is not None else ():
+        assert tag is not None  # noqa: S101 (the loop is empty otherwise)
+        yield Edit(SourceSpan(element.source, *tag.attributes[name]), f"{moments[name]:.6g}")
+
+
+INERTIAS = Step(
+    name="inertias",
+    part=Part.URDF,
+    summary="Inertias that no body can have",
+    propose=_inertias,
+    rows=(Row("<inertia> that no body can have", "the same axes with greater moments", "", _AUTHORITY),),
+)
