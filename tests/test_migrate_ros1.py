@@ -359,6 +359,27 @@ other: {type: my_controllers/Other}
     assert todo.format("Other", "other") in after
 
 
+def test_a_base_with_four_mecanum_wheels_gets_their_new_names_and_a_todo_for_each_measure(folder: Folder) -> None:
+    before = """\
+base:
+  type: mecanum_drive_controller/MecanumDriveController
+  front_left_wheel_joint: fl
+  front_right_wheel_joint: fr
+  back_left_wheel_joint: rl
+  back_right_wheel_joint: rr
+  cmd_vel_timeout: 1
+"""
+    after = migrated(folder, {"config/base.yaml": before})["config/base.yaml"]
+    names = {"front_left": "fl", "front_right": "fr", "rear_left": "rl", "rear_right": "rr"}
+    assert all(f"    {side}_wheel_command_joint_name: {joint}\n" in after for side, joint in names.items())
+    assert "    reference_timeout: 1.0\n" in after
+    assert "    kinematics.wheels_radius: 0.1  # TODO(urdfctl): " in after
+    assert "    kinematics.sum_of_robot_center_projection_on_X_Y_axis: 0.5  # TODO(urdfctl): " in after
+    given = migrated(folder, {"config/base.yaml": f"{before}  wheel_radius: 0.2\n"})["config/base.yaml"]
+    assert "kinematics.wheels_radius: 0.2\n" in given
+    assert "wheels_radius: 0.1" not in given
+
+
 def test_extra_joints_become_a_list_of_names(folder: Folder) -> None:
     before = """\
 joint_states:

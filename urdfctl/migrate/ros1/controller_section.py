@@ -10,7 +10,7 @@ from urdfctl.catalog.entries import ControllerType, Parameter
 from urdfctl.catalog.map_parameters import matching
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.ros1.controller_map import Item
-from urdfctl.migrate.ros1.parameters import Change, changed, changes_of, pid_settings
+from urdfctl.migrate.ros1.parameters import MECANUM, Change, changed, changes_of, pid_settings
 from urdfctl.migrate.ros1.wheel_measures import measured
 from urdfctl.migrate.step import Entry, EntryKind
 from urdfctl.migrate.todo import todo_line
@@ -28,7 +28,13 @@ _RENAMED = "ros2_controllers doc/migration.rst; the parameters that the distro's
 _TYPES = "control.ros.org, differences between ros_control and ros2_control"
 _FRACTION = lazy_pattern(r"[-+]?\d*\.\d*")
 _STAND_INS = {"wheel_separation": 0.5, "wheel_radius": 0.1}
+_STAND_INS_OF_MECANUM = {
+    "kinematics.wheels_radius": 0.1,
+    "kinematics.sum_of_robot_center_projection_on_X_Y_axis": 0.5,
+}
 """The measures of wheels that a controller requires, with values as the generators write them if they are unknown."""
+_SIDES = ("left", "right")
+_OF_MECANUM = tuple(f"{end}_{side}_wheel_joint" for end in ("front", "back") for side in _SIDES)
 _PID = lazy_pattern(r"(?:^|\.)pid\.")
 
 
@@ -92,7 +98,7 @@ class _Writer:
         names = dict(leaves(self.map))
         added = [f"{name}: {_yaml(value)}" for name, value in extra.items() if name not in names]
         added += self._loops(names)
-        added += self._wheels(names, packages)
+        added += self._wheels(names, packages) if self.kind.type != MECANUM else self._mecanum(names, packages)
         for name, path in names.items():
             self._change(edits, name, path, added, packages)
         return ControllerSection(self.kind.type, self._text(edits, added), self.rate, tuple(self.entries))
@@ -113,22 +119,36 @@ class _Writer:
 
     def _wheels(self, names: Mapping[str, Path], packages: Packages) -> list[str]:
         """The measures of the wheels, which ROS 1 reads from the robot."""
-        sides = [_texts(names[name][-1][1].value) if name in names else [] for name in ("left_wheel", "right_wheel")]
+        sides = [self._texts_of(name, names) for name in ("left_wheel", "right_wheel")]
         if not all(sides):
             return []
         lines = list(measured(packages, sides[0], sides[1], tuple(names)))
         if lines:
             what = "the controller no longer measures the wheels in the robot: their measures are written"
             self.entries.append(Entry(EntryKind.DONE, what, self.item.entry.key.at, authority=_RENAMED))
-        return [*lines, *self._stand_ins({*names, *(line.partition(":")[0] for line in lines)})]
+        known = {*names, *(line.partition(":")[0] for line in lines)}
+        return [*lines, *self._stand_ins(_STAND_INS, known)]
 
-    def _stand_ins(self, known: Collection[str]) -> Iterator[str]:
+    def _mecanum(self, names: Mapping[str, Path], packages: Packages) -> list[str]:
+        """The measures of four wheels that roll sideways too; ROS 1 reads them from the robot."""
+        given = {name: texts for name in _OF_MECANUM if (texts := self._texts_of(name, names))}
+        left, right = ([one for name, texts in given.items() if side in name for one in texts] for side in _SIDES)
+        found = measured(packages, left, right, (*names, "wheel_separation")) if left and right else ()
+        lines = [f"kinematics.{line.replace('wheel_radius', 'wheels_radius', 1)}" for line in found]
+        changes = (changed(name, changes_of(MECANUM)) for name in names)
+        known = {*(one[0].name for one in changes if one), *(line.partition(":")[0] for line in lines)}
+        return [*lines, *self._stand_ins(_STAND_INS_OF_MECANUM, known)]
+
+    def _stand_ins(self, stand_ins: Mapping[str, float], known: Collection[str]) -> Iterator[str]:
         """Yield the lines of the measures that no robot tells, each with a TODO."""
-        for name, value in _STAND_INS.items():
+        for name, value in stand_ins.items():
             if name not in known:
                 what = f"measure the wheels and write {name} of '{self.item.name}', in m"
                 self.entries.append(Entry(EntryKind.FOR_YOU, what, self.item.entry.key.at, authority=_RENAMED))
                 yield f"{name}: {value}  {todo_line(self.source.path, what)}"
+
+    def _texts_of(self, name: str, names: Mapping[str, Path]) -> list[str]:
+        return _texts(names[name][-1][1].value) if name in names else []
 
     def _scalar(self, path: Path) -> str:
         node = path[-1][1].value

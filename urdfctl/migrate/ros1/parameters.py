@@ -10,6 +10,7 @@ _JTC = "joint_trajectory_controller/JointTrajectoryController"
 _DIFF = "diff_drive_controller/DiffDriveController"
 _FORWARD = "forward_command_controller/ForwardCommandController"
 _PID = "pid_controller/PidController"
+MECANUM = "mecanum_drive_controller/MecanumDriveController"
 _BROADCASTER = "joint_state_broadcaster/JointStateBroadcaster"
 
 
@@ -51,6 +52,15 @@ _CHANGES: Mapping[str, Mapping[str, Change]] = {
     _PID: {
         "joint": Change("dof_names", as_list=True),
         "joints": Change("dof_names", as_list=True),
+        "publish_rate": Change(why=_RATE),
+    },
+    MECANUM: {
+        "front_left_wheel_joint": Change("front_left_wheel_command_joint_name"),
+        "front_right_wheel_joint": Change("front_right_wheel_command_joint_name"),
+        "back_right_wheel_joint": Change("rear_right_wheel_command_joint_name"),
+        "back_left_wheel_joint": Change("rear_left_wheel_command_joint_name"),
+        "wheel_radius": Change("kinematics.wheels_radius"),
+        "cmd_vel_timeout": Change("reference_timeout"),
         "publish_rate": Change(why=_RATE),
     },
     "ackermann_steering_controller/AckermannSteeringController": {
