@@ -380,6 +380,20 @@ base:
     assert "wheels_radius: 0.1" not in given
 
 
+def test_transmissions_become_a_component_although_controllers_want_other_interfaces(folder: Folder) -> None:
+    launch = """\
+<launch>
+  <param name="robot_description" command="xacro $(find arm)/urdf/arm.xacro"/>
+  <rosparam file="$(find arm)/config/c.yaml"/>
+  <node pkg="controller_manager" type="spawner" name="s" ns="arm" args="ctl"/>
+</launch>
+"""
+    robot = arm(transmission("PositionJointInterface"), PLUGIN)
+    after = migrated(folder, {"urdf/arm.xacro": robot, "config/c.yaml": EFFORT, "launch/arm.launch": launch})
+    assert '<ros2_control name="arm_system" type="system">' in after["urdf/arm.xacro"]
+    assert "lint finds UC450" in after["MIGRATION.md"]
+
+
 def test_extra_joints_become_a_list_of_names(folder: Folder) -> None:
     before = """\
 joint_states:

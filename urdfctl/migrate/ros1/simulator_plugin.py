@@ -256,6 +256,7 @@ SIMULATOR_PLUGIN = Step(
     summary="The plugin that runs controllers in the simulator",
     propose=_plugins,
     generation=1,
+    is_needed=True,
     rows=(
         Row(CONTROL, "gz_ros2_control-system, or libgazebo_ros2_control.so up to iron", "", _AUTHORITY),
         Row("<robotNamespace>", "<ros><namespace>", "", _AUTHORITY),

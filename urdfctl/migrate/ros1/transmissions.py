@@ -182,6 +182,7 @@ TRANSMISSIONS = Step(
     summary="Transmissions",
     propose=_transmissions,
     generation=1,
+    is_needed=True,
     rows=(
         Row("<transmission> with EffortJointInterface", 'command "effort" in <ros2_control>', "", _AUTHORITY),
         Row("<transmission> with VelocityJointInterface", 'command "velocity" in <ros2_control>', "", _AUTHORITY),
