@@ -146,3 +146,18 @@ def test_a_simulation_that_the_spawner_lets_run_is_not_paused(folder: Folder, gi
     text = after["launch/arm.launch.py"]
     assert ('DeclareLaunchArgument("p", default_value="true")' in text) is (is_kept or given == "true")
     assert is_kept or '"gz_args": "-r empty.sdf"' in text or 'default_value="false"' in text
+
+
+def test_a_file_that_only_names_an_action_of_a_controller_is_none_of_its_spawner(folder: Folder) -> None:
+    launch = """\
+<launch>
+  <rosparam file="$(find arm)/config/controllers.yaml" ns="arm"/>
+  <rosparam file="$(find arm)/config/script.yaml" ns="script_server"/>
+  <node pkg="controller_manager" type="spawner" name="spawner" ns="arm" args="ctl"/>
+</launch>
+"""
+    script = "action_name: /arm_controller/follow_joint_trajectory\n"
+    files = {"config/controllers.yaml": EFFORT, "config/script.yaml": script, "launch/arm.launch": launch}
+    after = migrated(folder, {"urdf/arm.xacro": arm(transmission("EffortJointInterface"), PLUGIN), **files})
+    assert "controllers.yaml" in after["launch/arm.launch.py"]
+    assert "script.yaml" not in after["launch/arm.launch.py"].partition("def ")[2]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import glob
 import os
+import re
 from collections.abc import Iterator
 
 from urdfctl.catalog.distros import since
@@ -28,6 +29,7 @@ from urdfctl.source.packages import package_around, package_name
 
 _AUTHORITY = "docs.ros.org, Migrating launch files from ROS 1 to ROS 2"
 _MOVEIT = "moveit.picknik.ai, moveit_configs_utils: launch files are made by MoveItConfigsBuilder"
+_TYPE = re.compile(rb"\btype[\"']?:\s*[\"']?\w+_(?:controllers?|broadcaster)/")
 _ENDINGS = (".launch", ".launch.xml", ".test")
 _OF_MOVEIT = ("moveit_ros_move_group", "moveit_ros_planning", "moveit_setup_assistant", "moveit_ros_benchmarks")
 
@@ -128,12 +130,8 @@ def own_packages(packages: Packages) -> Iterator[str]:
 
 def _controller_files(packages: Packages) -> set[str]:
     """The names of the controller files, before or after their own migration."""
-    marks = (b"controller_manager", b"_controller/", b"_controllers/", b"_broadcaster/")
-    return {
-        os.path.basename(path)
-        for path in packages.files(".yaml", ".yml")
-        if any(mark in packages.read(path).data for mark in marks)
-    }
+    texts = ((path, packages.read(path).data) for path in packages.files(".yaml", ".yml"))
+    return {os.path.basename(path) for path, text in texts if b"controller_manager" in text or _TYPE.search(text)}
 
 
 def _controllers_in(packages: Packages, written: str) -> list[str]:
