@@ -13,6 +13,12 @@ from urdfctl.rules.urdf.inertia import principal_moments
 
 INERTIAL = '<inertial><mass value="1"/><inertia {}/></inertial>'
 IMPOSSIBLE = 'ixx="1.0" ixy="0" ixz="0" iyy="0.2" iyz="0" izz="0.3"'
+LAUNCH = """\
+<launch>
+  <include file="$(find gazebo_ros)/launch/empty_world.launch"/>
+  <param name="robot_description" command="xacro $(find arm)/urdf/arm.xacro"/>
+</launch>
+"""
 SOUND = 'ixx="1.0" ixy="0" ixz="0" iyy="0.6" iyz="0" izz="0.5"'
 
 
@@ -25,7 +31,7 @@ def with_inertia(moments: str) -> str:
 
 
 def test_moments_are_raised_for_gz_and_the_report_says_so(folder: Folder) -> None:
-    after = migrated(folder, {"urdf/arm.xacro": with_inertia(IMPOSSIBLE)})
+    after = migrated(folder, {"urdf/arm.xacro": with_inertia(IMPOSSIBLE), "launch/arm.launch": LAUNCH})
     assert (
         after["urdf/arm.xacro"].count('<inertia ixx="1.5005" ixy="0" ixz="0" iyy="0.7005" iyz="0" izz="0.8005"/>') == 2
     )

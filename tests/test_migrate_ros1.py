@@ -440,7 +440,7 @@ controller_list:
     assert "\n/arm/shoulder_lift:\n  ros__parameters:\n" in after["config/c.yaml"]
     started = " ".join(after["launch/arm.launch.py"].split())
     assert 'DeclareLaunchArgument("started", default_value="states shoulder_controller")' in started
-    assert 'arguments=[ "--inactive", "shoulder_lift", "-c"' in started
+    assert '"--inactive", "shoulder_lift", "-c", "arm/controller_manager", "--param-file",' in started
     assert "controller 'shoulder' became 'shoulder_controller'" in after["MIGRATION.md"]
     assert "controller_names:\n    - shoulder_controller\n" in after["config/moveit_controllers.yaml"]
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from urdfctl.control.simulator_plugins import sure_simulator
 from urdfctl.diagnostic import Edit
+from urdfctl.migrate.hardware import simulated_by
 from urdfctl.migrate.markup import attribute, element_at
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.places import ElementKey, key_of
@@ -55,11 +56,14 @@ def _inertias(packages: Packages) -> Iterator[Proposal]:
 
 
 def _impossible(packages: Packages) -> Mapping[ElementKey, set[str]]:
-    """The names of the links in gz whose inertia no body can have, by the element with the moments."""
+    """The names of the links whose inertia no body can have, by the element with the moments, of robots in Gazebo.
+
+    Launch files may still start Gazebo Classic.
+    """
     found: dict[ElementKey, set[str]] = {}
-    for loaded in packages.loaded():
+    for loaded in packages.loaded() if simulated_by(packages) == "gz" else ():
         robot = loaded.project.robot
-        if robot is None or sure_simulator(loaded.project) != "gz":
+        if robot is None or sure_simulator(loaded.project) is None:
             continue
         for link in robot.links:
             inertial = link.inertials[0] if link.inertials else None
