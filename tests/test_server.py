@@ -129,12 +129,13 @@ def test_the_editor_chooses_the_distro_and_the_variant_that_is_shown(folder: Fol
     async def use(editor: Editor) -> list[object]:
         await editor.open("urdf/robot.xacro", text)
         found = await editor.checked()
-        return [found, editor.robots[0].distro, editor.robots[0].arguments.side]
+        [robot] = editor.robots
+        return [found, f"{robot.distro} from {robot.distro_from}", robot.arguments.side]
 
     path = ws(folder)
     (path / "urdf/robot.xacro").write_text(text, encoding="utf-8")
     _, distro, side = in_editor(path, use, wishes={"distro": "humble", "arguments": {"side": "left"}, "other": [1]})
-    assert (distro, side) == ("humble", "left")
+    assert (distro, side) == ("humble from the editor's settings", "left")
 
 
 def test_a_mended_configuration_is_read_again(folder: Folder) -> None:

@@ -244,7 +244,7 @@ def _robot(result: TargetResult, is_shown: bool) -> dict[str, Any]:  # noqa: FBT
         "arguments": dict(result.arguments),
         "launch": result.launch,
         "distro": result.distro,
-        "distro_from": result.distro_from,
+        "distro_from": "the editor's settings" if result.distro_from == "--distro" else result.distro_from,
         "simulator": result.simulator,
         "files": list(result.files),
         "shown": is_shown,
