@@ -14,6 +14,7 @@ from folder import CHECKOUT, Folder
 from live_replay import copied
 from test_server_names import CONTROLLERS, LAUNCH, MACROS, ROBOT, STARTS, URDF, XACRO, YAML, question
 
+from urdfctl.model.project import Project
 from urdfctl.server.completion import items_at
 
 SAMPLES = CHECKOUT / "samples"
@@ -65,6 +66,18 @@ def test_an_item_replaces_the_word_that_is_typed(folder: Folder) -> None:
     line = text[: text.index("<xacro:wh side")].count("\n")
     asks = question(folder, URDF, types.Position(line, len("  <xacro:wh")), typed=text)
     assert [(item.text, item.replaces) for item in items_at(asks)] == [("xacro:wheel", len("xacro:wh"))]
+
+
+def test_a_controller_is_written_after_those_that_a_spawner_starts_already(folder: Folder) -> None:
+    text = "<launch><node pkg='controller_manager' exec='spawner' args='other '/></launch>"
+    asks = question(folder, "launch/more.launch.xml", types.Position(0, text.index("'/>")), typed=text)
+    robots = question(folder, STARTS, types.Position(0, 0)).robots
+    items = items_at(asks._replace(robots=[robots[0]._replace(project=_without_spawns(robots[0].project))]))
+    assert [(item.text, item.replaces) for item in items][:1] == [("turn", 0)]
+
+
+def _without_spawns(project: Project) -> Project:
+    return project._replace(launch=None)
 
 
 @pytest.mark.parametrize("name", ["my_robot", "mybot", "radu", "gripper"])

@@ -11,11 +11,11 @@ from urdfctl.server.items import Item
 from urdfctl.server.paths import files_in_package, packages_with
 from urdfctl.server.question import Question
 from urdfctl.server.scopes import Defined, Scopes, written_default
-from urdfctl.server.spawning import in_spawner
+from urdfctl.server.spawning import OF_SPAWNER, in_spawner
 from urdfctl.server.spot import ATTRIBUTE, OPEN_ATTRIBUTE, Spot, names_of_attributes
 from urdfctl.server.xacro_names import MACRO, PARAMETER
 
-_OPEN_CALL = rf"<xacro:(?P<macro>[\w-]+)(?P<given>(?:{ATTRIBUTE})*)\s+(?P<word>\w*)$"
+_OPEN_CALL = rf"<xacro:(?P<macro>[\w.-]+)(?P<given>(?:{ATTRIBUTE})*)\s+(?P<word>\w*)$"
 _INTERFACES = {"command_interface", "state_interface"}
 
 
@@ -27,7 +27,8 @@ def in_xml(question: Question) -> Iterator[Item]:
         found = re.search(pattern, before, re.DOTALL)
         if found:
             for item in answer(Spot(question, before, found)):
-                yield item._replace(replaces=item.replaces or len(found["word"] or ""))
+                is_part = answer is _in_attribute and item.kind in OF_SPAWNER
+                yield item if is_part else item._replace(replaces=len(found["word"] or ""))
             return
 
 
@@ -47,7 +48,7 @@ def _files(spot: Spot) -> Iterator[Item]:
 def _macros(spot: Spot) -> Iterator[Item]:
     """The macros that can be called with the attributes that are written already."""
     scopes, around = spot.scopes(), spot.macro()
-    tail = re.match(rf"[\w-]*(?P<given>(?:{ATTRIBUTE})*)\s*(?P<end>/?>)", spot.after)
+    tail = re.match(rf"[\w.-]*(?P<given>(?:{ATTRIBUTE})*)\s*(?P<end>/?>)", spot.after)
     for one in scopes.of(MACRO):
         is_defined = bool(around) or one.file != spot.question.file or one.start < spot.start
         if one.name and one.name != around and is_defined and (tail is None or _is_called_so(scopes, one, tail)):
@@ -99,7 +100,7 @@ _ANSWERS: list[tuple[str, Callable[[Spot], Iterator[Item]]]] = [
     (r"(?:package|model)://(?P<package>[\w.-]+)/(?P<word>[^\"'$()<>\s]*)$", _files),
     (r"\$\((?:arg|var)\s+(?P<word>[\w.-]*)$", arguments),
     (r"\$\{(?P<before>[^{}]*?)(?P<dot>\.?)(?P<word>(?:(?<![\w.])[A-Za-z_]\w*)?)$", values),
-    (r"^<(?P<word>(?:xacro:)?[\w-]*)$", _macros),
+    (r"^<(?P<word>(?:xacro:)?[\w.-]*)$", _macros),
     (f"^{OPEN_ATTRIBUTE}", _in_attribute),
     (f"^{_OPEN_CALL}", _macro_parameters),
 ]

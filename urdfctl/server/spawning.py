@@ -16,6 +16,8 @@ _WITH_VALUES = frozenset(
     "-n --namespace -t --controller-type -p --param-file --controller-manager-timeout --switch-timeout "
     "--service-call-timeout --controller-ros-args --ros-args".split()
 )
+OF_SPAWNER = frozenset({CONTROLLER, "option", "value"})
+"""The kinds of items among the arguments of a spawner. Each replaces one of them, not the whole text."""
 _ARGUMENTS = r"arguments\s*=\s*\[(?P<before>[^\[\]]*?)(?P<quote>[\"'])(?P<word>[^\"'\[\],]*)$"
 _NODE = r"\b(?:Node|ExecuteProcess)\s*\("
 

@@ -305,7 +305,7 @@ class Workspace:
         """Keep what is found in each target when all texts are saved: what is typed since then may not be finished."""
         if all(text == text_on_disk(path) for path, text in self.texts.items()):
             found = ((target, self._reported(result.outcome.diagnostics)) for target, result in run.targets)
-            self._saved = {target: codes_of(findings) for target, findings in found}
+            self._saved.update((target, codes_of(findings)) for target, findings in found)
 
     def reads(self, path: str) -> bool:
         """Return whether anything that was linted last reads a file."""
