@@ -161,3 +161,37 @@ def test_a_file_that_only_names_an_action_of_a_controller_is_none_of_its_spawner
     after = migrated(folder, {"urdf/arm.xacro": arm(transmission("EffortJointInterface"), PLUGIN), **files})
     assert "controllers.yaml" in after["launch/arm.launch.py"]
     assert "script.yaml" not in after["launch/arm.launch.py"].partition("def ")[2]
+
+
+DRIVEN = """\
+<robot name="base">
+  <link name="b"/>
+  <link name="l"/>
+  <link name="r"/>
+  <joint name="lj" type="continuous"><parent link="b"/><child link="l"/></joint>
+  <joint name="rj" type="continuous"><parent link="b"/><child link="r"/></joint>
+  <gazebo>
+    <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
+      <leftJoint>lj</leftJoint>
+      <rightJoint>rj</rightJoint>
+    </plugin>
+  </gazebo>
+</robot>
+"""
+
+
+@pytest.mark.parametrize(
+    ("words", "started"),
+    [
+        ([], ("gz_sim.launch.py", "parameter_bridge", "create")),
+        (["--simulator", "gazebo-classic", "--to", "humble"], ("gazebo.launch.py", "spawn_entity.py")),
+        (["--simulator", "none"], ()),
+    ],
+)
+def test_a_robot_without_controllers_starts_in_the_simulator_as_before(
+    folder: Folder, words: list[str], started: tuple[str, ...]
+) -> None:
+    text = migrated(folder, {"urdf/arm.xacro": DRIVEN, "launch/arm.launch": SPAWNED}, *words)["launch/arm.launch.py"]
+    programs = ("gz_sim.launch.py", "gazebo.launch.py", "parameter_bridge", "create", "spawn_entity.py")
+    assert tuple(name for name in programs if f'{name}"' in text) == started
+    assert "robot_state_publisher" in text

@@ -42,6 +42,13 @@ def goes_to_gz(packages: Packages) -> bool:
     return packages.simulator == "gz" or (packages.simulator is None and packages.crosses("jazzy"))
 
 
+def started_by_launch_files(packages: Packages) -> str:
+    """Return the simulator that launch files start where they started Gazebo Classic, whatever runs the controllers."""
+    if goes_to_gz(packages):
+        return "gz"
+    return "none" if leaves_classic(packages) else "gazebo-classic"
+
+
 def options_of(packages: Packages) -> Options:
     """Return the options of the generators for the migrated packages."""
     return Options(packages.wishes.target, simulated_by(packages), hardware=_named(packages))

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from urdfctl.catalog.distros import since
 from urdfctl.migrate.classic.launch_actions import gz_for
 from urdfctl.migrate.controller_files import type_names
-from urdfctl.migrate.hardware import simulated_by
+from urdfctl.migrate.hardware import simulated_by, started_by_launch_files
 from urdfctl.migrate.launch.parameter_files import with_parameter_files
 from urdfctl.migrate.launch.written import Written, as_python, as_xml
 from urdfctl.migrate.markup import elements, root_of
@@ -75,7 +75,7 @@ def _migrated(packages: Packages, path: str, root: Element, target: Target) -> I
     reading = Reading(target)
     actions = reading.actions(root)
     left = list(reading.left)
-    if reading.target.simulator != "gazebo-classic":
+    if target.started == "gz":
         gz = gz_for(packages, path)
         left += gz.left(actions)
         actions = list(gz.started(actions))
@@ -111,6 +111,7 @@ def _target(packages: Packages) -> Target:
     return Target(
         distro=wishes.target,
         simulator=simulated_by(packages),
+        started=started_by_launch_files(packages),
         own=frozenset(own_packages(packages)),
         ending=f".launch.{wishes.launch}",
         is_controllers_file=lambda written: os.path.basename(written) in controllers,

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 from urdfctl.catalog.catalog import catalog_with
 from urdfctl.diagnostic import Edit
 from urdfctl.generate.bringup import gz_names
-from urdfctl.migrate.hardware import host_plugin, simulated_by, system
+from urdfctl.migrate.hardware import host_plugin, started_by_launch_files, system
 from urdfctl.migrate.markup import child, children, content, end_of, indent_of, lines_of, merged, root_of, step_of
 from urdfctl.migrate.packages import Packages
 from urdfctl.migrate.ros1.build_file import ament_build_file
@@ -67,7 +67,7 @@ def _manifests(packages: Packages) -> Iterator[Proposal]:
             entries=(Entry(EntryKind.DONE, "the package is built by ament", root.at, authority=_AUTHORITY),),
         )
         if cmake.data:
-            yield ament_build_file(cmake, is_classic=simulated_by(packages) == "gazebo-classic")
+            yield ament_build_file(cmake, is_classic=started_by_launch_files(packages) == "gazebo-classic")
 
 
 def _is_catkin(root: Element) -> bool:
@@ -142,9 +142,9 @@ def _successors(packages: Packages, name: str) -> tuple[str, ...]:
         return (host.package,) if host and host.package else ()
     if name in {"gazebo_ros", "gazebo_ros_pkgs"}:
         in_gz = (gz["package"], gz["bridge"])
-        return {"gz": in_gz, "gazebo-classic": (name,)}.get(simulated_by(packages), ())
+        return {"gz": in_gz, "gazebo-classic": (name,)}.get(started_by_launch_files(packages), ())
     if name in _OF_CLASSIC:
-        return (name,) if simulated_by(packages) == "gazebo-classic" else ()
+        return (name,) if started_by_launch_files(packages) == "gazebo-classic" else ()
     return _NEW_NAMES.get(name, (name,))
 
 

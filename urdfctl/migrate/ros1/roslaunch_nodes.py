@@ -26,7 +26,9 @@ from urdfctl.startup.records import NamedTuple
 class Target(NamedTuple):
     """What a launch file is migrated to.
 
-    distro, simulator: those of the migrated robot.
+    distro: that of the migrated robot.
+    simulator: what runs its controllers.
+    started: the simulator that launch files start.
     own: the packages that are migrated.
     ending: the ending of migrated launch files.
     is_controllers_file: returns whether a written file name is that of a controller file.
@@ -41,6 +43,7 @@ class Target(NamedTuple):
 
     distro: str
     simulator: str
+    started: str
     own: frozenset[str]
     ending: str
     is_controllers_file: Callable[[str], bool]
@@ -114,7 +117,7 @@ def migrated_node(reading: Notes, element: Element, description: Text, files: Se
         yield from _spawner(reading, element, words, files)
     elif package == "gazebo_ros" and program == "spawn_model":
         reading.unpauses |= any(plain(word) == "-unpause" for word in words)
-        yield _spawned_model(element, words)
+        yield from [_spawned_model(element, words)] if reading.target.started != "none" else []
     elif package == "gazebo_ros":
         yield from simulator_actions(reading, {})
     elif package == "robot_state_publisher":
@@ -257,7 +260,7 @@ def _spawned_model(element: Element, words: Sequence[Text]) -> Action:
 
 def simulator_actions(reading: Notes, given: Mapping[str, Text]) -> Iterator[Action]:
     """Yield the action that starts Gazebo Classic with the arguments of gazebo_ros' empty_world.launch."""
-    if reading.target.simulated:
+    if reading.target.started != "none":
         named = ((new, given.get(old, ())) for new, old in _ARGUMENTS.items())
         yield Action("include", value=parsed(CLASSIC_FILE), pairs=tuple((new, value) for new, value in named if value))
 
