@@ -9,7 +9,8 @@ from urdfctl.startup.records import NamedTuple
 
 
 class PartOfText(NamedTuple):
-    """A part of a text: its kind is `text`, `arg`, `find`, `env`, `dirname`, `eval` or `yaml`.
+    """A part of a text: its kind is `text`, `arg`, `find`, `env`, `dirname`, `eval`, `yaml` or `written`, an expression
+    that a migration wrote in the form of its launch file.
 
     A `yaml` is a whole value with its type: a number, a quoted string or a list of these, in YAML's flow style.
 

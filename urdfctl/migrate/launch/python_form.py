@@ -154,6 +154,8 @@ def _part(kind: str, text: str, default: str | None) -> str:
         return f"EnvironmentVariable({python_text(text)}{more})"
     if kind == "dirname":
         return "ThisLaunchFileDir()"
+    if kind == "written":
+        return text
     if kind == "eval":
         return f"PythonExpression([{_expression(text)}])"
     return python_text(text)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 from urdfctl.migrate.launch.actions import Action, Condition, PartOfText, Text, joined, literal, plain
 from urdfctl.migrate.launch.written import Written, as_python
@@ -175,21 +175,12 @@ class _File:
         if name == "ThisLaunchFileDir":
             return (PartOfText("dirname", ""),)
         if name == "PythonExpression":
-            return (PartOfText("eval", "".join(self._expression(_items(_nth(node, 0))))),)
+            return (PartOfText("written", self._written(node)),)
         if name not in kinds:
             raise _OtherFormError
         default = keyword(node, "default_value")
         about = plain(self._text_of(default.value)) if default else None
         return (PartOfText(kinds[name], self._name(node), about),)
-
-    def _expression(self, items: Sequence[ast.expr]) -> Iterator[str]:
-        """The parts of an expression of $(eval): texts, and arguments, each between two quotes."""
-        for item in items:
-            [part] = self._text_of(item)
-            if part.kind == "arg":
-                yield f"arg('{part.text}')"
-            elif part.text != "'":
-                yield part.text
 
 
 def _items(node: ast.expr | None) -> list[ast.expr]:

@@ -102,6 +102,8 @@ def _part(kind: str, text: str, default: str | None) -> str:
         return f"$(env {text})" if default is None else f"$(env {text} '{xml_text(default)}')"
     if kind == "dirname":
         return "$(dirname)"
+    if kind == "written":
+        return text
     if kind == "eval":
         parts = (
             f"{one.before}$(var {one.name}){one.after}" if isinstance(one, Used) else one for one in parts_of(text)

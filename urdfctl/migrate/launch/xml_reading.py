@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 from itertools import takewhile
 
+from urdfctl.generate.scalars import xml_text
 from urdfctl.migrate.launch.actions import Action, Condition, PartOfText, Text, words_of
 from urdfctl.migrate.launch.written import Written, as_xml
 from urdfctl.migrate.markup import root_of
@@ -109,7 +110,7 @@ def _parts(text: str) -> Iterator[PartOfText]:
             name, _, default = inner.partition(" ")
             yield PartOfText("env", name, default.strip("'") if default else None)
         elif kind == "eval":
-            yield PartOfText("eval", re.sub(r"'\$\(var (\w+)\)'", r"arg('\1')", inner.strip('"')))
+            yield PartOfText("written", xml_text(found[0]))
         else:
             yield PartOfText({"var": "arg", "find-pkg-share": "find"}.get(kind, kind), inner)
     yield PartOfText("text", text[position:])
