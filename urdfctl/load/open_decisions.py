@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Iterator
+from collections.abc import Callable, Collection, Iterator
 
-from urdfctl.source.files import first_bytes
+from urdfctl.source.files import first_bytes, start_of
 from urdfctl.source.span import Place, SourceText
 from urdfctl.source.todo import has_todos, todos_in
 
@@ -16,8 +16,11 @@ _PRUNED = ("build", "install", "log", "devel", "__pycache__", "meshes")
 
 
 def decisions_in(folder: str) -> list[tuple[str, Place]]:
-    """Return the texts and places of the TODOs of a migration in the files of a package."""
-    texts = (SourceText(path, data) for path in _files(folder) if has_todos(data := _text(path)))
+    """Return the texts and places of the TODOs of a migration in the files of a package.
+
+    Only files with TODOs count as read: a key in another file does not make an editor look at all of them again.
+    """
+    texts = (SourceText(path, _text(path, first_bytes)) for path in _files(folder) if has_todos(_text(path, start_of)))
     return [todo for source in texts for todo in todos_in(source)]
 
 
@@ -33,8 +36,8 @@ def _files(folder: str) -> Iterator[str]:
         yield from (os.path.join(current, name) for name in sorted(names) if name.endswith(_ENDINGS))
 
 
-def _text(path: str) -> bytes:
+def _text(path: str, read: Callable[[str, int], bytes]) -> bytes:
     try:
-        return first_bytes(path, _MOST_BYTES)
+        return read(path, _MOST_BYTES)
     except OSError:
         return b""
