@@ -479,7 +479,7 @@ def four_wheeled(right: str) -> str:
 
 @needs_pybullet
 def test_mecanum_wheels_turn_in_the_air(tmp_path: Path) -> None:
-    for axis, expected in (("0 0 1", []), ("0 0 -1", ["UC912", "UC941", "UC942"])):
+    for axis, expected in (("0 0 1", []), ("0 0 -1", ["UC912"])):
         target = target_of(tmp_path, {"robot.urdf": four_wheeled(axis), "controllers.yaml": MECANUM})
         made = whole(target, "pybullet", distro="jazzy")
         assert codes(made) == expected

@@ -49,7 +49,7 @@ def test_a_sound_arm_passes(tmp_path: Path, arm: Arm, engine: str) -> None:
 @EACH_ROVER
 def test_left_and_right_swapped(tmp_path: Path, rover: Rover) -> None:
     yaml = rover.yaml(left="right", right="left")
-    assert found_anyway(tmp_path, rover.urdf(), yaml) == [["UC911"], *[["UC911", "UC942"]] * len(INSTALLED)]
+    assert found_anyway(tmp_path, rover.urdf(), yaml) == [["UC911"]] * (1 + len(INSTALLED))
 
 
 @EACH_ROVER
@@ -72,7 +72,7 @@ def test_a_wrong_radius_or_separation(tmp_path: Path, rover: Rover) -> None:
     for codes_found in found_anyway(tmp_path, rover.urdf(), rover.yaml(radius=2)):
         assert "UC913" in codes_found
     for engine in INSTALLED:
-        assert found(tmp_path, rover.urdf(), rover.yaml(radius=2), engine) == ["UC913", "UC941"]
+        assert found(tmp_path, rover.urdf(), rover.yaml(radius=2), engine) == ["UC913"]
     for codes_found in found_anyway(tmp_path, rover.urdf(), rover.yaml(separation=2)):
         assert "UC913" in codes_found
 

@@ -105,20 +105,20 @@ def test_two_mecanum_wheels_exchanged_neither_go_sideways_nor_turn(tmp_path: Pat
 
 @pytest.mark.parametrize("engine", EACH_ENGINE)
 def test_a_mecanum_wheel_that_turns_backwards_is_found(tmp_path: Path, engine: str) -> None:
-    assert of(tmp_path, mecanum(rr=(0.0, -1.0)), MECANUM, engine) == (["UC912", "UC941", "UC942"], "failed move")
+    assert of(tmp_path, mecanum(rr=(0.0, -1.0)), MECANUM, engine) == (["UC912"], "failed move")
 
 
 @pytest.mark.parametrize("engine", EACH_ENGINE)
 def test_omnidirectional_wheels_whose_axes_point_inwards_go_the_wrong_way(tmp_path: Path, engine: str) -> None:
-    assert of(tmp_path, omni(outwards=-1.0), OMNI, engine) == (["UC912", "UC941", "UC942"], "failed move")
+    assert of(tmp_path, omni(outwards=-1.0), OMNI, engine) == (["UC912"], "failed move")
 
 
 @pytest.mark.parametrize("engine", EACH_ENGINE)
 def test_a_mecanum_base_with_twice_its_measures_goes_and_turns_too_far(tmp_path: Path, engine: str) -> None:
     wide = MECANUM.replace("Y_axis: 0.5", "Y_axis: 1.0")
-    assert of(tmp_path, mecanum(), wide, engine) == (["UC913", "UC942"], "failed move")
+    assert of(tmp_path, mecanum(), wide, engine) == (["UC913"], "failed move")
     small = MECANUM.replace("radius: 0.1", "radius: 0.05")
-    assert of(tmp_path, mecanum(), small, engine) == (["UC913", "UC941", "UC942"], "failed move")
+    assert of(tmp_path, mecanum(), small, engine) == (["UC913"], "failed move")
 
 
 @pytest.mark.parametrize("engine", EACH_ENGINE)

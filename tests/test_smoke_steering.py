@@ -130,5 +130,5 @@ def test_a_fault_of_steering_is_found(tmp_path: Path, fault: str, engine: str) -
 @pytest.mark.parametrize("engine", EACH_ENGINE)
 def test_forward_is_along_the_frame_that_the_controller_names(tmp_path: Path, engine: str) -> None:
     turned = base(TWO, {"f": 0.0}, turned="0 0 3.14159265")
-    assert "UC941" in codes(driven(tmp_path, turned, yaml("tricycle", "rr, rl", "f", frame="frame"), engine))
+    assert "UC912" in codes(driven(tmp_path, turned, yaml("tricycle", "rr, rl", "f", frame="frame"), engine))
     assert codes(driven(tmp_path, turned, yaml("tricycle", "rr, rl", "f"), engine)) == []

@@ -105,7 +105,7 @@ class ForkPool:
 
     def _ended(self, worker: _Worker, status: int) -> None:
         if worker.jobs and (status != 0 or worker.is_at_first_job):
-            self._settle(worker, _failure_of(status))
+            self._settle(worker, _failure_of(status, worker.limits))
         self._retry(worker.jobs)
 
     def kill(self) -> None:
@@ -156,11 +156,13 @@ def _write(pipe: int, text: bytes) -> None:
         view = view[os.write(pipe, view) :]
 
 
-def _failure_of(status: int) -> WorkerFailure:
+def _failure_of(status: int, limits: Limits) -> WorkerFailure:
     from signal import Signals
 
     signal_name = Signals(-status).name if status < 0 else ""
-    if signal_name in {"SIGXCPU", "SIGKILL"}:
+    if signal_name == "SIGXCPU":
+        return WorkerFailure(limits.too_slow)
+    if signal_name == "SIGKILL":
         return WorkerFailure("it uses more time or memory than one robot may use")
     how = f"was ended by {signal_name}" if signal_name else f"ended with status {status}"
     return WorkerFailure(f"the worker {how} and gave no result", our_fault=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfctl.rule import Finding, Project, Severity, Stage, rule
-from urdfctl.rules.smoke.common import ROVER, WHEELS, found_by_smoke_test
+from urdfctl.rules.smoke.common import ROVER, TRICYCLE, TRICYCLE_CONTROLLER, WHEELS, found_by_smoke_test
 
 
 @rule(
@@ -17,11 +17,8 @@ from urdfctl.rules.smoke.common import ROVER, WHEELS, found_by_smoke_test
     authority="measured on 35 real robots and 109 hand-made cases, in pybullet and MuJoCo",
     options=["--distro=jazzy"],
     bad={
-        "robot.urdf": ROVER,
-        "controllers.yaml": (WHEELS % "«base»")
-        .replace("left_wheel]", "x]")
-        .replace("right_wheel]", "left_wheel]")
-        .replace("x]", "right_wheel]"),
+        "robot.urdf": TRICYCLE.replace('<axis xyz="0 0 1"/><!-- steer -->', '<axis xyz="0 0 -1"/>'),
+        "controllers.yaml": TRICYCLE_CONTROLLER.replace(" base: ", " «base»: "),
     },
     good={"robot.urdf": ROVER, "controllers.yaml": WHEELS % "base"},
 )
