@@ -126,7 +126,7 @@ def test_a_job_that_is_too_late_costs_the_others_nothing(quick: None) -> None:
         time.sleep(30 if job["number"] == 0 else 0)
         return job
 
-    late, other = results(perform, SHORT._replace(seconds=1.0), jobs=2, parallel=2)
+    late, other = results(perform, SHORT._replace(seconds=1.0, waiting=1.5), jobs=2, parallel=2)
     assert late == WorkerFailure("it takes longer than 1 s")
     assert other == {"number": 1}
 
@@ -226,7 +226,7 @@ def test_a_job_that_takes_too_long_among_others_is_ended_within_its_own_time(qui
         return job
 
     late = WorkerFailure("it takes longer than 1 s")
-    assert numbered(one_after_the_other(perform, SHORT._replace(seconds=1.0))) == [0, late, *range(2, 16)]
+    assert numbered(one_after_the_other(perform, SHORT._replace(seconds=1.0, waiting=1.5))) == [0, late, *range(2, 16)]
 
 
 @needs_fork
