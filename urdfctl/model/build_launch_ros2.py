@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import re
 from collections.abc import Callable, Mapping, Sequence
 
 from urdfctl.model.descriptions import content_of
@@ -11,6 +9,12 @@ from urdfctl.model.launch import Launch, Simulation, Spawn, Word, joined
 from urdfctl.model.launch_facts import LaunchFacts
 from urdfctl.model.launch_moveit import LAUNCHES
 from urdfctl.model.launch_nodes import Nodes
+from urdfctl.model.launch_simulators import (
+    commanded_simulation,
+    included_simulation,
+    package_outside,
+    simulator_of,
+)
 from urdfctl.model.launch_texts import Scope, Texts, table_of
 from urdfctl.source.launch.terms import (
     Called,
@@ -20,7 +24,6 @@ from urdfctl.source.launch.terms import (
     Missing,
     OneOf,
     Perhaps,
-    Table,
     Term,
 )
 from urdfctl.source.opaque import UNKNOWN
@@ -30,7 +33,6 @@ from urdfctl.startup.records import NamedTuple
 _MOST_DEPTH = 16
 _MOST_INCLUDES = 200
 _MOST_ACTIONS = 5000
-_SIMULATORS = {"ros_gz_sim": "gz", "ros_ign_gazebo": "gz", "ros_gz": "gz", "gazebo_ros": "gazebo-classic"}
 _WITHOUT_CONTROLLERS = frozenset(
     "nav2_bringup slam_toolbox ros_gz_bridge foxglove_bridge rosbridge_server realsense2_camera rplidar_ros joy "
     "teleop_twist_joy robot_localization turtlebot3_navigation2 velodyne usb_cam moveit_servo rviz2 depthai_ros_driver "
@@ -299,21 +301,15 @@ class _Walk:
             return
         path = texts.of(source)
         given = table_of(term.given("launch_arguments"))
-        package = package_outside(path) or _package_in(path)
-        if package in _SIMULATORS:  # before the arguments are set: one may contain the former value of its own name
-            self._simulation(
-                simulator=_SIMULATORS[package],
-                file=os.path.basename(path),
-                texts=texts,
-                given=given,
-                at=term.at,
-                state=state,
-            )
+        is_simulator = simulator_of(path) is not None
+        if is_simulator:  # before the arguments are set: one may contain the former value of its own name
+            if state.held:
+                self._simulates(included_simulation(path, given, texts, term.at, sure=state.sure))
             self.nodes(scope).worlds(given, texts, sure=state.sure)
         for name, value in given.entries.items() if given else ():
             scope.settings[name] = texts.of(value)
             self._described(name, value, scope)
-        if package not in _SIMULATORS and package_outside(path) not in _WITHOUT_CONTROLLERS:
+        if not is_simulator and package_outside(path) not in _WITHOUT_CONTROLLERS:
             at = source.at if source is not None else term.at
             self._follow(path, Word(path, at), scope, state)
 
@@ -333,37 +329,17 @@ class _Walk:
 
     # -- simulators --------------------------------------------------------------------------------------------------
 
-    def _simulation(
-        self, simulator: str, file: str, texts: Texts, given: Table | None, at: Place, state: _State
-    ) -> None:
-        if not state.held or ("sim" not in file and "gazebo" not in file and "gzserver" not in file):
-            return
-        entries = given.entries if given else {}
-        if simulator == "gz":
-            arguments = texts.of(entries.get("gz_args") or entries.get("ign_args") or Constant("", at))
-            if is_window(arguments):
-                return
-            paused = paused_by(arguments)
-            if paused and given is not None and not given.whole:
-                paused = None
-        else:
-            paused = texts.truth(entries["pause"]) if "pause" in entries else False
-        self.simulations.append(Simulation(simulator, at, paused, state.sure))
+    def _simulates(self, simulation: Simulation | None) -> None:
+        if simulation is not None:
+            self.simulations.append(simulation)
 
     def _process(self, term: Called, scope: Scope, state: _State) -> None:
         words = self.nodes(scope).command(term, sure=state.sure, held=state.held, after=state.after)
         texts = [word.text for word in words]
         if not texts or not state.held:
             return
-        if texts[:2] in (["gz", "sim"], ["ign", "gazebo"]):
-            if is_window(" ".join(texts[2:])):
-                return
-            paused = paused_by(" ".join(texts[2:]))
-            self.simulations.append(Simulation("gz", term.at, paused, state.sure))
-        elif texts[0] in {"gazebo", "gzserver"}:
-            paused = any(text in {"-u", "--pause"} for text in texts)
-            self.simulations.append(Simulation("gazebo-classic", term.at, paused, state.sure))
-        elif texts[:2] == ["ros2", "launch"]:
+        self._simulates(commanded_simulation(texts, term.at, sure=state.sure))
+        if texts[:2] == ["ros2", "launch"]:
             self.complete = False
 
 
@@ -382,26 +358,3 @@ _ACTIONS: dict[str, Callable[[_Walk, Called, Scope, _State], None]] = {
     "IncludeLaunchDescription": _Walk.include,
     **dict.fromkeys(LAUNCHES, _Walk.moveit),
 }
-
-
-def paused_by(arguments: str) -> bool | None:
-    """Return whether gz starts paused, which it does without `-r`; None if its arguments are not fully known."""
-    if any(re.fullmatch(r"-[a-zA-Z]*r\w*", word) for word in arguments.split()):
-        return False
-    return None if UNKNOWN in arguments else True
-
-
-def is_window(arguments: str) -> bool:
-    """Return whether gz starts its window alone, by `-g`, which neither runs nor pauses a simulation."""
-    return "-g" in arguments.split()
-
-
-def package_outside(path: str) -> str | None:
-    """Return the package that contains a path, if it is not among the sources; None otherwise."""
-    match = re.match(rf"{UNKNOWN}\(([^)]*)\)", path)
-    return match.group(1) if match else None
-
-
-def _package_in(path: str) -> str | None:
-    """The simulator package that contains a path, by the name of the folder."""
-    return next((part for part in reversed(path.split("/")) if part in _SIMULATORS), None)
