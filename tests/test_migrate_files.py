@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from folder import Folder
-from test_migrate_distro import controllers, migrated
+from test_migrate_distro import HUMBLE, controllers, migrated
 
 DIFF = "diff_drive_controller/DiffDriveController"
 FINGERS = """\
@@ -149,6 +149,34 @@ LaunchDescription([
     assert 'remappings=[("/gone/x", "/x")]' in after
     assert "# TODO(urdfctl): remap '/gone/x' by --controller-ros-args of the spawner of 'gone'" in after
     assert migrated(folder, {name: launch}, "--to", "kilted")[name] == launch
+
+
+def test_remappings_and_files_of_spawners_stand_in_the_same_order_over_jazzy_and_at_once(folder: Folder) -> None:
+    launch = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+LaunchDescription([
+    Node(
+        package="controller_manager",
+        executable="ros2_control_node",
+        parameters=["c.yaml"],
+        remappings=[
+            ("~/robot_description", "/robot_description"),
+            ("/ctl/cmd_vel", "/cmd_vel"),
+        ],
+    ),
+    Node(package="controller_manager", executable="spawner", arguments=["ctl"]),
+])
+"""
+    name = "launch/a.launch.py"
+    files = {name: launch, "config/c.yaml": controllers(DIFF, "odom_frame_id: odom\n")}
+    at_once = migrated(folder, files, *HUMBLE, "--to", "lyrical", "--only", "launch")
+    shown = " ".join(at_once[name].split())
+    assert '"ctl", "--param-file", "c.yaml", "--controller-ros-args", "-r /ctl/cmd_vel:=/cmd_vel"' in shown
+    assert "remappings=" not in at_once[name]
+    over_jazzy = migrated(folder, files, *HUMBLE, "--to", "jazzy", "--only", "launch")
+    assert migrated(folder, over_jazzy, "--to", "lyrical", "--only", "launch")[name] == at_once[name]
 
 
 def test_the_environment_of_hooks_is_renamed(folder: Folder) -> None:

@@ -54,13 +54,20 @@ class _File:
         return text
 
     def proposals(self) -> Iterator[Proposal]:
+        """Yield the changes up to jazzy, or if there are none left, those of lyrical: they change the same lists."""
+        early = list(self._of_jazzy())
+        yield from early
+        if self.packages.crosses("lyrical") and not any(proposal.edits for proposal in early):
+            for call, _ in self.nodes:
+                if _executable(call) == "ros2_control_node":
+                    yield from self._remappings(call)
+
+    def _of_jazzy(self) -> Iterator[Proposal]:
         for call, scope in self.nodes:
-            executable = text_of(getattr(keyword(call, "executable"), "value", None))
+            executable = _executable(call)
             if executable == "ros2_control_node" and self.packages.crosses("jazzy"):
                 yield from self._description(call, scope)
                 yield from self._topic(call)
-                if self.packages.crosses("lyrical"):
-                    yield from self._remappings(call)
             elif executable.startswith("spawner"):
                 yield from self._options(call)
                 if self.packages.crosses("jazzy"):
@@ -192,6 +199,10 @@ class _File:
         imports = [edit for module, one in needed if (edit := self.file.imports(module, one)) is not None]
         merged = (Edit(imports[0].span, "".join(edit.text for edit in imports)),) if imports else ()
         return f'PathJoinSubstitution([FindPackageShare("{package}"), {shown}])', merged
+
+
+def _executable(call: ast.Call) -> str:
+    return text_of(getattr(keyword(call, "executable"), "value", None))
 
 
 def _arguments(call: ast.Call) -> list[ast.expr]:
