@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from folder import CHECKOUT, Folder
-from test_migrate_ros1 import MANIFEST, PLUGIN, arm, transmission
+from test_migrate_ros1 import LEG, MANIFEST, PLUGIN, arm, migrated, transmission
 
 from urdfctl.migrate.launch.python_reading import read_python
 from urdfctl.migrate.launch.xml_reading import read_xml
@@ -197,3 +197,17 @@ def test_parts_of_a_robot_of_ros_2_equal_all_at_once_if_launch_files_come_after_
     folder.write(FILES)
     at_once = over(folder, "arm", "humble", "lyrical")
     assert parts_of(folder, "humble-py", ("moveit", "manifest", "yaml", "urdf", "launch")) == at_once
+
+
+def test_components_of_several_files_are_numbered_in_the_order_of_the_files(folder: Folder) -> None:
+    sides = "abcdef"
+    includes = "".join(f'  <xacro:include filename="{side}.xacro"/>\n' for side in ["leg", *sides])
+    wrapped = '<robot name="walker" xmlns:xacro="http://www.ros.org/wiki/xacro">\n{}</robot>\n'.format
+    legs = {
+        f"urdf/{side}.xacro": wrapped(f'  <xacro:leg side="{side}"><origin xyz="0 1 0"/></xacro:leg>\n')
+        for side in sides
+    }
+    robot = {"urdf/robot.xacro": wrapped(f'  <link name="body"/>\n{includes}'), "urdf/leg.xacro": wrapped(LEG)}
+    after = migrated(folder, {**robot, **legs})
+    names = [re.findall(r'<ros2_control name="(\w+)"', after[name]) for name in legs]
+    assert names == [["walker_system"], *([f"walker_system_{number}"] for number in range(2, 7))]

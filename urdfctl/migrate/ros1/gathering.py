@@ -125,7 +125,7 @@ class Gathering:
         parts = list(items.values())
         calls: dict[ElementKey, set[Path]] = {}
         for item in parts:
-            for robot, chain in item.paths:
+            for robot, chain in sorted(item.paths):
                 calls.setdefault(chain[0], set()).add((robot, chain[1:]))
         is_pure = _is_pure(macro, parts)
         self.edits.setdefault(key, []).extend(_pure_edits(parts) if is_pure else _split_edits(macro, parts))

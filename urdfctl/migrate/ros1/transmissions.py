@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from itertools import count
 
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.hardware import HARDWARE_OPTION, simulated_by, system_plugin, without_hardware
@@ -130,10 +131,9 @@ def _names(uses: Uses, components: list[Component]) -> list[str]:
         label = label_of(component.unit, next((robot.name for robot in found if robot and robot.name), "robot"))
         prefix = prefix_of(name for item in component.items for name in item.names)
         name = f"{prefix}{label}_system"
-        same = [
-            other for other, taken in zip(components, names, strict=False) if taken == name and _share(other, component)
-        ]
-        names.append(f"{name}_{len(same) + 1}" if same else name)
+        taken = {own for other, own in zip(components, names, strict=False) if _share(other, component)}
+        free = (f"{name}_{number}" if number > 1 else name for number in count(1))
+        names.append(next(one for one in free if one not in taken))
     return names
 
 
