@@ -8,6 +8,7 @@ import subprocess
 import sys
 import threading
 import time
+from types import FunctionType
 
 import pytest
 from folder import CHECKOUT, Folder, environment
@@ -89,6 +90,24 @@ def test_the_clock_interrupts_only_the_thread_that_it_watches() -> None:
     thread.start()
     thread.join(timeout=20)
     assert ended == ["in time"]
+
+
+def hold(end: float, left: list[float]) -> None:
+    while time.process_time() < end:
+        pass
+    left.append(end)
+
+
+def test_code_that_may_hold_a_lock_is_interrupted_when_it_is_left() -> None:
+    of_logging = FunctionType(hold.__code__, {"__name__": "logging", "time": time})
+    left: list[float] = []
+
+    def job(_: Json) -> Json:
+        of_logging(time.process_time() + 6 * LIMITS.seconds, left)
+        return endless({"endless": True})
+
+    assert list(run_all_here([{}], job, LIMITS)) == [WorkerFailure(LIMITS.too_slow)]
+    assert len(left) == 1
 
 
 @pytest.mark.parametrize("tried", sample(TRIED, 4))

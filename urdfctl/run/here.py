@@ -54,6 +54,8 @@ _AGAIN = 1.0
 """Seconds after which work that is still not interrupted is interrupted again."""
 _LEAST = 0.02
 """Seconds between two looks at the clock, at least."""
+_HOLDING_LOCKS = frozenset({"threading", "logging", "importlib._bootstrap", "coverage.collector"})
+"""Modules whose code is not interrupted: a lock that it has just taken would be held for ever."""
 
 
 def _clock_of(thread: int) -> Callable[[], float]:
@@ -62,6 +64,12 @@ def _clock_of(thread: int) -> Callable[[], float]:
         return time.process_time
     clock = time.pthread_getcpuclockid(thread)
     return lambda: time.clock_gettime(clock)
+
+
+def _may_be_interrupted(thread: int) -> bool:
+    """Return whether the innermost Python code of a thread holds no lock of its own."""
+    frame = sys._current_frames().get(thread)
+    return frame is None or frame.f_globals.get("__name__") not in _HOLDING_LOCKS
 
 
 class Clock:
@@ -112,6 +120,10 @@ class Clock:
     def stop(self) -> None:
         """Interrupt the thread that is between entering and leaving."""
         with self._lock:
-            if self._thread is not None:
+            if self._thread is None:
+                return
+            again = _LEAST
+            if _may_be_interrupted(self._thread):
                 ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self._thread), ctypes.py_object(self._error))
-                self._timer = self._started(_AGAIN, self.stop)
+                again = _AGAIN
+            self._timer = self._started(again, self.stop)
