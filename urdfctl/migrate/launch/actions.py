@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from urdfctl.startup.records import NamedTuple
 
@@ -79,23 +79,26 @@ _SUBSTITUTION = r"\$\((arg|find|env|optenv|dirname|anon|eval)\s*([^()]*(?:\([^()
 
 def parsed(text: str) -> Text:
     """Return a text of roslaunch with its substitutions."""
-    return tuple(part for part in _parts(" ".join(text.split())) if part.text or part.kind != "text")
+    return divided(" ".join(text.split()), _SUBSTITUTION, _part)
 
 
-def _parts(text: str) -> Iterator[PartOfText]:
+def _part(found: re.Match[str]) -> PartOfText:
+    kind, inner = found[1], found[2].strip()
+    if kind == "optenv":
+        name, _, default = inner.partition(" ")
+        return PartOfText("env", name, default.strip())
+    return PartOfText("text" if kind == "anon" else kind, inner)
+
+
+def divided(text: str, substitution: str, part_of: Callable[[re.Match[str]], PartOfText]) -> Text:
+    """Return a text in parts: what lies between the matches of a pattern, and what each of these stands for."""
+    parts: list[PartOfText] = []
     position = 0
-    for found in re.finditer(_SUBSTITUTION, text):
-        yield PartOfText("text", text[position : found.start()])
+    for found in re.finditer(substitution, text):
+        parts += [PartOfText("text", text[position : found.start()]), part_of(found)]
         position = found.end()
-        kind, inner = found[1], found[2].strip()
-        if kind == "optenv":
-            name, _, default = inner.partition(" ")
-            yield PartOfText("env", name, default.strip())
-        elif kind == "anon":
-            yield PartOfText("text", inner)
-        else:
-            yield PartOfText(kind, inner)
-    yield PartOfText("text", text[position:])
+    parts.append(PartOfText("text", text[position:]))
+    return tuple(part for part in parts if part.text or part.kind != "text")
 
 
 def joined(*texts: Text) -> Text:

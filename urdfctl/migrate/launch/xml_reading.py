@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from itertools import takewhile
 
 from urdfctl.generate.scalars import xml_text
-from urdfctl.migrate.launch.actions import Action, Condition, PartOfText, Text, words_of
+from urdfctl.migrate.launch.actions import Action, Condition, PartOfText, Text, divided, words_of
 from urdfctl.migrate.launch.written import Written, as_xml
 from urdfctl.migrate.markup import root_of
 from urdfctl.source.dom import COMMENT, Element, Node
@@ -97,20 +97,14 @@ def _flag(value: str) -> str:
 
 
 def _text(text: str) -> Text:
-    return tuple(part for part in _parts(text) if part.text or part.kind != "text")
+    return divided(text, _SUBSTITUTION, _part)
 
 
-def _parts(text: str) -> Iterator[PartOfText]:
-    position = 0
-    for found in re.finditer(_SUBSTITUTION, text):
-        yield PartOfText("text", text[position : found.start()])
-        position = found.end()
-        kind, inner = found[1], found[2].strip()
-        if kind == "env":
-            name, _, default = inner.partition(" ")
-            yield PartOfText("env", name, default.strip("'") if default else None)
-        elif kind == "eval":
-            yield PartOfText("written", xml_text(found[0]))
-        else:
-            yield PartOfText({"var": "arg", "find-pkg-share": "find"}.get(kind, kind), inner)
-    yield PartOfText("text", text[position:])
+def _part(found: re.Match[str]) -> PartOfText:
+    kind, inner = found[1], found[2].strip()
+    if kind == "env":
+        name, _, default = inner.partition(" ")
+        return PartOfText("env", name, default.strip("'") if default else None)
+    if kind == "eval":
+        return PartOfText("written", xml_text(found[0]))
+    return PartOfText({"var": "arg", "find-pkg-share": "find"}.get(kind, kind), inner)
