@@ -6,7 +6,7 @@ from urdfctl.catalog.catalog import catalog_with
 from urdfctl.catalog.hardware import HardwareType, SimulatorPlugin
 from urdfctl.generate.hardware import hardware, host
 from urdfctl.generate.options import Options
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import OF_XML, Packages
 
 HARDWARE_OPTION = "--hardware PLUGIN"
 
@@ -17,7 +17,6 @@ _HOSTS = (
     b"gz_ros2_control-system",
     b"ign_ros2_control-system",
 )
-_OF_XML = (".xacro", ".urdf", ".gazebo", ".xml", ".inc")
 
 
 def simulated_by(packages: Packages) -> str:
@@ -29,7 +28,7 @@ def simulated_by(packages: Packages) -> str:
 
 
 def _has_host(packages: Packages) -> bool:
-    return any(host in packages.read(path).data for path in packages.files(*_OF_XML) for host in _HOSTS)
+    return any(host in packages.read(path).data for path in packages.files(*OF_XML) for host in _HOSTS)
 
 
 def leaves_classic(packages: Packages) -> bool:

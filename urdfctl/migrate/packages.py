@@ -19,6 +19,8 @@ from urdfctl.source.files import MAX_BYTES
 from urdfctl.source.span import SourceText
 
 Value = TypeVar("Value")
+OF_XML = (".xacro", ".urdf", ".gazebo", ".xml", ".inc")
+"""The endings of files that robots are written in."""
 
 Linted = Sequence[tuple[Target, TargetResult]]
 Lint = Callable[[Settings], Linted]

@@ -6,11 +6,10 @@ import os
 from collections.abc import Iterator
 
 from urdfctl.migrate.markup import elements, root_of
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import OF_XML, Packages
 from urdfctl.source.dom import Element
 from urdfctl.source.span import Place, SourceSpan
 
-_OF_XML = (".xacro", ".urdf", ".gazebo", ".xml", ".inc")
 ElementKey = tuple[str, int]
 """An element as it is written: the real path of its file, and the offset of its start tag."""
 
@@ -36,7 +35,7 @@ def plugin_elements(packages: Packages, *endings: str, at_first: bool = False) -
     endings: those of other files to look into, too.
     at_first: whether to yield them as they were before the migration, instead of as they are now.
     """
-    for path in packages.files(*_OF_XML, *endings):
+    for path in packages.files(*OF_XML, *endings):
         source = packages.read(packages.scratch.real(path) if at_first else path)
         root = root_of(source) if b"<plugin" in source.data else None
         if root is not None and root.tagName in {"robot", "gazebo", "sdf"}:

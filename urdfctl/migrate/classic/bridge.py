@@ -11,7 +11,7 @@ from urdfctl.generate.bringup import gz_names
 from urdfctl.migrate.hardware import goes_to_gz, leaves_classic
 from urdfctl.migrate.install_rules import BRIDGE_FILE, install_rule, installs
 from urdfctl.migrate.markup import attribute, content, elements, root_of
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import OF_XML, Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.wishes import Part
 from urdfctl.source.opaque import is_known
@@ -20,7 +20,6 @@ from urdfctl.source.span import SourceSpan
 from urdfctl.startup.records import NamedTuple
 
 _AUTHORITY = "ros_gz_bridge README: config_file"
-_OF_XML = (".xacro", ".urdf", ".gazebo", ".xml", ".inc")
 
 
 class Topic(NamedTuple):
@@ -60,7 +59,7 @@ def _bridge(packages: Packages) -> Iterator[Proposal]:
     if not goes_to_gz(packages) or not leaves_classic(packages):
         return
     for folder in sorted(
-        {folder for path in packages.files(*_OF_XML) if (folder := package_around(os.path.dirname(path)))}
+        {folder for path in packages.files(*OF_XML) if (folder := package_around(os.path.dirname(path)))}
     ):
         path = os.path.join(folder, BRIDGE_FILE)
         found = (topic._replace(name=re.sub("//+", "/", topic.name)) for topic in _topics(packages, folder))
@@ -80,7 +79,7 @@ def _topics(packages: Packages, folder: str) -> Iterator[Topic]:
     """The topics of the files of a package: as they are written, with the defaults of arguments, and as its robots have
     them."""
     defaults = packages.found(_defaults)
-    for path in packages.files(*_OF_XML):
+    for path in packages.files(*OF_XML):
         source = packages.read(path)
         root = root_of(source) if path.startswith(folder + os.sep) and b"<gazebo" in source.data else None
         for element in elements(root) if root is not None else ():
@@ -97,7 +96,7 @@ def _topics(packages: Packages, folder: str) -> Iterator[Topic]:
 def _defaults(packages: Packages) -> dict[str, str]:
     """The defaults of the arguments of descriptions, without those that differ between files."""
     found: dict[str, set[str]] = {}
-    for path in packages.files(*_OF_XML):
+    for path in packages.files(*OF_XML):
         source = packages.read(path)
         root = root_of(source) if b"<xacro:arg" in source.data else None
         for element in elements(root) if root is not None else ():

@@ -20,7 +20,7 @@ from urdfctl.migrate.markup import (
     span_of,
     step_of,
 )
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import OF_XML, Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import for_you
 from urdfctl.migrate.wishes import Part
@@ -28,7 +28,6 @@ from urdfctl.migrate.wishes import Part
 _AUTHORITY = (
     "gz-sim tutorials/migration_sdf: material scripts are not supported; gazebo media/materials/scripts/gazebo.material"
 )
-_OF_XML = (".xacro", ".urdf", ".gazebo", ".xml", ".inc")
 COLOURS: Mapping[str, str] = {
     "Black": "0 0 0 1",
     "FlatBlack": "0.1 0.1 0.1 1",
@@ -59,7 +58,7 @@ def _materials(packages: Packages) -> Iterator[Proposal]:
     if not goes_to_gz(packages):
         return
     yield from _scripts(packages)
-    for path in packages.files(*_OF_XML):
+    for path in packages.files(*OF_XML):
         source = packages.read(path)
         root = root_of(source) if b"Gazebo/" in source.data else None
         for element in elements(root) if root is not None else ():

@@ -35,7 +35,7 @@ from urdfctl.migrate.markup import (
     step_of,
     with_attribute,
 )
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import OF_XML, Packages
 from urdfctl.migrate.places import place_of, plugin_elements
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.todo import for_you, todo_line
@@ -53,7 +53,6 @@ _KEPT = ("parameters", "ros", "hold_joints", "controller_manager_name")
 _TRICYCLE = "gazebo_ros_tricycle_drive"
 _AUTHORITY = "gazebosim.org, Migrating Gazebo Classic ROS 2 packages"
 _CONTROL = "gz_ros2_control doc/index.rst; rosdistro#41224: gazebo_ros2_control ends with iron"
-_OF_XML = (".xacro", ".urdf", ".gazebo", ".xml", ".inc")
 
 
 def _control(packages: Packages) -> Iterator[Proposal]:
@@ -108,7 +107,7 @@ def _hardware(packages: Packages) -> Iterator[Proposal]:
     if not leaves_classic(packages):
         return
     new = system_plugin(packages)
-    for path in packages.files(*_OF_XML):
+    for path in packages.files(*OF_XML):
         source = packages.read(path)
         root = root_of(source) if _HARDWARE.encode() in source.data else None
         for element in elements(root) if root is not None else ():
@@ -132,7 +131,7 @@ def _interfaces(packages: Packages) -> Iterator[Proposal]:
     """Replace the interfaces with a PID loop in the simulator, which only Gazebo Classic's hardware has."""
     if not goes_to_gz(packages):
         return
-    for path in packages.files(*_OF_XML, ".yaml"):
+    for path in packages.files(*OF_XML, ".yaml"):
         source = packages.read(path)
         found = list(re.finditer(_WITH_LOOP, source.data))
         if found and not packages.wishes.keep_classic:

@@ -25,7 +25,7 @@ from urdfctl.migrate.markup import (
     span_of,
     step_of,
 )
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import OF_XML, Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.wishes import Part
 from urdfctl.source.dom import Element
@@ -33,7 +33,6 @@ from urdfctl.source.span import SourceSpan
 from urdfctl.startup.records import NamedTuple
 
 _AUTHORITY = "gz-sensors; gazebosim.org, Migrating Gazebo Classic ROS 2 packages"
-_OF_XML = (".xacro", ".urdf", ".gazebo", ".xml", ".inc")
 _FRAMES = ("frameName", "frame_name", "frameId", "frame_id", "bodyName")
 _READ = (
     *("ros", "robotNamespace", "cameraName", "camera_name", "alwaysOn", "updateRate", "updateRateHZ", "output_type"),
@@ -85,7 +84,7 @@ SENSORS: Mapping[str, Sensor] = {
 def _sensors(packages: Packages) -> Iterator[Proposal]:
     if not goes_to_gz(packages):
         return
-    for path in packages.files(*_OF_XML, *OF_SDF):
+    for path in packages.files(*OF_XML, *OF_SDF):
         source = packages.read(path)
         root = root_of(source) if b"<sensor" in source.data else None
         for element in elements(root) if root is not None else ():

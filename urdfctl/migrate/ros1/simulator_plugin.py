@@ -43,7 +43,6 @@ _SIM_TYPES = ("gazebo_ros_control/DefaultRobotHWSim", "")
 _DROPPED = ("robotSimType", "legacyModeNS", "controlPeriod", "eStopTopic", "robotParam")
 _AUTHORITY = "gz_ros2_control doc/index.rst; gazebo_ros2_control doc/index.rst"
 _MIMIC = "gz_ros2_control doc/index.rst: mimic joints by <mimic> of the URDF"
-_OF_XML = (".xacro", ".urdf", ".gazebo", ".xml", ".inc")
 
 
 def _plugins(packages: Packages) -> Iterator[Proposal]:

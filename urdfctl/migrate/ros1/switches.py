@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.markup import attribute, elements, root_of
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import OF_XML, Packages
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.wishes import Part
 from urdfctl.source.span import SourceSpan
@@ -15,12 +15,11 @@ from urdfctl.source.span import SourceSpan
 _NAME = r"(?:(?:is|for|use|with)_)?ros_?([12])"
 _BOOLS = {"false": "true", "true": "false", "False": "True", "True": "False", "0": "1", "1": "0"}
 _DECLARING = {"xacro:property": "value", "xacro:arg": "default"}
-_OF_XML = (".xacro", ".urdf", ".gazebo", ".xml", ".inc")
 _AUTHORITY = "the description has <ros2_control> for this case"
 
 
 def _switches(packages: Packages) -> Iterator[Proposal]:
-    sources = [packages.read(path) for path in packages.files(*_OF_XML)]
+    sources = [packages.read(path) for path in packages.files(*OF_XML)]
     if not any(b"<ros2_control" in source.data for source in sources):
         return
     for source in sources:

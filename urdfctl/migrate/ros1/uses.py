@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from urdfctl.load.loader import LoadedTarget
 from urdfctl.migrate.markup import MACRO, ancestors, element_at, elements, root_of
-from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.packages import OF_XML, Packages
 from urdfctl.migrate.places import ElementKey, key_of
 from urdfctl.model.robot import Robot
 from urdfctl.model.transmission import Transmission
@@ -15,8 +15,6 @@ from urdfctl.source.dom import Element
 from urdfctl.source.opaque import UNKNOWN
 from urdfctl.source.span import Call, Place
 from urdfctl.startup.records import NamedTuple
-
-_OF_XML = (".xacro", ".urdf", ".gazebo", ".xml", ".inc")
 
 
 class Use(NamedTuple):
@@ -69,7 +67,7 @@ class Uses:
 
     def unused(self) -> Iterator[Element]:
         """Yield the transmissions of ROS 1 that no robot uses: in macros that are not called, and in other files."""
-        for path in self.packages.files(*_OF_XML):
+        for path in self.packages.files(*OF_XML):
             source = self.packages.read(path)
             root = root_of(source) if b"<transmission" in source.data else None
             for element in elements(root) if root is not None and root.tagName == "robot" else ():
