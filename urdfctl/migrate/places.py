@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from urdfctl.migrate.markup import elements, root_of
 from urdfctl.migrate.packages import OF_XML, Packages
@@ -27,6 +27,14 @@ def key_of_element(element: Element) -> ElementKey:
 def place_of(span: SourceSpan) -> Place:
     """Return the place of some bytes."""
     return Place(span.source, span.start, end=span.end)
+
+
+def written_elements(packages: Packages, mark: str, endings: Collection[str] = OF_XML) -> Iterator[Element]:
+    """Yield all elements of the files that contain a text, as they are written."""
+    for path in packages.files(*endings):
+        source = packages.read(path)
+        root = root_of(source) if mark.encode() in source.data else None
+        yield from elements(root) if root is not None else ()
 
 
 def plugin_elements(packages: Packages, *endings: str, at_first: bool = False) -> Iterator[Element]:

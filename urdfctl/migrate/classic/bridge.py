@@ -12,6 +12,7 @@ from urdfctl.migrate.hardware import goes_to_gz, leaves_classic
 from urdfctl.migrate.install_rules import BRIDGE_FILE, install_rule, installs
 from urdfctl.migrate.markup import attribute, content, elements, root_of
 from urdfctl.migrate.packages import OF_XML, Packages
+from urdfctl.migrate.places import written_elements
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.wishes import Part
 from urdfctl.source.opaque import is_known
@@ -96,12 +97,9 @@ def _topics(packages: Packages, folder: str) -> Iterator[Topic]:
 def _defaults(packages: Packages) -> dict[str, str]:
     """The defaults of the arguments of descriptions, without those that differ between files."""
     found: dict[str, set[str]] = {}
-    for path in packages.files(*OF_XML):
-        source = packages.read(path)
-        root = root_of(source) if b"<xacro:arg" in source.data else None
-        for element in elements(root) if root is not None else ():
-            if element.tagName == "xacro:arg":
-                found.setdefault(attribute(element, "name"), set()).add(attribute(element, "default"))
+    for element in written_elements(packages, "<xacro:arg"):
+        if element.tagName == "xacro:arg":
+            found.setdefault(attribute(element, "name"), set()).add(attribute(element, "default"))
     return {name: next(iter(values)) for name, values in found.items() if len(values) == 1}
 
 

@@ -6,8 +6,9 @@ from collections.abc import Iterator
 
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.hardware import goes_to_gz
-from urdfctl.migrate.markup import attribute, children, elements, end_of, indent_of, root_of, step_of
+from urdfctl.migrate.markup import attribute, children, end_of, indent_of, step_of
 from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.places import written_elements
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.wishes import Part
 from urdfctl.source.dom import Element
@@ -44,12 +45,9 @@ def _wanted(packages: Packages) -> dict[str, str]:
 
 def _joints(packages: Packages) -> Iterator[Element]:
     """The joints of <ros2_control>, as they are written."""
-    for path in packages.files(*_OF_XML):
-        source = packages.read(path)
-        root = root_of(source) if b"<ros2_control" in source.data and packages.may_change(path) else None
-        for element in elements(root) if root is not None else ():
-            if element.tagName == "ros2_control":
-                yield from children(element, "joint")
+    for element in written_elements(packages, "<ros2_control", _OF_XML):
+        if element.tagName == "ros2_control" and packages.may_change(element.source.path):
+            yield from children(element, "joint")
 
 
 def _is_set(state: Element) -> bool:

@@ -7,8 +7,9 @@ from collections.abc import Iterator, Mapping
 from urdfctl.catalog.distros import between
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.hardware import simulated_by
-from urdfctl.migrate.markup import attribute, child, children, elements, indent_of, lines_of, root_of
+from urdfctl.migrate.markup import attribute, child, children, indent_of, lines_of
 from urdfctl.migrate.packages import Packages
+from urdfctl.migrate.places import written_elements
 from urdfctl.migrate.ros1.controller_map import GAINS_OF_GAZEBO
 from urdfctl.migrate.step import Entry, EntryKind, Proposal, Row, Step
 from urdfctl.migrate.wishes import Part
@@ -49,12 +50,10 @@ def _gains(packages: Packages) -> Iterator[Proposal]:
 
 def _joints(packages: Packages) -> Iterator[Element]:
     """Yield the joints of `<ros2_control>`, also those in macros."""
-    for path in packages.files(*_OF_XML):
-        source = packages.read(path)
-        root = root_of(source) if b"<command_interface" in source.data and packages.may_change(path) else None
-        for element in elements(root) if root is not None else ():
-            if element.tagName == "joint" and child(element, "command_interface") is not None:
-                yield element
+    for element in written_elements(packages, "<command_interface", _OF_XML):
+        is_driven = element.tagName == "joint" and child(element, "command_interface") is not None
+        if is_driven and packages.may_change(element.source.path):
+            yield element
 
 
 def _by_joint(packages: Packages) -> dict[str, tuple[Mapping[str, str], Place]]:

@@ -7,9 +7,9 @@ from itertools import count
 
 from urdfctl.diagnostic import Edit
 from urdfctl.migrate.hardware import HARDWARE_OPTION, simulated_by, system_plugin, without_hardware
-from urdfctl.migrate.markup import attribute, element_at, elements, root_of, step_of
+from urdfctl.migrate.markup import attribute, element_at, step_of
 from urdfctl.migrate.packages import Packages
-from urdfctl.migrate.places import ElementKey, key_of_element, place_of
+from urdfctl.migrate.places import ElementKey, key_of_element, place_of, written_elements
 from urdfctl.migrate.ros1.following import following, idle
 from urdfctl.migrate.ros1.gathering import Component, Gathering, label_of, prefix_of, written_component
 from urdfctl.migrate.ros1.parts import Converted, Unreadable, converted
@@ -64,12 +64,9 @@ def _converted(packages: Packages, uses: Uses, passive: Passive, element: Elemen
 def _joints_of_components(packages: Packages) -> set[str]:
     """The joints that the `<ros2_control>` elements of half-migrated packages have, as they are written."""
     names = set()
-    for path in packages.files(".xacro", ".urdf", ".xml", ".gazebo"):
-        source = packages.read(path)
-        root = root_of(source) if b"<ros2_control" in source.data else None
-        for element in elements(root) if root is not None else ():
-            if element.tagName == "ros2_control":
-                names |= {attribute(joint, "name") for joint in element.elements() if joint.tagName == "joint"}
+    for element in written_elements(packages, "<ros2_control", (".xacro", ".urdf", ".xml", ".gazebo")):
+        if element.tagName == "ros2_control":
+            names |= {attribute(joint, "name") for joint in element.elements() if joint.tagName == "joint"}
     return names
 
 
